@@ -42,7 +42,7 @@ agrees() { # agrees ESTIMATOR "A B C" ARGUMENTS ...: of fractions, and of intege
     done
 }
 agrees overlapping '2.922319e-01 9.159953e-02 3.241343e-02'
-agrees 'windows apart' '2.922319e-01 9.965736e-02 3.897804e-02' --apart
+agrees 'non-overlapping' '2.922319e-01 9.965736e-02 3.897804e-02' --apart
 check "NIST SP 1065: the number of differences" [ "$(json "$work/stdout" count)" = '[999, 99, 9]' ]
 
 # ---- what it finds -----------------------------------------------------------------------------
@@ -98,15 +98,15 @@ check "the table has the velocity random walk" matches "$work/stdout" 'm/s/√h'
 check "it says how long to hold" matches "$work/stdout" \
     "^Hold each position 1[0-9](\\.[0-9])?$(printf '\302\240')s: "
 run allan "$work/walk.csv" --sigma 1e-6
-check "it says that no time will do" matches "$work/stdout" '^No time in a position brings'
+check "it says that no time will do" matches "$work/stdout" '^No dwell brings the sigma'
 
 # A filter of first order: short averaging times look better than they are.
 awk 'BEGIN { srand(3); for (i = 0; i < 20000; i++) { y += 0.02 * (rand() - 0.5 - y); print y, y, y } }' \
     > "$work/filtered.txt"
 run allan "$work/filtered.txt" --rate 100
-check "a filter is noticed" matches "$work/stdout" '^More than this noise: on x y z something else'
+check "a filter is noticed" matches "$work/stdout" '^Not only this noise: on x y z the model does not fit'
 run allan "$work/rest.csv"
-check "where there is none, nothing is said" lacks "$work/stdout" 'More than this noise'
+check "where there is none, nothing is said" lacks "$work/stdout" 'Not only this noise'
 
 # ---- gaps, parts, files ------------------------------------------------------------------------
 
@@ -161,17 +161,17 @@ head -n 2 "$work/rest.csv" > "$work/one.csv"
 refuses "one sample" 1 '1 sample shows no noise of x .*log longer' allan "$work/one.csv" --rate 100
 refuses "too high a rate" 2 'must be above 0, at most 1e\+12' allan "$work/rest.csv" --rate 1e13
 refuses "no rate" 2 '--rate: is needed' allan "$work/glued.txt"
-refuses "a time that is no multiple" 2 '--tau: 0.015 s .* no multiple of the interval, 0.01 s' allan \
+refuses "a time that is no multiple" 2 '--tau: 0.015 s .* not a multiple of the interval, 0.01 s' allan \
     "$work/rest.csv" --tau 0.015
 refuses "a long time off the grid" 2 'must be a multiple of 0.02 s' allan "$work/rest.csv" --tau 50.01
 refuses "times that descend" 2 '--tau: must ascend' allan "$work/rest.csv" --tau 1,0.1
 refuses "a time that is no number" 2 'is not a decimal number' allan "$work/rest.csv" --tau 1,b
 refuses "sigma 0" 2 '--sigma 0: must be above 0' allan "$work/rest.csv" --sigma 0
-refuses "a unit that is none" 2 '--unit ft: is none of' allan "$work/rest.csv" --unit ft
-refuses "two units" 2 '--lsb: tells the unit itself' allan "$work/rest.csv" --unit g --lsb 1
+refuses "a unit that is none" 2 '--unit ft: must be g' allan "$work/rest.csv" --unit ft
+refuses "two units" 2 '--lsb: states the unit' allan "$work/rest.csv" --unit g --lsb 1
 refuses "an end before the beginning" 2 '--to: is before --from' allan "$work/rest.csv" --from 3 --to 2
 refuses "a part with nothing in it" 1 'no sample within' allan "$work/rest.csv" --from 5000
-refuses "a result over the log" 2 'is LOG itself, which would be lost' allan "$work/rest.csv" --out "$work/rest.csv"
+refuses "a result over the log" 2 'would overwrite LOG' allan "$work/rest.csv" --out "$work/rest.csv"
 refuses "a report over the result" 2 '--report: is the file of --out' allan "$work/rest.csv" \
     --out "$work/out/a" --report "$work/out/a"
 row=$(tail -n 1 "$work/short.csv")
@@ -269,7 +269,7 @@ accepts "labour draws" plan --limits 3e-5,3e-5,1e-4 --allan "$work/noise.json" -
     --svg "$work/out/labour.svg" --report "$work/out/labour.html"
 check "labour: the picture is one" matches "$work/out/labour.svg" 'Total time against number'
 check "labour: the report is a page" is_page "$work/out/labour.html"
-check "labour: the report says why" matches "$work/out/labour.html" 'Why so many, and so long'
+check "labour: the report says why" matches "$work/out/labour.html" 'Number and dwell'
 rm -f "$work"/out/*
 "$tool" allan "$work/rest.csv" --lsb $lsb --out "$work/real.json" --quiet
 accepts "labour takes what allan --out wrote" plan --limits 1e-4,1e-4,2e-4 --allan "$work/real.json"
@@ -280,15 +280,15 @@ refuses "labour: white noise has no floor" 1 'no dwell up to 1e6 s meet the limi
     plan --limits 1e-9,1e-9,1e-9 --allan "$work/noise.json"
 noise 0.001 0.0002 0.000004
 "$tool" allan "$work/rest.csv" --out "$work/counts.json" --quiet
-refuses "labour: noise in counts alone" 3 'does not tell how long the field is' \
+refuses "labour: noise in counts alone" 3 'the length of the field is not known' \
     plan --limits 1e-4,1e-4,2e-4 --allan "$work/counts.json"
 echo '{"gravity": 9.8, "noise": {"x": {"white": 1}}}' > "$work/half.json"
-refuses "labour: an axis is missing" 3 'half.json: this is no noise of three axes' \
+refuses "labour: an axis is missing" 3 'half.json: does not hold the noise of three axes' \
     plan --limits 1e-4,1e-4,2e-4 --allan "$work/half.json"
 sed 's/"white": 0.001/"white": -1/' "$work/noise.json" > "$work/negative.json"
-refuses "labour: negative noise" 3 'negative.json:1: a number of noise is negative' \
+refuses "labour: negative noise" 3 'negative.json:1: negative noise' \
     plan --limits 1e-4,1e-4,2e-4 --allan "$work/negative.json"
-refuses "labour without limits" 2 '--allan: finds number and dwell for --limits' \
+refuses "labour without limits" 2 '--allan: chooses the set for --limits' \
     plan --allan "$work/noise.json"
 noise 0.003 0 0
 run plan --limits 1e-4,1e-4,3e-4 --allan "$work/noise.json" --json
@@ -305,10 +305,10 @@ check "labour: and so no odd group" test "$(rows stand | awk '$1 / 3 % 2 == 1' |
 noise 0.001 0.0002 0.000004
 for other in '--noise 1e-4' '--dwell 4' '--budget 100' '--sweep 5:9' --programs; do
     # shellcheck disable=SC2086
-    refuses "labour with ${other% *}" 2 'cannot be joined with --allan' plan --limits 1e-4,1e-4,1e-4 \
+    refuses "labour with ${other% *}" 2 'cannot be combined with --allan' plan --limits 1e-4,1e-4,1e-4 \
         --allan "$work/noise.json" $other
 done
-refuses "labour over its noise" 2 '--svg: is the file of --allan, which would be lost' plan \
+refuses "labour over its noise" 2 '--svg: would overwrite the file of --allan' plan \
     --limits 1e-4,1e-4,1e-4 --allan "$work/noise.json" --svg "$work/noise.json"
 run plan --dwell 5 --move 2 --settle 3 --json
 check "--settle counts in every position" near 1e-9 "$(json "$work/stdout" seconds)" 178

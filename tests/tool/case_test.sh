@@ -57,24 +57,24 @@ calibrate "$work/straight.csv" --case +z
 check "case: one face levels" succeeded
 check "case: its sigma is not known" matches "$work/stdout" '"sigma": \[null, null, null\]'
 run calibrate "$work/straight.csv" --positions --gravity 1 --noise 0.0001 --unit g --case +z
-check "case: and the heading is said to be open" matches "$work/stdout" 'the heading, as it was'
+check "case: and the heading is said to be open" matches "$work/stdout" 'the heading is unchanged'
 run calibrate "$work/leaning.csv" --positions --gravity 1 --noise 0.0001 --unit g \
     --case +z,+x,+y,+z,+x,+y --report "$work/out/case.html"
 check "case: the table tells the angles" matches "$work/stdout" 'about z \+89\.98'
-check "case: and the page" matches "$work/out/case.html" 'turned to the axes of the case by 6 positions'
+check "case: and the page" matches "$work/out/case.html" 'rotated to the axes of the case by 6 positions'
 
 run calibrate "$work/straight.csv" --positions --unit g --gravity 1 --out "$work/out/cal.json" --case +z,+x,+y
 run apply "$work/out/cal.json" "$work/straight.csv"
 check "case: what is corrected has its axes" near 1e-6 "$(sed -n 2p "$work/stdout" | cut -d, -f3)" 1
 
-refuses "case: ways that do not fit" 1 'ways up that were stated do not fit' \
+refuses "case: ways that do not fit" 1 'the stated axes do not fit' \
     calibrate "$work/straight.csv" --positions --unit g --gravity 1 --case +x,+x,-z
-refuses "case: a mirrored axis" 1 'no axis of the case mirrored' \
+refuses "case: a mirrored axis" 1 'in a right-handed frame' \
     calibrate "$work/straight.csv" --positions --unit g --gravity 1 --case +z,+x,-y
 refuses "case: an empty list" 2 '--case: its value is empty' \
     calibrate "$work/straight.csv" --positions --case ''
 for list in w +. '+z,' ',+z' . '+z,,x' x-y; do
-    refuses "case: '$list'" 2 '--case: is the ways' calibrate "$work/straight.csv" --positions --case "$list"
+    refuses "case: '$list'" 2 '--case: give the axis' calibrate "$work/straight.csv" --positions --case "$list"
 done
 refuses "case: beside another frame" 2 'leave out --frame' \
     calibrate "$work/straight.csv" --positions --case +z --frame triangular

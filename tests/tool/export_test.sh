@@ -233,13 +233,13 @@ for f in px4 ardupilot; do
     cut_axes=$(figures diagonal "$work/axes")
     cut_sphere=$(figures diagonal "$work/sphere")
     check "$f: cut off, the cross terms leave what is stated" \
-        agree "$(stated 'cross terms cut off')" "${cut_axes%% *} ${cut_sphere#* }"
+        agree "$(stated 'cross terms dropped')" "${cut_axes%% *} ${cut_sphere#* }"
     check "$f: which is more" sh -c 'echo "$1 $2" | awk "{ exit !(\$1 < \$2) }"' sh \
         "${axes%% *}" "${cut_axes%% *}"
 done
 
 # shellcheck disable=SC2086
-refuses "px4: a fifth sensor is refused" 2 '--instance: is a whole number from 0 to 3' \
+refuses "px4: a fifth sensor is refused" 2 '--instance: must be a whole number from 0 to 3' \
     export "$work/cal.json" --format px4 $driver --instance 4
 # shellcheck disable=SC2086
 export_to px4 $driver --instance 2 --device-id 1310988
@@ -256,7 +256,7 @@ check "ardupilot: the instance is in the names" sh -c \
         [ "$(grep -c "^INS_ACC2OFFS_[XYZ],[-0-9.e]*\$" "$1")" -eq 3 ]' sh "$work/stdout"
 check "ardupilot: and there" matches "$work/stdout" '^# .* record with offsets 0 and scales 1'
 # shellcheck disable=SC2086
-refuses "ardupilot: a fourth sensor is refused" 2 'for ArduPilot it is 0 to 2' \
+refuses "ardupilot: a fourth sensor is refused" 2 'must be 0 to 2 for ArduPilot' \
     export "$work/cal.json" --format ardupilot $driver --instance 3
 refuses "a fraction of a sensor is refused" 2 'whole number from 0 to 3' \
     export "$work/cal.json" --format px4 --instance 0.5
@@ -267,7 +267,7 @@ refuses "ardupilot: an offset beyond its range is refused" 1 'offset of y would 
 refuses "px4: a scale beyond its range is refused" 1 'scale of z would be -0.98.*0.1 to 3' \
     export "$work/cal.json" --format px4 --zero "$(commas "$zero")" --lsb 0.0024
 run export "$work/cal.json" --format ardupilot --zero 31500,32700,32800 --lsb "$(commas "$lsb")"
-check "ardupilot: a large offset is told" matches "$work/stderr" '3.8.*beyond the \+-3.5'
+check "ardupilot: a large offset is told" matches "$work/stderr" '3.8.*range of \+-3.5'
 
 # One that PX4 may ignore.
 cat > "$work/small.json" <<'EOF'
@@ -422,7 +422,7 @@ check "c: whole numbers have a point in front of the suffix" matches "$work/acce
 check "c: they compile in float" compile 0
 sed 's/33123\.83/1e60/' "$work/cal.json" > "$work/huge.json"
 for f in c c-arrays fusion; do
-    refuses "$f: a number beyond a float is refused" 1 'beyond the range of a float' \
+    refuses "$f: a number beyond a float is refused" 1 'exceed the range of a float' \
         export "$work/huge.json" --format $f
 done
 
@@ -520,12 +520,12 @@ for o in --zero=1,2,3 --lsb=1 --instance=1 --device-id=1; do
     refuses "c: ${o%%=*} is refused" 2 "${o%%=*}: --format c has no use for it" \
         export "$work/cal.json" --format c $o
 done
-refuses "px4: --name is refused" 2 '--name: --format px4 has no use' \
+refuses "px4: --name is refused" 2 '--name: --format px4 does not use it' \
     export "$work/cal.json" --format px4 --name a
 refuses "--lsb alone is refused" 2 '--lsb: state both' export "$work/cal.json" --format px4 --lsb 1
 refuses "a scale of 0 is refused" 2 '--lsb: a scale is not 0' \
     export "$work/cal.json" --format px4 --zero 0,0,0 --lsb 0
-refuses "a scale no calculation can bear is refused" 2 'no calculation' \
+refuses "a scale no calculation can bear is refused" 2 'the scale of the driver is out of range' \
     export "$work/cal.json" --format ros --zero 0,0,0 --lsb 1e-320
 refuses "--out over CAL.json is refused" 2 '--out: is CAL.json itself' \
     export "$work/cal.json" --format c --out "$work/cal.json"
@@ -545,7 +545,7 @@ done
 calibration '"sigma": {"offset": [null, null, null], "dk": [null, 1, 2]},' "$gravity" 1 \
     > "$work/null.json"
 accepts "sigma that is not known is accepted" export "$work/null.json" --format c
-check "and told" matches "$work/stdout" 'standard deviations: not known'
+check "and told" matches "$work/stdout" 'standard deviations: unknown'
 printf '{"offset": [0,0,0], "matrix": [[1,2,3],[2,4,6],[0,0,1]], "gravity": 1}' > "$work/flat.json"
 refuses "a singular matrix is refused" 3 'singular' export "$work/flat.json" --format c
 printf '{"offset": [0,0,0], "matrix": [[0,1,0],[1,0,0],[0,0,1]], "gravity": 1}' > "$work/turned.json"

@@ -67,7 +67,7 @@ fault "clips at a rail that is stated" 0 "^ +6 rests refused: at the end of the 
     "$clip" --clip -15500,15500
 fault "two axes exchanged" 0 '^Good: ' '{ x = $2; $2 = $3; $3 = x }'
 right "two axes exchanged, and calibrated as they read" 1.5 213
-fault "two axes exchanged half-way" 0 'residuals are [0-9]+ times as large as that noise' \
+fault "two axes exchanged half-way" 0 'residuals are [0-9]+ times as large as this noise' \
     'half { x = $2; $2 = $3; $3 = x }'
 check "fault: two axes exchanged half-way: not called good" matches "$work/said" '^(Rough|Drifting|Bent|Weak): '
 fault "an offset that steps half-way" 0 '^Rough: the positions disagree by [0-9]+ times' \
@@ -109,13 +109,13 @@ check "fault: a hand: does no harm that sigma does not tell" is_offset 20 123
 
 # ---- the clock ---------------------------------------------------------------------------------------
 
-fault "a clock that is 30 % slow" 0 '76\.9 samples a second$' '{ $1 *= 1.3 }'
+fault "a clock that is 30 % slow" 0 '76\.9 samples per second$' '{ $1 *= 1.3 }'
 right "a clock that is 30 % slow" 1.5
 fault "a clock that jumps by an hour" 0 '^ +1 gap in the stream' 'half { $1 += 3600 }'
 right "a clock that jumps by an hour" 1.5
 fault "a clock that is set back" 0 '^ +1 gap in the stream' 'half { $1 -= 30 }'
 right "a clock that is set back" 1.5
-fault "a clock that stands still" 3 'fault\.csv:2: the times go on by 0,.*state --rate' '{ $1 = 5 }'
+fault "a clock that stands still" 3 'fault\.csv:2: the times advance by 0,.*state --rate' '{ $1 = 5 }'
 fault "a reading that is none" 3 "fault\\.csv:6201: column 2 \\(x\\): 'nan' is not a finite number" \
     'NR == 6201 { $2 = "nan" }'
 finish

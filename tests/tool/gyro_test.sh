@@ -141,7 +141,7 @@ cut -d, -f1,5-7 "$work/edges.csv" > "$work/gyro.csv"
 solve "$work/acc.csv" --gyro "$work/gyro.csv"
 check "two files with headers" unit_is counts size
 sed 1d "$work/gyro.csv" | cut -d, -f2- | tr , ' ' > "$work/bare.csv"
-refuses "two files, one without times" 3 'goes not with .*acc\.csv: both need a column t' calibrate "$work/acc.csv" --gyro "$work/bare.csv"
+refuses "two files, one without times" 3 'does not match .*acc\.csv: both need a column t' calibrate "$work/acc.csv" --gyro "$work/bare.csv"
 sed 1d "$work/acc.csv" | cut -d, -f2- > "$work/acc_bare.csv"
 solve "$work/acc_bare.csv" --gyro "$work/bare.csv" --rate 100
 check "two files without headers and times" unit_is counts size
@@ -180,13 +180,13 @@ solve "$work/changed.csv"
 check "rests without moves" refused_as 'too few' 'reads no turns between the rests'
 awk -F, -v OFS=, 'NR > 1 && $1 % 5 > 3 { next } { print }' "$work/edges.csv" > "$work/changed.csv"
 solve "$work/changed.csv"
-check "moves that were not recorded" refused_as 'too few' 'no moves between rests, none of their samples lost'
+check "moves that were not recorded" refused_as 'too few' 'too few complete moves between rests'
 change 'function clip(x) { return x > 9000 ? 9000 : x < -9000 ? -9000 : x } { $5 = clip($5); $6 = clip($6); $7 = clip($7) }'
 run calibrate "$work/changed.csv"
 check "clipped: that move is left out and named" matches "$work/stdout" "^Left out: the move from position 1 to 2 \(line [0-9]+\): at the end of the sensor's range"
 printf '%s\n' x,y,z 0,0,1 1,0,0 0,0,-1 -1,0,0 0,0,1 1,0,0 0,0,-1 -1,0,0 0,0,1 1,0,0 > "$work/one.csv"
 "$tool" simulate --gyro --dwell 3 --plan directions:"$work/one.csv" > "$work/one.log"
-refuses "all moves about one axis: it names what is open" 1 'The moves between do not tell them either: .*gyro_xx.*gyro_zz' calibrate "$work/one.log"
+refuses "all moves about one axis: it names what is open" 1 'The moves between them do not determine them either: .*gyro_xx.*gyro_zz' calibrate "$work/one.log"
 awk -F, -v OFS=, 'NR == 1 { print; next } { a[NR] = $1 OFS $2 OFS $3 OFS $4; g[NR] = $5 OFS $6 OFS $7 }
     END { for (i = 2; i <= NR - 60; i++) print a[i], g[i + 60] }' "$work/edges.csv" > "$work/changed.csv"
 solve "$work/changed.csv"
@@ -194,7 +194,7 @@ check "readings 0.6 s early: it is mended" unit_is counts size
 check "readings 0.6 s early: it is told" near 0.02 "$(inner "$work/stdout" late)" -0.6
 for word in nan inf '' 1e999 junk; do
     awk -F, -v OFS=, -v word="$word" 'NR == 700 { $6 = word } { print }' "$work/edges.csv" > "$work/changed.csv"
-    refuses "'$word' in a column of the gyroscope" 3 "csv:700: column 6 \(gyroscope's y\): .*--accelerometer-only leaves" calibrate "$work/changed.csv"
+    refuses "'$word' in a column of the gyroscope" 3 "csv:700: column 6 \(gyroscope's y\): .*--accelerometer-only ignores" calibrate "$work/changed.csv"
 done
 accepts "but not with --accelerometer-only" calibrate "$work/changed.csv" --accelerometer-only --quiet
 
@@ -292,7 +292,7 @@ for pair in '--gyro-axes x,y' '--gyro-axes x,x,z' '--gyro-axes x,y,zz' '--gyro-l
     # shellcheck disable=SC2086 # two words
     refuses "$pair" 2 'gyro-' calibrate "$work/edges.csv" $pair
 done
-refuses "--gyro of positions" 2 'position means have no moves' calibrate "$work/edges.csv" --positions --gyro "$work/gyro.csv"
+refuses "--gyro of positions" 2 'leave out --positions' calibrate "$work/edges.csv" --positions --gyro "$work/gyro.csv"
 refuses "--gyro with --accelerometer-only" 2 'leave out --accelerometer-only' calibrate "$work/acc.csv" --gyro "$work/gyro.csv" --accelerometer-only
 refuses "a gyroscope's file that is not there" 3 'none\.csv' calibrate "$work/acc.csv" --gyro "$work/none.csv"
 

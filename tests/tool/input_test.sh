@@ -291,7 +291,7 @@ bad() { # the same for what watch does not skip either
     bad_line "$@"
     refuses "watch: $1" 3 "$2" watch "$work/bad.csv"
 }
-bad "a PX4 ulog" 'bad\.csv: this is a PX4 ulog: convert it with ulog2csv, and take its sensor_accel' \
+bad "a PX4 ulog" 'bad\.csv: this is a PX4 ulog: convert it with ulog2csv, and use its sensor_accel' \
     'ULog\001\022\065\001\000\000'
 bad "a blackbox log" 'bad\.csv: this is a Betaflight or INAV blackbox log: .* with blackbox_decode$' \
     'H Product:Blackbox flight data recorder by Nicholas Sherlock\nH Data version:2\n'
@@ -340,7 +340,7 @@ bad "linear acceleration" \
     "bad\.csv:1: 'Linear Acceleration x': the phone has taken gravity out .* accelerometer itself$" \
     '"Time (s)","Linear Acceleration x (m/s^2)","Linear Acceleration y (m/s^2)","Linear Acceleration z (m/s^2)"\n0,1,2,3\n'
 bad_line "phyphox with decimal commas" \
-    "bad\.csv:2: column [12] \([tx]\): '1,01E[+-]01' is not a decimal number, but has a decimal comma" \
+    "bad\.csv:2: column [12] \([tx]\): '1,01E[+-]01' has a decimal comma" \
     '"Time (s)";"Acceleration x (m/s^2)";"Acceleration y (m/s^2)";"Acceleration z (m/s^2)"\n1,01E-01;1,01E+01;2,0E-01;3\n'
 bad "LabVIEW" 'bad\.csv: this is a LabVIEW measurement file: delete the lines above' \
     'LabVIEW Measurement\t\nWriter_Version\t2\t\n'
@@ -358,15 +358,15 @@ bad "one axis without a unit" "bad\.csv:1: 'ax \(g\)' and 'ay' are in different 
     'ax (g),ay,az (g)\n1,2,3\n'
 bad "two clocks of one rank" "bad\.csv:1: more than one column could be 't': leave one, or state which with --columns t=NAME$" \
     't_ms,time (us),x,y,z\n1,2,3,4,5\n'
-bad "settings, but no table" "bad\.csv:2: lines of two columns, a name and another, are no table" \
+bad "settings, but no table" "bad\.csv:2: lines of two columns, the first one a name, are not a table" \
     'name,sensor 5\nrate,100\n'
 printf 'TimeUS,I,GyrX,AccX,AccY,AccZ\n0,0,9,1,2,3\n0,1,9,1,2,3\n' > "$work/bad.csv"
-turns='bad\.csv:3: column 2 \(I\): the rows of several sensors follow each other in turn: keep those of one$'
+turns='bad\.csv:3: column 2 \(I\): the rows of several sensors are interleaved: keep those of one$'
 refuses "calibrate LOG: several sensors of ArduPilot in one table" 3 "$turns" calibrate "$work/bad.csv"
 refuses "apply: several sensors of ArduPilot in one table" 3 "$turns" apply "$work/simple.json" "$work/bad.csv"
 printf 'time,x,y,z\n0,1,2,3\n1000,1,2,3\n2000,1,2,3\n3000,1,2,3\n' > "$work/bad.csv"
 refuses "calibrate LOG: times without a unit that are no seconds" 3 \
-    'bad\.csv:2: the times go on by 1000, .* put the unit into the heading \(t_ms, t_us\), state --rate' \
+    'bad\.csv:2: the times advance by 1000, .* put the unit into the heading \(t_ms, t_us\), state --rate' \
     calibrate "$work/bad.csv"
 for u in furlong '' m/s gauss mgal; do
     [ -z "$u" ] || refuses "--unit $u is refused by its name" 2 \

@@ -71,7 +71,7 @@ for bad in '--rate 0' '--rate nan' '--noise -1' '--dwell 0' '--offset 1,2' '--of
     # shellcheck disable=SC2086
     refuses "simulate: $bad" 2 'simulate --help|whole numbers' simulate $bad
 done
-refuses "simulate: an unknown set" 2 'is no set' simulate --plan dodecahedron
+refuses "simulate: an unknown set" 2 'is not a set' simulate --plan dodecahedron
 refuses "simulate: too small a program" 1 'too few' simulate --plan per-group:4
 refuses "simulate: a truth where none can be" 3 'nowhere' simulate --truth "$work/nowhere/t.json"
 
@@ -90,7 +90,7 @@ cut -d, -f2-4 "$work/plain.csv" | tail -n +2 | tr ',' ' ' > "$work/blank.txt"
 run calibrate "$work/blank.txt" --json
 check "calibrate LOG: blanks, no header, no times" right_offset plain 2
 run calibrate "$work/blank.txt"
-check "calibrate LOG: a guessed rate is told" matches "$work/stdout" 'guess: --rate'
+check "calibrate LOG: a guessed rate is told" matches "$work/stdout" 'guess: state --rate'
 in=$work/blank.txt
 run calibrate - --rate 100 --json
 in=/dev/null
@@ -153,7 +153,7 @@ refuses "calibrate LOG: a device that never rests" 1 'no rest of two seconds' ca
 run calibrate "$work/clipped.csv" --clip -14745,14745 --json
 check "calibrate LOG: clipped rests are refused" matches "$work/stderr" 'no rest'
 printf 't,x,y,z\n0,1,2,3\n1000,1,2,3\n2000,1,2,3\n3000,1,2,3\n' > "$work/ms.csv"
-refuses "calibrate LOG: times in milliseconds" 3 'times go on by 1000, which are no seconds' \
+refuses "calibrate LOG: times in milliseconds" 3 'times advance by 1000, which cannot be seconds' \
     calibrate "$work/ms.csv"
 awk -F, 'NR == 1 { print; next } NR < 3000 || NR > 3200' "$work/plain.csv" > "$work/gap.csv"
 run calibrate "$work/gap.csv" --json
@@ -164,9 +164,9 @@ for bad in '--rate 0' '--rate 7' '--rate 9000' '--clip 1' '--clip 2,1'; do
     # shellcheck disable=SC2086
     refuses "calibrate LOG: $bad" 2 'calibrate --help' calibrate "$work/plain.csv" $bad
 done
-refuses "calibrate: the rate of position means" 2 'is of samples' calibrate "$work/log.csv" \
+refuses "calibrate: the rate of position means" 2 'needs samples' calibrate "$work/log.csv" \
     --positions --rate 100
-refuses "calibrate: a target" 2 'is for invcal watch' calibrate "$work/plain.csv" --target 1,1,1
+refuses "calibrate: a target" 2 'is an option of invcal watch only' calibrate "$work/plain.csv" --target 1,1,1
 
 # A sensor that boots: whole numbers first, decimals later.
 { awk 'BEGIN { for (i = 0; i < 300; i++) print "0 0 0" }'; cat "$work/decimal.txt"; } > "$work/boot.txt"
@@ -242,18 +242,18 @@ check "watch --allan: five seconds are too short then" lacks "$work/stdout" '^po
 noise 0.001 0.003
 run watch - --mean-sigma 0.0007 --allan "$work/noise.json"
 check "watch --allan: what does not average out is told" matches "$work/stdout" \
-    '; longer does not help: a mean is good to 0.0021$'
+    '; longer does not help: the sigma of a mean is 0.0021$'
 in=/dev/null
 refuses "watch: --allan without --mean-sigma" 2 'allan: needs --mean-sigma' \
     watch - --allan "$work/noise.json"
-refuses "calibrate: --allan" 2 'allan: is for invcal watch' \
+refuses "calibrate: --allan" 2 'allan: is an option of invcal watch only' \
     calibrate "$work/plain.csv" --allan "$work/noise.json"
 in=$work/plain.csv
 refuses "watch --allan: hours are not held" 2 'takes more than 3600 s' \
     watch - --mean-sigma 0.00001 --allan "$work/noise.json"
 in=/dev/null
 refuses "watch: --mean-sigma 0" 2 'mean-sigma: a standard deviation' watch - --mean-sigma 0
-refuses "calibrate: --mean-sigma" 2 'mean-sigma: is for invcal watch' \
+refuses "calibrate: --mean-sigma" 2 'mean-sigma: is an option of invcal watch only' \
     calibrate "$work/plain.csv" --mean-sigma 1
 in=$work/plain.csv
 run watch - --target 0.0001,0.0002,0.0003

@@ -155,11 +155,11 @@ check "magnetometer: the dip" near 0.01 "$(number dip)" 1.0472
 check "magnetometer: turned only on demand" matches "$work/stdout" '"frame": "symmetric"'
 run calibrate --magnetometer "$work/both.csv"
 check "magnetometer: also in words" matches "$work/stdout" \
-    'axes +to those of the accelerometer by [0-9]+ of 6000 instants, degrees: about x [+]2\.[0-9]+ ± .*The field points down by (59|60)\.[0-9]* degrees\..*--with CAL.json corrects it'
+    'axes +to those of the accelerometer from [0-9]+ of 6000 samples, degrees: about x [+]2\.[0-9]+ ± .*The field points down by (59|60)\.[0-9]* degrees\..*use --with CAL.json'
 accepts "magnetometer: turned" calibrate --magnetometer "$work/both.csv" --frame accelerometer --out "$work/out/both.json" \
     --report "$work/out/both.html"
-check "magnetometer: the page tells it" matches "$work/out/both.html" 'turned to those of the accelerometer'
-check "magnetometer: the table, too" matches "$work/stdout" 'turned to those of the accelerometer'
+check "magnetometer: the page tells it" matches "$work/out/both.html" 'rotated to those of the accelerometer'
+check "magnetometer: the table, too" matches "$work/stdout" 'rotated to those of the accelerometer'
 run apply "$work/out/both.json" "$work/both.csv"
 check "magnetometer: then up and the field have one angle between them" test "$(paste -d, "$work/both.csv" "$work/stdout" | awk -F, '
     NR > 1 { l = sqrt($9^2 + $10^2 + $11^2) * sqrt($2^2 + $3^2 + $4^2)

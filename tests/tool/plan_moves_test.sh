@@ -120,18 +120,18 @@ check "with what is open" matches "$work/open.html" 'Undetermined'
 
 # ---- refusals ----------------------------------------------------------------------------------
 
-refuses "no such program" 2 "'tour13' is no program .*tour12.*no direction .*no turn" plan --moves tour13
+refuses "no such program" 2 "'tour13' is not a program .*tour12.*a direction .*or a turn" plan --moves tour13
 refuses "greedy without a number" 2 'greedy12 and the like, of 1 to 31' plan --moves greedy
 refuses "greedy with too many" 2 'greedy12 and the like, of 1 to 31' plan --moves greedy32
 refuses "the opposite has no shortest way" 2 "'-z' is up already, or down: .*x:180" plan --moves +z,-z
-refuses "an axis twice" 2 "'\+x\+x' is no program" plan --moves +x+x
-refuses "too many degrees" 2 "'x:721' is no program" plan --moves x:721
-refuses "no degrees" 2 "'x:' is no program" plan --moves x:
-refuses "a turn with something behind" 2 "'x:90y' is no program" plan --moves x:90y
-refuses "an empty word" 2 "'' is no program" plan --moves +z,,+x
-refuses "no turn at all" 2 'one rest and no turn tell nothing' plan --moves +x
+refuses "an axis twice" 2 "'\+x\+x' is not a program" plan --moves +x+x
+refuses "too many degrees" 2 "'x:721' is not a program" plan --moves x:721
+refuses "no degrees" 2 "'x:' is not a program" plan --moves x:
+refuses "a turn with something behind" 2 "'x:90y' is not a program" plan --moves x:90y
+refuses "an empty word" 2 "'' is not a program" plan --moves +z,,+x
+refuses "no turn at all" 2 'one rest without a turn' plan --moves +x
 refuses "more turns than a device keeps" 2 'more than 31 turns' plan --moves "$(awk 'BEGIN { for (i = 0; i < 31; i++) printf "x:90,"; print "x:90" }')"
-refuses "a turn that is too slow" 2 'turn 13 of tour16 would take 12 s; after 10 s the bias' plan --moves tour16 --move 3
+refuses "a turn that is too slow" 2 'turn 13 of tour16 would take 12 s; the bias is known for 10 s only' plan --moves tour16 --move 3
 refuses "--rate-noise without --moves" 2 '--rate-noise: belongs to --moves' plan --rate-noise 0.01
 refuses "--instability without --moves" 2 '--instability: belongs to --moves' plan --instability 10
 refuses "a negative rate noise" 2 '--rate-noise -1: must be within' plan --moves tour12 --rate-noise -1

@@ -38,7 +38,7 @@ check "report: scale y" test "$(row 'scale y')" = "$(formula %.4f 'sqrt(7/30)')|
 check "report: angle zy" test "$(row 'angle zy')" = "$(formula %.3f 'sqrt(8/6)')|"
 check "report: time" tells '2 min 55 s'
 check "report: its command" tells_command "$page" invcal plan --per-group 6 --report "$page"
-check "report: all axes" tells 'All six of +x, -x, +y, -y, +z, -z stand along gravity.'
+check "report: all axes" tells 'All six of +x, -x, +y, -y, +z, -z point along gravity.'
 check "report: groups" tells 'group 3'
 check "report: nonlinear terms" tells 'quadratic 1.63 × noise, of 12 parameters, condition 40.2; cubic 3.27 × noise, of 15'
 
@@ -77,7 +77,7 @@ check "report: six markers of each group" test \
 run plan --json
 down=$(sed -n 's/^ *"vertical": .*, \(.*\)\],*$/\1/p' "$work/stdout" | awk '$1 < -1e-9' | wc -l)
 check "report: the lower half is described" tells \
-    "z down, seen from +z. $((down + 0)) of 18 positions lie in it"
+    "z down, seen from +z. It holds $((down + 0)) of 18 positions."
 check "report: and the upper" tells "z up or level, seen from +z. $((18 - down)) of 18 positions"
 check "report: position 2 of group 1 is in the middle" matches "$page" \
     '^<circle class="c1 over" cx="168" cy="164"'
@@ -105,7 +105,7 @@ run plan --json
 bounds=$(length_sigma)
 check "report: |a| is known best along an axis" test "${bounds% *}" = \
     "$(formula %.3f 'sqrt(1/6 + 7/30)')"
-check "report: sigma of |a|, the least" tells "known to ±${bounds% *} × noise"
+check "report: sigma of |a|, the least" tells "of a corrected reading is ±${bounds% *} × noise"
 check "report: sigma of |a|, the most" tells "to ±${bounds#* } × noise where they tell least"
 
 # The check of pages must see what it is for.
@@ -127,10 +127,10 @@ makes_page "with noise" --per-group 8 --noise 0.0001 --dwell 4
 check "report: offsets in mg" tells "offsets to $(formula %.4f '0.05 * sqrt(1/8)') mg"
 check "report: scale errors in %" tells "scale errors to $(formula %.5f '0.005 * sqrt(7/40)') %"
 check "report: angles in degrees" tells "angles to $(formula %.5f '5e-5 * 45 / atan2(1, 1)') °"
-check "report: |a| in mg" tells "known to ±$(formula %.4f '0.05 * sqrt(1/8 + 7/40)') mg where"
+check "report: |a| in mg" tells "of a corrected reading is ±$(formula %.4f '0.05 * sqrt(1/8 + 7/40)') mg in the best"
 check "report: time of 24 positions" tells "$(formula '%d min %d s' 'int(211 / 60), 211 % 60')"
 makes_page "rests too short for a log" --dwell 1.5 --move 3
-check "report: it says so" tells 'stay two seconds or more'
+check "report: it says so" tells 'holding two seconds or more'
 check "report: begins with tenths" test "$(row 2 | cut -d '|' -f 2)" = 0:04.5
 makes_page "an odd number" --per-group 7
 check "report: it says what is missing, and why" \
@@ -148,7 +148,7 @@ covered() {
 }
 check "report: markers of axes along gravity" test "$(covered)" = '+no -yes +no -yes +yes -no '
 makes_page "start angles" --start 0,10,0
-check "report: they miss axes" tells 'its start angles pass them by'
+check "report: they miss axes" tells 'its start angles miss them'
 
 makes_page "a choice" --limits 0.4,0.6,1 --budget 600
 check "report: it shows what was chosen" tells 'free directions, chosen|19|'
@@ -171,7 +171,7 @@ makes_page "shares" --edges --weights --dwell 9
 check "report: how long to stay" test "$(words | awk -F '|' '$2 == "☐" { print $9 }' | sort | uniq -c |
     tr -s ' \n' ' ')" = " 12 10.8 s 6 5.4 s "
 check "report: on the average" tells 'for 9 s in each position on the average'
-check "report: what it wins" tells "with equal ones ln det H&#39;H is 9.36426, and 18 positions anywhere have 9.46494"
+check "report: what it wins" tells "with equal ones ln det H&#39;H is 9.36426; for any 18 positions it is at most 9.46494"
 makes_page "bounds" --bound 0.001
 check "report: bounds of 3 x 6" test "$(words | grep '^offset x|1\.244|')" = 'offset x|1.244|1.24 mg|'
 makes_page "a warm-up" --warm-up 600
@@ -182,7 +182,7 @@ check "report: it says so" tells 'let the sensor warm up for 10 min 00 s'
 
 makes_page "the icosahedron" --icosahedron
 check "report: equally well in every direction" \
-    tells "known equally well in every direction: ±$(formula %.3f 'sqrt(0.75)') × noise"
+    tells "is the same in every direction: ±$(formula %.3f 'sqrt(0.75)') × noise"
 makes_page "edges" --edges
 makes_page "nine positions" --optimal 9
 check "report: no redundancy" tells '! No redundancy'
@@ -234,7 +234,7 @@ makes_page "the widest sweep" --sweep 5:1000
 
 makes_page "a comparison" --compare per-group:8 per-group:6 --svg "$work/out/ratios.svg"
 check "report: time and sigma in a sentence" tells \
-    "B needs $(formula %.4f 175/235) of the time of A, with 18 positions in place of 24; its σ \
+    "B needs $(formula %.4f 175/235) of the time of A, with 18 positions instead of 24; its σ \
 are $(formula %.3f 'sqrt(8/6)') times as large."
 check "report: the ratios in a table" test "$(row 'σ of angles, × noise')" = \
     "1.00|$(formula %.2f 'sqrt(8/6)')|$(formula %.3f 'sqrt(8/6)')|"

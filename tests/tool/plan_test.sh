@@ -96,7 +96,7 @@ check "plan: Fig. 2 at 15, 18 and 48 positions" near 1e-12 \
     "0.44721359549995793 0.48304589153964794 0.70710678118654752" \
     "$(member sigma_delta 1) $(member sigma_dk 2) $(member sigma_gamma 12)"
 run plan --per-group 5
-check "plan: an odd number says why it misses axes" matches "$work/stdout" 'odd number in each group'
+check "plan: an odd number says why it misses axes" matches "$work/stdout" 'odd number per group'
 
 accepts "plan: compare" plan --compare per-group:8 per-group:6
 check "plan: 18 positions against 24: 1.1547" test \
@@ -130,13 +130,13 @@ check "plan: directions from a file" holds 'n == 12 && below < 1e-9'
 awk -F, '{ print NR * 1e150 * $1, NR * 1e150 * $2, NR * 1e150 * $3 }' "$work/verticals.csv" > "$work/long.txt"
 judge --directions "$work/long.txt"
 check "plan: they may have any length" holds 'n == 12 && below < 1e-9'
-refuses "plan: a direction of no length" 3 'zero\.csv:2: no direction' plan --directions \
+refuses "plan: a direction of no length" 3 'zero\.csv:2: not a direction' plan --directions \
     "$(printf '1,0,0\n0,0,0\n' > "$work/zero.csv"; echo "$work/zero.csv")"
 refuses "plan: a malformed direction" 3 'word\.csv:2: ' plan --directions \
     "$(printf '1,0,0\n0,a,0\n' > "$work/word.csv"; echo "$work/word.csv")"
 refuses "plan: a missing file" 3 'nowhere: cannot be read' plan --directions "$work/nowhere"
 awk 'BEGIN { for (i = 0; i <= 3000; i++) print sin(i) "," cos(i) ",0.5" }' > "$work/many.csv"
-refuses "plan: too many directions" 3 '3001 directions, more than 3000' plan --directions "$work/many.csv"
+refuses "plan: too many directions" 3 '3001 directions; the maximum is 3000' plan --directions "$work/many.csv"
 
 # ---- optimal -----------------------------------------------------------------------------------
 
@@ -242,7 +242,7 @@ check "plan: seven to spare" holds 'n == 16'
 check "plan: it says so" test "$(field redundancy)" = 7
 judge --budget 200 --spare 11
 check "plan: eleven to spare in a budget" holds 'n == 20'
-refuses "plan: twelve to spare in it" 1 '20 positions fit .* 21 are the least, nine and 12' plan \
+refuses "plan: twelve to spare in it" 1 '20 positions fit .* the minimum is 21, nine and 12' plan \
     --budget 200 --spare 12
 refuses "plan: more to spare than --optimal leaves" 2 'spare 4: --optimal 12 leaves 3' plan \
     --optimal 12 --spare 4
@@ -295,7 +295,7 @@ refuses "plan: stops and limits" 2 'grid: cannot be joined' plan --optimal 12 --
 refuses "plan: a colon in --optimal" 2 'optimal: is a number' plan --optimal 12:axes
 for option in --need-axes '--spare 4'; do
     # shellcheck disable=SC2086
-    refuses "plan: $option of a given set" 2 'belongs to --limits' plan --edges $option
+    refuses "plan: $option of a given set" 2 'needs --limits' plan --edges $option
 done
 for bad in -1 136 1.5 x; do
     refuses "plan: $bad to spare" 2 'spare' plan --limits 1,1,1 "--spare=$bad"
@@ -456,10 +456,10 @@ bad_angles() { # bad_angles SENTENCE PATTERN LINE ...
 bad_angles "no such column" 'bad\.csv:1: columns alpha and beta' alpha,gamma 1,2
 bad_angles "four columns without a header" 'bad\.csv:1: columns alpha and beta' 1,2,3,4
 bad_angles "a word" "bad\\.csv:3: beta 'x' is not a decimal" alpha,beta 1,2 1,x
-bad_angles "a turn and more" "bad\\.csv:2: alpha '*361'* is not within" alpha,beta 361,2
-bad_angles "a negative dwell" 'bad\.csv:2: dwell .* is not within' alpha,beta,dwell 1,2,-1
+bad_angles "a turn and more" "bad\\.csv:2: alpha '*361'* is out of range" alpha,beta 361,2
+bad_angles "a negative dwell" 'bad\.csv:2: dwell .* is out of range' alpha,beta,dwell 1,2,-1
 bad_angles "no dwell at all" 'no position has a dwell' alpha,beta,dwell 1,2,0
-bad_angles "nothing" 'no position in it' alpha,beta
+bad_angles "nothing" 'contains no position' alpha,beta
 awk 'BEGIN { for (i = 0; i <= 3000; i++) print i % 360, 7 * i % 360 }' > "$work/many.csv"
 refuses "plan: angles: too many" 3 'more than 3000 positions' plan --angles "$work/many.csv"
 refuses "plan: angles: a missing file" 3 'nowhere: cannot be read' plan --angles "$work/nowhere"
@@ -467,7 +467,7 @@ refuses "plan: CSV and JSON" 2 'csv: cannot be joined' plan --csv --json
 refuses "plan: CSV of a sweep" 2 'csv: is for one set' plan --csv --sweep 5:6
 refuses "plan: no CSV of a set that is refused" 1 'undetermined' plan --faces --csv
 cp "$work/stand.csv" "$work/out/own.csv"
-refuses "plan: a picture over its angles" 2 'would be lost' plan --angles "$work/out/own.csv" \
+refuses "plan: a picture over its angles" 2 'would overwrite' plan --angles "$work/out/own.csv" \
     --svg "$work/out/own.csv"
 rm -f "$work"/out/*
 
@@ -500,7 +500,7 @@ refuses "plan: limits of a given set" 2 'limits: chooses' plan --edges --limits 
 refuses "plan: a budget of a given set" 2 'budget: chooses' plan --edges --budget 100
 refuses "plan: a sweep with a set" 2 'sweep: names' plan --edges --sweep 5:6
 refuses "plan: an operand" 2 'one operand too many' plan edges faces
-refuses "plan: angles in the number" 2 'start has the angles' plan --per-group 6:1,2,3
+refuses "plan: angles in the number" 2 'use --start for the angles' plan --per-group 6:1,2,3
 refuses "plan: a sweep with noise" 2 'sweep: knows no' plan --sweep 5:6 --noise 1e-4
 refuses "plan: standard input twice" 2 'only one input' plan --compare directions:- directions:-
 for bad in '--budget 1e308' '--dwell 1e-300' '--move 1e99' '--noise 1e300' '--noise 1e-300'; do
@@ -546,7 +546,7 @@ check "plan: nine rings" test "$(grep -c '^<circle class="c0 curve".* r="8"' "$w
 for words in 'faces and edges, 18 positions: offsets 0.408, scale errors 0.527, angles 1.000' \
     'stand-12, 12 positions: offsets 0.500, scale errors 0.681, angles 1.155' \
     'icosahedron, 12 positions: offsets 0.500, scale errors 0.707, angles 1.118'; do
-    check "plan: described: $words" matches "$work/out/fig2.svg" "Beside the curves, $words\."
+    check "plan: described: $words" matches "$work/out/fig2.svg" "Next to the curves, $words\."
 done
 accepts "plan: a picture of a sweep beyond them" plan --sweep 9:12 --svg "$work/out/none.svg"
 check "plan: has no markers of other programs" lacks "$work/out/none.svg" 'icosahedron|stand-|c0 over|Beside'
@@ -556,7 +556,7 @@ cp "$work/verticals.csv" "$work/out/<b>&\"x.csv"
 accepts "plan: a hostile name" plan --directions "$work/out/<b>&\"x.csv" --svg "$work/out/hostile.svg"
 check "plan: it is escaped" lacks "$work/out/hostile.svg" '<b>|&"'
 cp "$work/verticals.csv" "$work/out/own.csv"
-refuses "plan: a picture over its directions" 2 'would be lost' plan --directions \
+refuses "plan: a picture over its directions" 2 'would overwrite' plan --directions \
     "$work/out/own.csv" --svg "$work/out/own.csv"
 check "plan: they are still there" same "$work/verticals.csv" "$work/out/own.csv"
 rm -f "$work"/out/*

@@ -72,7 +72,7 @@ run calibrate "$work/log.csv" --rate 100
 check "ROS, flat: the accelerometer in m/s^2" first_lines \
     "the accelerometer's linear_acceleration_x linear_acceleration_y linear_acceleration_z in m/s²; ignored"
 write "linear_acceleration_x,linear_acceleration_y,linear_acceleration_z,magnetic_field_x,magnetic_field_y,magnetic_field_z" "$xyz \",4,5,6\""
-refuses "linear acceleration and a magnetometer: that is not taken for it" 3 'the phone has taken gravity out' \
+refuses "linear acceleration and a magnetometer: that is not taken for it" 3 'linear acceleration has gravity removed' \
     calibrate "$work/log.csv"
 write "imu_ax,imu_ay,imu_az,imu_gx,imu_gy,imu_gz" "$xyz \",1,2,3\""
 is_right "names that begin with imu" --rate 100
@@ -104,7 +104,7 @@ choice() { # SENTENCE CODE PATTERN COLUMNS
 }
 choice "two" 2 'x, y and z belong together; state three' ax,ay
 choice "four" 2 'more than three without a name' 1,2,3,4
-choice "no meaning" 2 '--columns w=1: no such meaning' w=1
+choice "no meaning" 2 '--columns w=1: unknown name' w=1
 choice "one twice" 2 'there twice' x=1,x=2,y=3,z=4
 choice "an empty one" 2 'one is empty' ax,,az
 choice "no such name" 3 "log\.csv:1: --columns: there is no column 'aw' for z among the 9: ax, ay, .*, mz$" ax,ay,aw
@@ -118,7 +118,7 @@ sed 1d "$work/plain.csv" > "$work/rows"
 cut_log() { # SENTENCE FIRST LAST SKIPPED: both by printf, LAST without an end of line
     { printf "$2"; cat "$work/rows"; printf "$3"; } > "$work/log.csv"
     is_right "$1"
-    check "$1: it is told" warns '.*log\.csv:[0-9]*: the (first|last) line is cut, and left out$'
+    check "$1: it is told" warns '.*log\.csv:[0-9]*: the (first|last) line is cut off, and ignored$'
     check "$1: as often as it is" test "$(grep -c '^invcal: warning: ' "$work/stderr")" -eq "$4"
     check "$1: so is it in the table" matches "$work/stdout" "^ *$4 malformed line"
 }
@@ -133,7 +133,7 @@ printf '3\n0.0,2,4,6\n0.1,2,4,' > "$work/log.csv"
 run apply "$work/simple.json" "$work/log.csv"
 check "apply: lines that are cut are left out" \
     test "$(cat "$work/stdout")" = "$(printf 't,x,y,z\n0.0,2,4,3')"
-check "apply: it is told of both" test "$(grep -c ' line is cut, and left out$' "$work/stderr")" -eq 2
+check "apply: it is told of both" test "$(grep -c ' line is cut off, and ignored$' "$work/stderr")" -eq 2
 { cat "$work/plain.csv"; printf '124.00,37'; } > "$work/log.csv"
 is_right "a last line that is cut, below a header"
 { cat "$work/rows"; printf '124.00,37\n'; cat "$work/rows"; } > "$work/log.csv"
@@ -158,7 +158,7 @@ for hz in 25 50 100; do
     rate_log $hz 2.5
     is_right "$hz Hz without times"
     check "$hz Hz without times: $hz were guessed, and it is told" first_lines \
-        "at $hz samples a second (a guess: --rate states it)"
+        "at $hz samples per second (a guess: state --rate)"
     run calibrate "$work/log.csv" --json
     check "$hz Hz without times: the JSON tells the guess" test \
         "$(json "$work/stdout" rate) $(json "$work/stdout" rate_from)" = "$hz \"guess\""
@@ -166,13 +166,13 @@ for hz in 25 50 100; do
 done
 rate_log 20 3
 is_right "20 Hz without times"
-check "20 Hz without times: it is told that the rate is a guess" first_lines 'samples a second (a guess: --rate states it)'
+check "20 Hz without times: it is told that the rate is a guess" first_lines 'samples per second (a guess: state --rate)'
 run calibrate "$work/log.csv" --rate 20 --json
 check "20 Hz, stated: the JSON tells so" test "$(json "$work/stdout" rate) $(json "$work/stdout" rate_from)" = \
     '20 "stated"'
 rate_log 20 1.2
 refuses "rests of 1 s at 20 Hz without times: what to do" 1 \
-    'no rest of two seconds .* at 100 samples a second \(a guess\).* state --rate, and hold each position still for 3 s or longer, below 25 samples a second for 50 samples, or average each yourself and add --positions$' \
+    'no rest of two seconds .* at 100 samples per second \(a guess\).* state --rate, and hold each position still for 3 s or longer, below 25 samples per second for 50 samples, or average each yourself and add --positions$' \
     calibrate "$work/log.csv"
 refuses "rests of 1 s at 20 Hz: what to do" 1 \
     'no rest of 2\.5 seconds .* at 20 samples a second; refused [0-9]+: too short: .* \(near line [0-9]+, .*hold each position still for 3\.5 s or longer, or average each yourself and add --positions$' \
@@ -212,9 +212,9 @@ no_table "xz" 'an xz file: unpack it with unxz$' '\3757zXZ\000'
 no_table "HTML" 'a web page or XML: ' '<!DOCTYPE html>\n<html>'
 no_table "MAT" 'a MATLAB file: save the table' 'MATLAB 5.0 MAT-file, Platform'
 no_table "SQLite" 'an SQLite database' 'SQLite format 3\000'
-no_table "JSON" 'JSON: a table is expected' '{"offset": [1, 2, 3]}\n'
+no_table "JSON" 'JSON: a table with one sample per line is needed' '{"offset": [1, 2, 3]}\n'
 printf '1,2,3\n\001\002\003\n' > "$work/bad"
-refuses "what is no text otherwise" 3 'this is not a text file; export the readings as CSV$' calibrate "$work/bad"
+refuses "what is no text otherwise" 3 'not a text file; export the readings as CSV$' calibrate "$work/bad"
 : > "$work/bad"
 refuses "an empty file" 3 'bad: is empty: was it copied whole\?$' calibrate "$work/bad"
 
@@ -223,7 +223,7 @@ refuses "an empty file" 3 'bad: is empty: was it copied whole\?$' calibrate "$wo
 awk 'NR > 1 && NR % 12 == 0' "$work/plain.csv" | cut -d, -f2- > "$work/samples.csv"
 run calibrate "$work/samples.csv" --positions
 check "a raw log as positions: it is told, and what to do" warns \
-    '.*samples\.csv: this looks like a raw log, .* leave --positions out$'
+    '.*samples\.csv: this looks like a raw log, .* leave out --positions$'
 check "a raw log as positions: ten that are left out are listed" test "$(grep -c '^Left out: ' "$work/stdout")" -eq 10
 check "a raw log as positions: and how many more" matches "$work/stdout" '^ +and [0-9]{2,} more$'
 for file in xsens_mti mpu9150_0 mpu9150_1 t265; do
@@ -241,8 +241,8 @@ accepts "three quotients" calibrate "$work/log.csv" --lsb 9.80665/16344,9.80665/
 lsb() { # PATTERN VALUE
     refuses "--lsb $2" 2 "^invcal: --lsb.*$1" calibrate "$work/log.csv" --lsb "$2"
 }
-lsb 'is field per count, not counts per field: .* you mean --lsb 9\.80665/16384, which is 0\.00059855;' 16384
-lsb 'you mean --lsb 1/1666\.67, which is 0\.000599999;' 1666.67
+lsb 'is field per count, not counts per field: .* use --lsb 9\.80665/16384, which is 0\.00059855;' 16384
+lsb 'use --lsb 1/1666\.67, which is 0\.000599999;' 1666.67
 lsb "'9/0' is not a finite number" 9/0
 lsb "'9/x' is not a decimal number" 9/x
 lsb "'9/' is empty" 9/

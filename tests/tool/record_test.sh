@@ -49,7 +49,7 @@ check "record: watch has it" matches "$work/stdout" '^    "serial": "7"$'
 
 # shellcheck disable=SC2086
 {
-    refuses "record: no such day" 2 "--date '2026-02-30': is no day of the calendar" $calibrate --date 2026-02-30
+    refuses "record: no such day" 2 "--date '2026-02-30': is not a date" $calibrate --date 2026-02-30
     refuses "record: a date of another form" 2 "write it like 2026-11-23" $calibrate --date 23.11.2026
     refuses "record: control characters" 2 "--note 'a\?b': is not plain text" $calibrate --note "$(printf 'a\033b')"
     refuses "record: a text too long" 2 "--serial '0+1': is too long" $calibrate --serial "$(printf %0160d 1)"

@@ -51,7 +51,7 @@ printf '%s\n' 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 
 check "refusal: too few" told 'too few' "$work/few.csv" --positions
 check "refusal: seven to add" test "$(wc -l < "$work/add")" -eq 7
 check "refusal: they are in the map, and those taken" test "$(marks 'c3 full')" -eq 7 -a "$(marks 'c1 full')" -eq 5
-check "refusal: what is not determined is told" shows 'Not determined: '
+check "refusal: what is not determined is told" shows 'Undetermined: '
 check "refusal: the file that is not there is named" shows "$work/out/cal.json was not written\\."
 check "refusal: undetermined" told undetermined "$work/plane.csv" --positions
 check "refusal: the advice of the map is that of the words" grep -q '^+z up$' "$work/add"

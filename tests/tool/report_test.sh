@@ -158,7 +158,7 @@ check "report: and the table tells why that may be" matches "$work/stdout" \
 "$tool" simulate --plan per-group:5 --outliers 3 --seed 33 --noise 0.002 > "$work/doubt.csv"
 makes_page "outliers not to be told" "$work/doubt.csv"
 check "report: then the verdict is no good one" says_page \
-    '! Contradictory .* 4 positions contradict one another; nothing tells which'
+    '! Contradictory .* 4 positions contradict one another, and which of them are wrong cannot'
 check "report: nor is the table's" matches "$work/stdout" '^Contradictory: .* 4 positions'
 check "report: and the next step is another measurement" matches "$work/stdout" \
     '^Next: repeat the measurement'
@@ -169,7 +169,7 @@ check "report: nine positions have no redundancy" says_page '! No redundancy .* 
 check "report: and what to do" says_page 'Next: add three or more positions in other directions'
 positions sphere 9 1 > "$work/nine-means.csv"
 makes_page "nine means, no noise known" "$work/nine-means.csv" --positions
-check "report: without a noise there is no ±" says_page 'No ± can be given'
+check "report: without a noise there is no ±" says_page 'There is no ±'
 
 # A prior far below what the noise lets the positions tell.
 positions sphere 18 1 > "$work/prior.csv"
@@ -206,7 +206,7 @@ awk 'function g(r) { return 9.80665 * sqrt(1 + 2 * r) / n }
     > "$work/icosahedron.csv"
 makes_page "an icosahedron" "$work/icosahedron.csv" --positions --noise 0.00980665 --zero 0,0,0 --lsb 1
 check "report: every direction is known as closed form has it" says_page \
-    'known to ±2\.0 mg where the positions tell most, and to ±2\.0 mg where they tell least'
+    'is ±2\.0 mg in the best direction, and ±2\.0 mg in the worst'
 
 # A magnetometer: no mg, no m/s^2.
 awk -F, '{ printf "%.6f,%.6f,%.6f\n", $1 * 4.9, $2 * 4.9, $3 * 4.9 }' "$work/icosahedron.csv" |

@@ -95,7 +95,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     terminal 'invcal watch "$work/edges.csv" --target 0.00000001,0,0'
     frames
     check "a target that is too far: nobody may stop" lacks "$work/typed" 'you may stop'
-    check "a target that is too far: it is said" matches "$work/typed" 'what is wanted is not reached'
+    check "a target that is too far: it is said" matches "$work/typed" 'the target is not reached'
     check "a target that is too far: a bell for each position" test "$(count "$bell")" -eq 18
     terminal 'invcal watch "$work/edges.csv" --plan edges --need 0.1 --gravity 9.8'
     check "a need and a program" matches "$work/typed" 'lengths ± '

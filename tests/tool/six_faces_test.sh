@@ -69,7 +69,7 @@ accepts "six faces: in words" calibrate "$log" --six-faces
 tr '\n' ' ' < "$work/stdout" > "$work/words"
 check "six faces: the verdict says what is not measured, and what that costs" matches "$work/words" \
     'Good for offsets and scales; angles not measured: taken as 0 ±0\.57 degrees .*±8\.8 mg in lengths .*±11 mg at most'
-check "six faces: and that nothing checks the rest" matches "$work/words" 'No position to spare checks'
+check "six faces: and that nothing checks the rest" matches "$work/words" 'No redundant position checks'
 check "six faces: what to do next" matches "$work/words" 'Next: to measure the angles, add six positions'
 check "six faces: each angle is marked in the table" \
     test "$(grep -c '^angle .* ± 0\.57 .*not measured$' "$work/stdout")" -eq 3
@@ -86,7 +86,7 @@ accepts "six faces: invcal watch has it, too" watch "$log" --six-faces --quiet
 
 run calibrate "$work/twice.csv" --six-faces
 check "six faces: visited twice they check each other" matches "$work/stdout" '^Good for offsets and scales'
-check "six faces: and the verdict does not say otherwise" lacks "$work/stdout" 'No position to spare'
+check "six faces: and the verdict does not say otherwise" lacks "$work/stdout" 'No redundant position'
 run calibrate "$work/twice.csv" --six-faces --json
 check "six faces: in JSON that is good" test "$(member verdict)" = '"good"'
 run calibrate "$work/twice.csv" --six-faces --need 0.2

@@ -32,7 +32,7 @@ BEGIN {
     } else if (cell[1] in number) {
         r = number[cell[1]]
         same_with_sigma(cell[2], unit[r] * nine("stand.series_parameters.", r),
-            unit[r] * nine("stand.series_sigma.", r), json["stand.series_interval95"], cell[1] " by the series")
+            unit[r] * nine("stand.series_sigma.", r), json["stand.series_interval95"], cell[1] " from series")
         if (r > 6) next
         split(tells[r], t, " ")
         for (i = 0; i < 2; i++) {

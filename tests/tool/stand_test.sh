@@ -55,16 +55,16 @@ check "stand: 10 mrad are named" each misset 'Misset: position 8 .* is off by (9
 check "stand: 1 mrad, too" each fine 'Misset: position 8 .* is off by (0\.[789]|1\.)[0-9]* mrad' --stand
 check "stand: two swapped positions are named" each swapped \
     'Misset: position (5 .* swapped with position 12|12 .* swapped with position 5)\..*Misset: position (5|12) ' --stand
-check "stand: a repeated one is" each repeated 'Misset: position 8 .* at the angles of position 7: repeated' --stand
+check "stand: a repeated one is" each repeated 'Misset: position 8 .* reads like position 7: repeated' --stand
 check "stand: one more position does no harm" quiet twice 'group 2 ' --stand
 check "stand: one less does none" quiet lost 'group 2 ' --stand
-check "stand: exchanged columns are named" each columns 'Stand: .*only if alpha and beta are swapped: ' --stand
-check "stand: a reversed beta is" each reversed 'Stand: .*only if beta has the other sense' --stand
+check "stand: exchanged columns are named" each columns 'Stand: .*only with alpha and beta swapped: ' --stand
+check "stand: a reversed beta is" each reversed 'Stand: .*only with the sense of beta reversed' --stand
 check "stand: and taken as told" quiet reversed ' closure ' --stand --stand-sense 1,-1
 check "stand: another zero of alpha is told" each zero 'Stand: the angles do not belong to these readings' --stand
 check "stand: and taken off" quiet zero ' closure ' --stand --stand-zero 20,0
 check "stand: a reversed alpha is half a turn about y" each alpha \
-    'mounting y +-?1(79\.9|80\.0).*The unit is turned far on the stand' --stand
+    'mounting y +-?1(79\.9|80\.0).*The unit appears to be mounted at a large angle' --stand
 
 # ---- as JSON ------------------------------------------------------------------------------------------
 
@@ -132,7 +132,7 @@ check "stand: the program tells the angles as well" matches "$work/stdout" '^Mis
 make_file lost 1 plain=1 > "$work/lost.csv"
 refuses "stand: of another number of positions it does not" 3 'holds 17 positions, but --plan 3 x 6 has 18' \
     calibrate "$work/lost.csv" --positions --plan per-group:6
-refuses "stand: without columns there are no angles" 3 'has no columns alpha and beta' \
+refuses "stand: without columns there are no angles" 3 'needs columns alpha and beta' \
     calibrate "$work/lost.csv" --positions --stand
 
 # ---- the frame of the stand --------------------------------------------------------------------------
@@ -189,7 +189,7 @@ row_is_true() {
     told=$(echo "$row" | awk -F ' [|] ' '{ print $3 }')
     { [ -n "$told" ] && [ "$code" -eq "$expected" ]; } || { complain; return 1; }
     if [ "$told" = nothing ]; then
-        matches "$work/stdout" '^Good: ' && lacks "$work/stdout" '^(Misset|Stand|The unit is turned)'
+        matches "$work/stdout" '^Good: ' && lacks "$work/stdout" '^(Misset|Stand|The unit appears)'
         return
     fi
     cat "$work/stdout" "$work/stderr" | tr -s ' \n' ' ' > "$work/words"
@@ -255,12 +255,12 @@ check "stand: the arrows turn as was derived" arrows_turn_as_derived
 makes_page "a misset one" "$work/misset.1" --stand
 check "stand: figures of a misset one are those of the JSON" figures_are_those_of_json 138
 check "stand: it is named on the page" says_page \
-    'Misset: position 8 .alpha -90, beta 90. is off by 10[.0-9]* mrad: .* Lengths do not see it'
+    'Misset: position 8 .alpha -90, beta 90. is off by 10[.0-9]* mrad: .* Lengths do not depend on angles'
 makes_page "a tilted unit" "$work/tilt.1" --stand
 check "stand: figures of a tilted one are those of the JSON" figures_are_those_of_json 136
 makes_page "exchanged columns" "$work/columns.1" --stand
 check "stand: exchanged columns are told on the page" says_page \
-    '^ *At the stand ! The angles fit the readings only if alpha and beta are swapped: exchange'
+    '^ *At the stand ! The angles fit the readings only with alpha and beta swapped: exchange'
 check "stand: and nothing is made of the angles" says_not 'mounting|closure|J1'
 makes_page "another convention" "$work/reversed.1" --stand --stand-sense 1,-1
 check "stand: the page tells the sense" says_page 'α = alpha, β = -beta, with'
@@ -268,11 +268,11 @@ makes_page "another zero" "$work/zero.1" --stand --stand-zero 20,0 --units ins
 check "stand: the page tells the zero" says_page 'α = [(]alpha - 20°[)], β = beta, with'
 check "stand: and the units that are wished" says_page 'about x [-+0-9.]* ± [0-9.]* arcsec .* offset x [-+0-9.]* ± [0-9.]* µg'
 makes_page "a program" "$work/plain.csv" --plan per-group:6
-check "stand: the page tells that the order was kept" says_page 'those of the program 3 x 6, whose order was kept'
+check "stand: the page tells that the order was kept" says_page 'those of the program 3 x 6, in its order'
 head -n 15 "$work/none.1" > "$work/short"
 makes_page "an incomplete group" "$work/short" --stand
 check "stand: the page says which group is open" says_page \
-    '3, 2 positions open open open .* Group 3 is incomplete: 2 positions do not tell its five coefficients'
+    '3, 2 positions open open open .* Group 3 is incomplete: 2 positions do not determine its five coefficients'
 check "stand: without closures" says_not 'closure'
 run calibrate "$work/none.1" --positions --report "$page"
 check "stand: there is nothing of it where no angles are wanted" lacks "$page" 'At the stand'

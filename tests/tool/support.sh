@@ -123,7 +123,7 @@ near() { # near TOLERANCE "A B C" "a b c": each pair agrees; brackets and commas
 # It is JSON by the strict reader of apply: what is wrong with it, if anything, is its content.
 is_json() {
     "$tool" apply "$1" "$work/log.csv" 2> "$work/json.err" > /dev/null ||
-        grep -q 'this is no calibration' "$work/json.err"
+        grep -q 'not a calibration' "$work/json.err"
 }
 
 is_page() { # FILE: HTML that is well-formed, and needs nothing else

@@ -297,7 +297,7 @@ static void words_tell_now_and_next(void)
     TEST_ASSERT_EQUAL_STRING("          deg; +x up, tilt 30 deg, -y rises", line_text(20));
     now.is_guess = 1;
     draw();
-    TEST_ASSERT_TRUE(says("(a guess: zero not known yet)\n"));
+    TEST_ASSERT_TRUE(says("(a guess: zero still unknown)\n"));
 }
 
 static void the_title_has_time_and_positions(void)
@@ -380,7 +380,7 @@ static void what_is_wanted_is_marked_on_the_bar(void)
     TEST_ASSERT_EQUAL_STRING("████▊··············", panel(9));
     TEST_ASSERT_EQUAL_STRING("lengths ± 0.16 mg", panel(12));
     TEST_ASSERT_EQUAL_STRING("████|▊·············", panel(13));
-    TEST_ASSERT_EQUAL_STRING("| what is wanted", panel(14));
+    TEST_ASSERT_EQUAL_STRING("| target", panel(14));
     TEST_ASSERT_TRUE(says("Good, but what is wanted is not reached yet; go on\n"));
 }
 
@@ -518,7 +518,7 @@ static void a_magnetometer_turns_through_the_white_part(void)
     TEST_ASSERT_TRUE(says("Weak: whole sides are missing; go on"));
     now.quality.verdict = INVCAL_ROUGH;
     draw();
-    TEST_ASSERT_TRUE(says("Rough: something disturbs it"));
+    TEST_ASSERT_TRUE(says("Rough: disturbed"));
 }
 
 int main(void)

@@ -94,13 +94,13 @@ static void test_unknown(void)
     refuses("adlx345:2g", "did you mean adxl345?");
     refuses("lis", "did you mean list?");
     refuses("thermometer", "is known;");
-    refuses("", "no data sheet of ''");
-    refuses(":2g", "no data sheet of ''");
+    refuses("", "unknown sensor ''");
+    refuses(":2g", "unknown sensor ''");
     refuses("mpu6050:", "MPU-6050 has no '', but 2g, 4g, 8g, 16g");
     refuses("mpu6050:3g", "MPU-6050 has no '3g', but 2g, 4g, 8g, 16g");
     refuses("adxl355:16g", "but 2g, 4g, 8g");
     refuses("mpu60500000000000000000000000000000000000000000000000000000000000000",
-            "no data sheet");
+            "unknown sensor");
 }
 
 static void limits_are(const char *words, double field, const double expected[INVCAL_PARAMETERS])
@@ -156,11 +156,11 @@ static void test_other_range(void)
     fits("mpu6050:2g", 0.5, "2.0 times too small for mpu6050:2g: as if it were mpu6050:4g");
     fits("mpu6050:2g", 0.25 * 0.95, "4.2 times too small for mpu6050:2g: as if it were mpu6050:8g");
     fits("mpu6050:16g", 8, "8.0 times too large for mpu6050:16g: as if it were mpu6050:2g");
-    fits("mpu6050:16g", 32, "32 times too large for mpu6050:16g, and no range of it fits");
+    fits("mpu6050:16g", 32, "32 times too large for mpu6050:16g, and at any of its ranges");
     fits("bno055", 1.02 / 0.980665, NULL);
-    fits("mpu6050", (double)NAN, "no range of it fits");
-    fits("mpu6050", 0, "no range of it fits");
-    fits("mpu6050", (double)INFINITY, "no range of it fits");
+    fits("mpu6050", (double)NAN, "at any of its ranges");
+    fits("mpu6050", 0, "at any of its ranges");
+    fits("mpu6050", (double)INFINITY, "at any of its ranges");
 }
 
 static void test_words(void)

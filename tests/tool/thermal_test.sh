@@ -76,7 +76,7 @@ check "slopes differ from the truth by their sigma, times $spread" near 0.12 "$s
 fit "$work/positions.csv" --thermal 1
 check "the table tells the slopes" prints '^scale x +\+[45][0-9.]+ ± [0-9.]+ +ppm/K'
 check "and the nine parameters beside them" prints \
-    'Nine parameters alone leave an rms of [34]\.[0-9]+ % of the field .* [3-5][0-9][0-9] times'
+    'Nine parameters without temperature leave an rms of [34]\.[0-9]+ % of the field .* [3-5][0-9][0-9] times'
 fit "$work/positions.csv" --thermal 2 --json
 check "parabolas are fitted where they are asked for" near 0 "$(inside "$work/stdout" thermal degree)" 2
 check "with three rows of coefficients" near 0 "$(grep -c '^        "gamma"' "$work/stdout")" 3
@@ -145,7 +145,7 @@ at -21.5
 run apply "$work/thermal.json" "$work/at.csv"
 check "colder, too" warns 'up to 1.5 K outside'
 printf 'x,y,z\n0.1,-0.2,0.9\n' > "$work/bare.csv"
-refuses "a log without temperature is refused" 3 'no column of temperature.*--temperature' \
+refuses "a log without temperature is refused" 3 'needs a column of temperature.*--temperature' \
     apply "$work/thermal.json" "$work/bare.csv"
 # The same temperature in other units: 70 °C.
 for unit in '(K) 343.15' '[°F] 158' '(m°C) 70000' '(degC) 70'; do
@@ -155,7 +155,7 @@ for unit in '(K) 343.15' '[°F] 158' '(m°C) 70000' '(degC) 70'; do
 done
 for unit in temperature_raw 'temperature (counts)'; do
     printf 'x,y,z,%s\n0.1,-0.2,0.9,70\n' "$unit" > "$work/unit.csv"
-    refuses "counts are no temperature: $unit" 3 'no column of temperature in °C' \
+    refuses "counts are no temperature: $unit" 3 'needs a column of temperature in °C' \
         apply "$work/thermal.json" "$work/unit.csv"
 done
 printf 'x,y,z\n0.1,-0.2\n' > "$work/torn.csv"
@@ -262,7 +262,7 @@ for degree in 0 3 1.5 -1; do
     refuses "--thermal $degree is refused" 2 '--thermal: is 1' calibrate "$work/log.csv" \
         --thermal=$degree
 done
-refuses "--thermal needs temperatures" 3 'no column of temperature' calibrate "$work/log.csv" \
+refuses "--thermal needs temperatures" 3 'needs a column of temperature' calibrate "$work/log.csv" \
     --thermal 1
 refuses "--slope belongs to --thermal" 2 '--slope: ' calibrate "$work/log.csv" --slope 1,1,1
 refuses "--slope needs the noise" 2 '--slope: .*--noise' calibrate "$work/positions.csv" \
@@ -275,10 +275,10 @@ fit "$work/wrong.csv" --thermal 1 --report "$work/thermal.html"
 check "the report is a page" is_page "$work/thermal.html"
 check "it tells the slopes" matches "$work/thermal.html" '[45][0-9.]+ ± [0-9.]+ ppm/K'
 check "and what they are good for" matches "$work/thermal.html" \
-    'Nine parameters alone leave an rms error of [0-9.]+ ‰ of the field'
+    'Nine parameters without temperature leave an rms error of [0-9.]+ ‰ of the field'
 fit "$work/positions.csv" --report "$work/plain.html"
 check "without --thermal the residuals are shown against temperature" matches "$work/plain.html" \
     '<title>Residuals over temperature</title>'
-check "and what it would bring" matches "$work/plain.html" '\-\-thermal 1 brings their rms from'
+check "and what it would bring" matches "$work/plain.html" '\-\-thermal 1 reduces their rms from'
 
 finish

@@ -292,7 +292,7 @@ check "source tells what the data told" [ "$(grep -Ec '^    "(delta|dk|gamma)_.*
     "$work/stdout")" -eq 9 ]
 check "source says prior for some" matches "$work/stdout" '"gamma_..": "prior"'
 accepts "with a prior the table tells what it told" calibrate "$work/three.csv" --positions $prior
-check "known from the prior" matches "$work/stdout" '^Known from the prior rather than'
+check "known from the prior" matches "$work/stdout" '^Determined by the prior rather than'
 head -n 7 "$good" > "$work/seven.csv"
 run calibrate "$work/seven.csv" --positions --zero 0,0,0 --lsb 1 --noise 0.002 --prior 1e-6,0,0 --json
 check "a narrow prior on offsets: they come from it, scales and angles from the data" \
@@ -416,7 +416,7 @@ with_bytes() { # with_bytes SENTENCE PATTERN, the bytes by printf in $bytes
     refuses_file "calibrate: $1" 3 "$2" "$work/bad.csv"
     refuses "apply: $1" 3 "$2" apply "$work/apply.json" "$work/bad.csv"
 }
-bytes='1,2,\0003\n'; with_bytes "a NUL byte" 'bad\.csv:5: byte 5 .* 0: this is not a text file'
+bytes='1,2,\0003\n'; with_bytes "a NUL byte" 'bad\.csv:5: byte 5 .* 0: not a text file'
 bytes='1,2,3\r4,5,6\n'; with_bytes "a carriage return inside a line" 'bad\.csv:5: byte 6 .* 13'
 bytes='1,2,\377\n'; with_bytes "a byte that is no UTF-8" "bad\.csv:5: column 3 \(z\)"
 
@@ -427,8 +427,8 @@ bad_file() { # bad_file SENTENCE PATTERN: the file $work/bad.csv
 : > "$work/bad.csv"; bad_file "an empty file" 'bad\.csv: is empty'
 printf '\n\n# only\n \t \n' > "$work/bad.csv"; bad_file "nothing but comments" 'bad\.csv: is empty'
 printf '\357\273\277' > "$work/bad.csv"; bad_file "nothing but a byte order mark" 'is empty'
-echo x,y,z > "$work/bad.csv"; bad_file "nothing but a header" 'bad\.csv: holds a header, but no'
-printf 'x,y,z' > "$work/bad.csv"; bad_file "nothing but a header without end" 'holds a header'
+echo x,y,z > "$work/bad.csv"; bad_file "nothing but a header" 'bad\.csv: has a header, but no'
+printf 'x,y,z' > "$work/bad.csv"; bad_file "nothing but a header without end" 'has a header'
 { echo a,b,c; cat "$good"; } > "$work/bad.csv"
 bad_file "a header of unknown names" 'bad\.csv:1: the header names no columns x, y, z'
 { echo x,y,z,y; sed 's/$/,1/' "$good"; } > "$work/bad.csv"
@@ -452,7 +452,7 @@ awk 'BEGIN { for (i = 0; i < 300; i++) printf "%d,", i; print 0 }' > "$work/bad.
 bad_file "300 columns" 'more than 256 columns'
 head -c 4096 /dev/urandom > "$work/bad.csv"; bad_file "random bytes" 'bad\.csv'
 { printf '\0\0\0'; head -c 4096 /dev/urandom; } > "$work/bad.csv"
-bad_file "binary data" 'bad\.csv:1: byte 1 of the line has the value 0: this is not a text file'
+bad_file "binary data" 'bad\.csv:1: byte 1 of the line has the value 0: not a text file'
 printf '\377\376x\0,\0y\0,\0z\0\n\0' > "$work/bad.csv"
 bad_file "a text in UTF-16" 'bad\.csv: this is UTF-16 text: save it as UTF-8'
 sed 's/$/,1/' "$good" > "$work/bad.csv"
@@ -777,7 +777,7 @@ bad_json "an offset of two" "{\"offset\": [1, 2], $m}" '1: a list of 3 is expect
 bad_json "an offset of four" "{\"offset\": [1, 2, 3, 4], $m}" '1: a list of 3 is expected'
 bad_json "an offset that is no list" "{\"offset\": 1, $m}" '1: a JSON list'
 bad_json "a word in the offset" "{\"offset\": [1, two, 3], $m}" "1: 'two' is not a decimal number"
-bad_json "a text in the offset" "{\"offset\": [1, \"2\", 3], $m}" '1: a number is expected'
+bad_json "a text in the offset" "{\"offset\": [1, \"2\", 3], $m}" '1: a number expected'
 bad_json "null in the offset" "{\"offset\": [1, null, 3], $m}" "1: 'null' is not a decimal"
 bad_json "NaN in the offset" "{\"offset\": [1, NaN, 3], $m}" "1: 'NaN' is not a finite number"
 bad_json "an infinite offset" "{\"offset\": [1, 1e999, 3], $m}" "1: '1e999' is too large"
@@ -788,22 +788,22 @@ bad_json "a singular matrix" "{$o, \"matrix\": [[1, 0, 0], [1, 0, 0], [0, 0, 1]]
 bad_json "a matrix of zeros" "{$o, \"matrix\": [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}" ' "matrix" is sing'
 bad_json "cut off" "{$o, \"matrix\": [[1, 0" "2: ',' or ']' is expected, but the file ends here"
 bad_json "a comma missing" "{$o $m}" "1: ',' or '}' is expected"
-bad_json "a comma too many" "{$o, $m,}" '1: a name or text in double quotes is expected'
-bad_json "a comma too many in a list" "{\"a\": [1,], $o, $m}" '1: a value is expected'
+bad_json "a comma too many" "{$o, $m,}" '1: a name or text in double quotes expected'
+bad_json "a comma too many in a list" "{\"a\": [1,], $o, $m}" '1: a value expected'
 bad_json "a colon missing" "{\"offset\" [1, 2, 3], $m}" "1: ':' is expected"
-bad_json "something behind it" "{$o, $m} x" '1: nothing is expected after'
-bad_json "a second object" "{$o, $m}{}" '1: nothing is expected after'
+bad_json "something behind it" "{$o, $m} x" '1: nothing may follow'
+bad_json "a second object" "{$o, $m}{}" '1: nothing may follow'
 bad_json "a name without quotes" "{offset: [1, 2, 3], $m}" '1: a name or text in double quotes'
 bad_json "single quotes" "{'offset': [1, 2, 3], $m}" '1: a name or text in double quotes'
 bad_json "an unknown word" "{\"a\": nothing, $o, $m}" "1: 'nothing' is not a decimal number"
-bad_json "a plus sign" "{\"a\": +1, $o, $m}" "1: '\+1' is no number in JSON"
-bad_json "a leading zero" "{\"a\": 01, $o, $m}" "1: '01' is no number in JSON"
-bad_json "a point without digits" "{\"a\": 1., $o, $m}" "1: '1\.' is no number in JSON"
-bad_json "a text left open" "{\"a\": \"b" '1: the quotes of a text are not closed'
+bad_json "a plus sign" "{\"a\": +1, $o, $m}" "1: '\+1' is not a number in JSON"
+bad_json "a leading zero" "{\"a\": 01, $o, $m}" "1: '01' is not a number in JSON"
+bad_json "a point without digits" "{\"a\": 1., $o, $m}" "1: '1\.' is not a number in JSON"
+bad_json "a text left open" "{\"a\": \"b" '1: a text is not closed by a quote'
 bad_json "a line break in a text" "{\"a
-\": 1, $o, $m}" '1: the quotes of a text are not closed in its line'
-bad_json "an unknown escape sequence" "{\"a\": \"\\x\", $o, $m}" '1: there is no such escape'
-bad_json "half an escape sequence" "{\"a\": \"\\u12\", $o, $m}" '1: there is no such escape'
+\": 1, $o, $m}" '1: a text is not closed by a quote on its line'
+bad_json "an unknown escape sequence" "{\"a\": \"\\x\", $o, $m}" '1: unknown escape'
+bad_json "half an escape sequence" "{\"a\": \"\\u12\", $o, $m}" '1: unknown escape'
 bad_json "an error in the third line" "{$o,
  \"other\": [true, false, null],
  \"matrix\": [[1, 0, 0], [0, 1, 0], [0, 0, x]]}" "3: 'x' is not a decimal number"

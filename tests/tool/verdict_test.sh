@@ -189,15 +189,15 @@ check "nonlinearity: nothing is beyond the edge" test ! -s "$work/stderr"
 check "nonlinearity: a nominal that was found: lengths" below "$(worst "$work/free.json" 1 1)" 1e-3
 worst "$work/symmetric.json" 3 > "$work/far"
 check "nonlinearity: beyond the edge it is held, and told" matches "$work/stderr" \
-    'warning: .*readings\.csv: 40 of 40 readings are beyond 1\.1 of the field on an axis, up to 3\.'
+    'warning: .*readings\.csv: 40 of 40 readings are beyond 1\.1 times the field on an axis, up to 3\.'
 # At 3 eta the model is off by what q 9 eta^2 + c 27 eta^3 is more than at the edge: 0.6 of the field at most.
 check "nonlinearity: and bounded" below "$(cat "$work/far")" 0.8
 sed 's/"field": .*/"field": 0,/' "$work/symmetric.json" > "$work/broken.json"
 refuses "nonlinearity: incomplete" 3 '"nonlinearity" is incomplete' apply "$work/broken.json" "$work/bent.csv"
 sed 's/"quadratic": .*/"quadratic": [0.3, 0, 0],/' "$work/symmetric.json" > "$work/broken.json"
-refuses "nonlinearity: too large" 3 'too large to be taken off' apply "$work/broken.json" "$work/bent.csv"
+refuses "nonlinearity: too large" 3 '"nonlinearity" is too large' apply "$work/broken.json" "$work/bent.csv"
 for format in c c-arrays px4 ardupilot ros imu_tk fusion; do
-    refuses "nonlinearity: --format $format has no place for it" 2 "errors of the axes, which --format $format cannot" \
+    refuses "nonlinearity: --format $format has no place for it" 2 "quadratic or cubic errors, which --format $format cannot" \
         export "$work/symmetric.json" --format $format
 done
 
@@ -235,8 +235,8 @@ check "need: another g is missing" needs gravity '^FAIL: \|a\| within 0\.05[0-9]
 check "need: more positions are" needs positions \
     '^FAIL: \|a\| within 0\.001[0-9]* of 0\.0010 m/s² \(95 %\)\. Missing: about [45][0-9]' none 0.001 $exact
 check "need: longer rests are" needs 'longer rests' '2[0-9] times as long' none 0.0003 $exact
-check "need: a warm sensor is" needs warm-up '^FAIL: the verdict is drifting; .* of 1\.0 m/s² \(95 %\)\. Missing: a sensor' drift 1 $exact
-check "need: a linear one is" needs linearity '^linear; no calibration of nine|Missing: a sensor that is linear' cubic 1 $exact
+check "need: a warm sensor is" needs warm-up '^FAIL: the verdict is drifting; .* of 1\.0 m/s² \(95 %\)\. Missing: a warm sensor' drift 1 $exact
+check "need: a linear one is" needs linearity 'Missing: a linear sensor' cubic 1 $exact
 check "need: steadier positions are" needs steadiness 'Missing: steadier positions' noisy 1 $exact
 check "need: other directions are" needs directions '^FAIL: the verdict is no redundancy; .* Missing: positions' repeated 1 $exact
 run calibrate "$work/none.1" --positions --need 0

@@ -66,7 +66,7 @@ in=/dev/null
 awk 'NR == 4 { held = $0; next } { print } NR == 5 { print held }' "$work/all" > "$work/exchanged"
 follow per-group:6 "$work/exchanged"
 check "exchanged: the one that was taken is named" matches "$work/stdout" \
-    '^wrong position: that is position 5 \(alpha -90, beta 0°\), not 4\. It is used all the same$'
+    '^wrong position: that is position 5 \(alpha -90, beta 0°\), not 4\. It is used anyway$'
 check "exchanged: it is said while the device is still there" matches "$work/stdout" \
     '^good, but not position 4: move on to alpha -150, beta 0°$'
 check "exchanged: the way back" matches "$work/stdout" \
@@ -113,12 +113,12 @@ angles() { # angles EXPRESSION_OF_X Y Z in a and b, radians
 angles 'sin(b) * sin(a)' 'cos(b)' 'sin(b) * cos(a)' > "$work/swapped"
 follow per-group:6 "$work/swapped"
 check "alpha and beta exchanged: a word on it" matches "$work/stdout" \
-    '^2 wrong in a row: are alpha and beta exchanged'
+    '^2 wrong in a row: check for alpha and beta exchanged'
 angles 'sin(-a) * sin(b)' 'cos(a)' 'sin(-a) * cos(b)' > "$work/reversed"
 follow per-group:6 "$work/reversed"
 check "alpha reversed: the first is position 6" matches "$work/stdout" \
     '^wrong position: that is position 6 \(alpha -30, beta 0°\), not 1\.'
-check "alpha reversed: a word on it" matches "$work/stdout" 'is the sense of one reversed'
+check "alpha reversed: a word on it" matches "$work/stdout" 'a reversed sense'
 
 # ---- sensors that are far from nominal ---------------------------------------------------------
 

@@ -19,7 +19,7 @@ const char allan_misfit_words[] =
 
 const char *allan_estimator(const allan_wish *wish)
 {
-    return wish->is_apart ? "non-overlapping" : "overlapping";
+    return wish->is_apart ? "windows apart" : "overlapping";
 }
 
 const char *allan_deviation(const allan_result *r, double deviation, char text[ALLAN_WORDS_MAX])
