@@ -88,7 +88,7 @@ demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sens
 	    > $(BUILD)/demo-log.csv
 	$(BUILD)/invcal calibrate $(BUILD)/demo-log.csv --sensor mpu6050:2g \
 	    --out $(BUILD)/demo-cal.json
-	@awk -F '[][,]' '/"offset"/ { printf "The truth, of which it was not told: offsets %.2f %.2f %.2f counts.\n", \
+	@awk -F '[][,]' '/"offset"/ { printf "The true offsets, unknown to the tool: %.2f %.2f %.2f counts.\n", \
 	    $$2, $$3, $$4 }' $(BUILD)/demo-truth.json
 	@echo
 	$(BUILD)/invcal apply $(BUILD)/demo-cal.json $(BUILD)/demo-log.csv \

@@ -91,7 +91,7 @@ check "one without a date: the order of the arguments" [ "$(files_in_order)" = "
 sed 's/"sigma": {/"sigma": {"offset": [null, null, null], "dk": [null, null, null], "gamma": [null, null, null]}, "was": {/' \
     old.json > blind.json
 run compare blind.json middle.json
-check "without a ± nothing is told to have changed" matches "$work/stdout" '^Not known: Nothing has changed as far as is known'
+check "without a ± nothing is told to have changed" matches "$work/stdout" '^Unknown: Nothing has changed as far as is known'
 check "and a drift has none" matches "$work/stdout" '^offset x .* [+-][0-9.]+ ± \? +\?$'
 
 # A file of the first release, which knew neither record nor gravity_sigma, of the same positions.

@@ -484,9 +484,9 @@ check "and with a comment" matches "$work/stdout" '4 positions contradict one an
 run export "$work/weak.json" --format c
 check "a weak calibration is exported" went_well
 check "with a warning that names what is badly determined" says \
-    'warning: .*weak calibration: gamma_xy, gamma_xz, gamma_zy badly determined'
+    'warning: .*weak calibration: gamma_xy, gamma_xz, gamma_zy poorly determined'
 check "and with the same in its comment" sh -c \
-    'grep -q "verdict: weak" "$1" && grep -q "badly determined: gamma_xy, gamma_xz, gamma_zy" "$1"' \
+    'grep -q "verdict: weak" "$1" && grep -q "poorly determined: gamma_xy, gamma_xz, gamma_zy" "$1"' \
     sh "$work/stdout"
 
 mkdir "$work/evil*"
@@ -508,26 +508,26 @@ check "hostile texts do not get out of a # comment" awk \
 # ---- refusals ----------------------------------------------------------------------------------
 
 see='see invcal export --help'
-refuses "no format is refused" 2 "--format: is one of c, .*$see" export "$work/cal.json"
-refuses "another format is refused" 2 '--format: is one of c' export "$work/cal.json" --format matlab
+refuses "no format is refused" 2 "--format: must be one of c, .*$see" export "$work/cal.json"
+refuses "another format is refused" 2 '--format: must be one of c' export "$work/cal.json" --format matlab
 refuses "no file is refused" 2 'CAL.json is missing' export --format c
 refuses "a file that is not there is refused" 3 'nowhere.json' export nowhere.json --format c
 for name in 1st a-b 'a b' int '_a' 'x*/' "$(printf 'a%060d' 0)"; do
-    refuses "the name '$name' is refused" 2 '--name: is a word for C' \
+    refuses "the name '$name' is refused" 2 '--name: must be a C identifier' \
         export "$work/cal.json" --format c "--name=$name"
 done
 for o in --zero=1,2,3 --lsb=1 --instance=1 --device-id=1; do
-    refuses "c: ${o%%=*} is refused" 2 "${o%%=*}: --format c has no use for it" \
+    refuses "c: ${o%%=*} is refused" 2 "${o%%=*}: --format c does not use it" \
         export "$work/cal.json" --format c $o
 done
 refuses "px4: --name is refused" 2 '--name: --format px4 does not use it' \
     export "$work/cal.json" --format px4 --name a
 refuses "--lsb alone is refused" 2 '--lsb: state both' export "$work/cal.json" --format px4 --lsb 1
-refuses "a scale of 0 is refused" 2 '--lsb: a scale is not 0' \
+refuses "a scale of 0 is refused" 2 '--lsb: a scale must not be 0' \
     export "$work/cal.json" --format px4 --zero 0,0,0 --lsb 0
 refuses "a scale no calculation can bear is refused" 2 'the scale of the driver is out of range' \
     export "$work/cal.json" --format ros --zero 0,0,0 --lsb 1e-320
-refuses "--out over CAL.json is refused" 2 '--out: is CAL.json itself' \
+refuses "--out over CAL.json is refused" 2 '--out: would overwrite CAL.json' \
     export "$work/cal.json" --format c --out "$work/cal.json"
 sed 's/"gravity": [0-9.]*/"other": 1/' "$work/cal.json" > "$work/none.json"
 for f in px4 ros imu_tk fusion; do
@@ -550,7 +550,7 @@ printf '{"offset": [0,0,0], "matrix": [[1,2,3],[2,4,6],[0,0,1]], "gravity": 1}' 
 refuses "a singular matrix is refused" 3 'singular' export "$work/flat.json" --format c
 printf '{"offset": [0,0,0], "matrix": [[0,1,0],[1,0,0],[0,0,1]], "gravity": 1}' > "$work/turned.json"
 for f in imu_tk fusion; do
-    refuses "$f: interchanged axes are refused" 1 'feels nothing along x' \
+    refuses "$f: interchanged axes are refused" 1 'does not respond along x' \
         export "$work/turned.json" --format $f
 done
 mkdir "$work/full"

@@ -175,7 +175,7 @@ dress_positions "positions in g, stated" 1 g header unit \
 check "positions in g: the table is in g" matches "$work/stdout" '^offset y .* g$'
 check "positions in g: scales are in g" matches "$work/stdout" '^scale z .* g per m/s²$'
 check "positions in g: zero and scale are by the unit" matches "$work/stdout" \
-    '^nominal: zero and scale by the unit$'
+    '^nominal: zero and scale from the unit$'
 check "positions in g: scale errors are those of the sensor, within 0.1 %" near 0.1 \
     "$(awk '/^scale error/ { printf "%s ", $4 }' "$work/stdout")" '1 -2 2'
 dress_positions "positions in g, by size" 1 g size unit \
@@ -275,7 +275,7 @@ run watch - --unit mg
 check "watch: --unit is told" test "$(head -n 1 "$work/stdout")" = \
     'standard input: CSV with commas, no header; t (s), x y z in mg (--unit)'
 check "watch: --unit gives zero and scale" matches "$work/stdout" \
-    '^nominal: zero and scale by the unit$'
+    '^nominal: zero and scale from the unit$'
 in=/dev/null
 
 # ---- refusals -----------------------------------------------------------------------------------
@@ -311,7 +311,7 @@ refuses "UTF-16 from the standard input" 3 '^invcal: standard input: this is UTF
 in=/dev/null
 
 bad_line "decimal commas between semicolons" \
-    "bad\.csv:2: column 1 \(x\): '1,5' is not .* has a decimal comma: save with decimal points$" \
+    "bad\.csv:2: column 1 \(x\): '1,5' has a decimal comma: save with decimal points$" \
     'x;y;z\n1,5;2,5;3,5\n'
 bad_line "decimal commas in quotes" "bad\.csv:2: column 2 \(y\): '-2,5' .* decimal comma: save with" \
     'x,y,z\n1,"-2,5",3\n'
@@ -337,7 +337,7 @@ bad "a gyro alone" 'bad\.csv:1: the header names no columns x, y, z \(nor ax, .*
     'time (us),gyroADC[0],gyroADC[1],gyroADC[2],wx,wy,wz,gx,gy,gz\n0,1,2,3,4,5,6,7,8,9\n'
 bad "two axes" 'bad\.csv:1: the header names no columns x, y, z' 'ax,ay,gz\n1,2,3\n'
 bad "linear acceleration" \
-    "bad\.csv:1: 'Linear Acceleration x': the phone has taken gravity out .* accelerometer itself$" \
+    "bad\.csv:1: 'Linear Acceleration x': linear acceleration has gravity removed .* accelerometer itself$" \
     '"Time (s)","Linear Acceleration x (m/s^2)","Linear Acceleration y (m/s^2)","Linear Acceleration z (m/s^2)"\n0,1,2,3\n'
 bad_line "phyphox with decimal commas" \
     "bad\.csv:2: column [12] \([tx]\): '1,01E[+-]01' has a decimal comma" \
@@ -349,14 +349,14 @@ refuses "a date is no time, and what to do is told" 3 \
     "column 1 \(t\): '2026-05-01T10:00:00Z' is not a decimal number: convert it to seconds" \
     calibrate "$work/bad.csv"
 bad "two accelerometers" \
-    "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): state which with --columns, or leave one set" \
+    "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): choose one set with --columns, or delete" \
     'accSmooth[0],accSmooth[1],accSmooth[2],accADC[0],accADC[1],accADC[2]\n1,2,3,4,5,6\n'
 bad "axes in different units" \
     "bad\.csv:1: 'ax \(g\)' and 'az \(mg\)' are in different units: convert one of them$" \
     'ax (g),ay (g),az (mg)\n1,2,3\n'
 bad "one axis without a unit" "bad\.csv:1: 'ax \(g\)' and 'ay' are in different units" \
     'ax (g),ay,az (g)\n1,2,3\n'
-bad "two clocks of one rank" "bad\.csv:1: more than one column could be 't': leave one, or state which with --columns t=NAME$" \
+bad "two clocks of one rank" "bad\.csv:1: more than one column could be 't': delete one, or choose with --columns t=NAME$" \
     't_ms,time (us),x,y,z\n1,2,3,4,5\n'
 bad "settings, but no table" "bad\.csv:2: lines of two columns, the first one a name, are not a table" \
     'name,sensor 5\nrate,100\n'
@@ -377,7 +377,7 @@ refuses "--unit without a value" 2 '--unit: its value is missing' calibrate "$wo
 
 write_positions 1 'x (mg),y (mg),z (mg)' "$x"
 refuses "a header that states another unit than that of the readings" 1 \
-    'pos\.csv:2: position 1 reads 0\.0[0-9]* of the field with the scale of the unit that is stated; check the unit in the header; --unit' \
+    'pos\.csv:2: position 1 reads 0\.0[0-9]* of the field with the scale of the stated unit; check the unit in the header, or state --unit' \
     calibrate "$work/pos.csv" --positions
 run calibrate "$work/pos.csv" --positions --unit g --json
 check "--unit puts it right" near 1e-9 "$(field offset)" '0.02 -0.03 0.05'

@@ -84,7 +84,7 @@ check "calibrate LOG: good" test "$(field verdict)" = '"good"'
 check "calibrate LOG: the offset is right" right_offset plain 2
 accepts "calibrate LOG: it prints" calibrate "$work/plain.csv"
 check "calibrate LOG: samples and rate are told" matches "$work/stdout" \
-    '12400 samples, 124 s at 100 samples a second$'
+    '12400 samples, 124 s at 100 samples per second$'
 
 cut -d, -f2-4 "$work/plain.csv" | tail -n +2 | tr ',' ' ' > "$work/blank.txt"
 run calibrate "$work/blank.txt" --json
@@ -204,13 +204,13 @@ check "watch: asks for the first position" test "$(sed -n 2p "$work/watched")" =
 check "watch: takes 18" test "$(grep -c '^position .* taken' "$work/watched")" -eq 18
 check "watch: knows that the program is complete" matches "$work/watched" '^finished'
 check "watch: no control characters where there is no terminal" lacks "$work/watched" "$(printf '\r')"
-check "watch: what is not known shrinks" awk '/taken; to 95 %: offsets/ { most = $9; if (!first) first = most }
+check "watch: what is not known shrinks" awk '/taken; 95 %: offsets/ { most = $8; if (!first) first = most }
     END { exit !(most < first) }' "$work/watched"
 run calibrate "$work/plain.csv" --json
 # Beside the interval of calibrate: watch knows the noise from residuals alone, Student's 2.26 for 1.96.
 sigma=$(sed -n 's/^    "delta": \[\([^,]*\),.*/\1/p' "$work/stdout")
 check "watch: and is the interval of 95 %" awk -v sigma="$sigma" '
-    /taken; to 95 %: offsets/ { most = $9 }
+    /taken; 95 %: offsets/ { most = $8 }
     END { exit !(most > 1.8e3 * sigma && most < 2.8e3 * sigma) }' "$work/watched"
 run calibrate "$work/plain.csv"
 sed -n '/ 18 positions, field/,$p' "$work/stdout" | sed 's/^[^:]*: //' > "$work/figures"
@@ -233,11 +233,11 @@ noise() { # noise WHITE_OF_Z INSTABILITY_OF_X: m/s^2/sqrt(Hz), m/s^2
 }
 noise 0.001 0
 run watch - --mean-sigma 0.0007 --allan "$work/noise.json"
-check "watch --allan: the time that it takes is told" matches "$work/stdout" '^each position: 2.04 s'
+check "watch --allan: the time that it takes is told" matches "$work/stdout" '^hold each position for 2.04 s'
 check "watch --allan: and is enough" test "$(grep -c '^position .* taken' "$work/stdout")" -eq 18
 noise 0.002 0
 run watch - --mean-sigma 0.0007 --allan "$work/noise.json"
-check "watch --allan: the noisiest axis decides" matches "$work/stdout" '^each position: 8.16 s'
+check "watch --allan: the noisiest axis decides" matches "$work/stdout" '^hold each position for 8.16 s'
 check "watch --allan: five seconds are too short then" lacks "$work/stdout" '^position .* taken'
 noise 0.001 0.003
 run watch - --mean-sigma 0.0007 --allan "$work/noise.json"
@@ -252,7 +252,7 @@ in=$work/plain.csv
 refuses "watch --allan: hours are not held" 2 'takes more than 3600 s' \
     watch - --mean-sigma 0.00001 --allan "$work/noise.json"
 in=/dev/null
-refuses "watch: --mean-sigma 0" 2 'mean-sigma: a standard deviation' watch - --mean-sigma 0
+refuses "watch: --mean-sigma 0" 2 'mean-sigma: the standard deviation' watch - --mean-sigma 0
 refuses "calibrate: --mean-sigma" 2 'mean-sigma: is an option of invcal watch only' \
     calibrate "$work/plain.csv" --mean-sigma 1
 in=$work/plain.csv
@@ -311,8 +311,8 @@ refuses "watch: a set that leaves parameters open" 2 'plan: the positions leave'
 refuses "watch: one standard input for two" 2 'plan: only one input' watch - --plan directions:-
 refuses "watch: a set that is not there" 3 'nowhere' watch - --plan directions:nowhere
 refuses "watch: groups that are too small" 2 'plan: 4 positions in a group' watch - --plan per-group:4
-refuses "watch: position means" 2 'positions: is for' watch - --positions
-refuses "watch: a negative target" 2 'target: is not negative' watch - --target=-1,0,0
+refuses "watch: position means" 2 'positions: is an option of' watch - --positions
+refuses "watch: a negative target" 2 'target: must not be negative' watch - --target=-1,0,0
 refuses "watch: nothing" 3 'standard input: is empty' watch -
 
 finish

@@ -35,7 +35,7 @@ check "magnetometer: good" matches "$work/stdout" '"verdict": "good"'
 check "magnetometer: nothing disturbed it" matches "$work/stdout" '"disturbance": "none"'
 accepts "magnetometer: the table" calibrate --magnetometer "$work/log.csv" --report "$work/out/page.html"
 check "magnetometer: says what it found" matches "$work/stdout" '18 of 18 directions covered'
-check "magnetometer: and what limits" matches "$work/stdout" 'limited by +what neighbouring samples err alike by'
+check "magnetometer: and what limits" matches "$work/stdout" 'limited by +errors that neighbouring samples share'
 run apply "$work/out/cal.json" "$work/log.csv"
 check "magnetometer: apply takes its columns" succeeded
 check "magnetometer: and makes all lengths alike" test "$(awk -F, 'NR > 1 { l = sqrt($1^2 + $2^2 + $3^2)
@@ -87,10 +87,10 @@ printf 'x,y,z,mx,my,mz\n0,0,1,1,2,3\n' > "$work/twice.csv"
 refuses "magnetometer: two sets that may be meant" 3 "x, y and z are there twice .'mx' and 'x'." \
     calibrate --magnetometer "$work/twice.csv"
 for option in --positions --robust --six-faces --cubic '--thermal=1' '--noise=1' '--case=+z' '--prior=1,1,1' '--sensor=mpu6050'; do
-    refuses "magnetometer: and $option" 2 "--magnetometer: does not go together with ${option%=*}" \
+    refuses "magnetometer: and $option" 2 "--magnetometer: cannot be combined with ${option%=*}" \
         calibrate --magnetometer "$work/log.csv" "$option"
 done
-refuses "magnetometer: watch needs no noise" 2 '--magnetometer: does not go together with --mean-sigma' \
+refuses "magnetometer: watch needs no noise" 2 '--magnetometer: cannot be combined with --mean-sigma' \
     watch --magnetometer "$work/log.csv" --mean-sigma 1
 
 # ---- live ---------------------------------------------------------------------------------------
@@ -98,9 +98,9 @@ refuses "magnetometer: watch needs no noise" 2 '--magnetometer: does not go toge
 run calibrate --magnetometer "$work/log.csv" --json
 found=$(vector offset)
 accepts "magnetometer: live" watch --magnetometer "$work/log.csv"
-check "magnetometer: what to do" matches "$work/stdout" '^turn it slowly to all sides'
+check "magnetometer: what to do" matches "$work/stdout" '^turn it slowly until every side'
 check "magnetometer: where to turn" matches "$work/stdout" '^next: hold it [-+][xyz] up.*, and swing it around$'
-check "magnetometer: how far it is" matches "$work/stdout" '^18 of 18 directions; to 95 %: offsets ± 0'
+check "magnetometer: how far it is" matches "$work/stdout" '^18 of 18 directions; 95 %: offsets ± 0'
 check "magnetometer: when it is enough, once" test "$(grep -c '^enough: it is good' "$work/stdout")" -eq 1
 check "magnetometer: and the result" matches "$work/stdout" '^Good: '
 in=$work/log.csv
@@ -114,7 +114,7 @@ check "magnetometer: a magnet is named at once" matches "$work/stdout" '^disturb
 run watch --magnetometer "$work/log.csv" --need 0.0001%
 check "magnetometer: no end before what is needed is reached" lacks "$work/stdout" '^enough'
 run watch --magnetometer "$work/log.csv" --need 0.01
-check "magnetometer: in the unit of the readings" matches "$work/stdout" '^enough: what is wanted is reached'
+check "magnetometer: in the unit of the readings" matches "$work/stdout" '^enough: the target is reached'
 run watch --magnetometer "$work/log.csv" --target 0.00001,0,0
 check "magnetometer: nor before the target is" lacks "$work/stdout" '^enough'
 head -n 500 "$work/log.csv" | sed '200s/,/;;/' > "$work/torn.csv"
@@ -189,22 +189,22 @@ check "magnetometer: is corrected by its calibration" near 0.02 "$(rows)" \
 check "magnetometer: which is told" matches "$work/stdout" '"taken": "calibrated"'
 both 0.5 1 > "$work/offset.csv"
 accepts "magnetometer: one that is far off" calibrate --magnetometer "$work/offset.csv"
-check "magnetometer: tells nothing" matches "$work/stdout" 'axes +against the accelerometer.s not known: too few instants'
-refuses "magnetometer: nor can anything be turned to it" 1 'usual length, within 10 %, in [0-9]+ of 6000 instants only; correct it' \
+check "magnetometer: tells nothing" matches "$work/stdout" 'axes +against the accelerometer.s unknown: the length of gravity varies'
+refuses "magnetometer: nor can anything be turned to it" 1 'usual length, within 10 %, in only [0-9]+ of 6000 samples; correct it' \
     calibrate --magnetometer "$work/offset.csv" --frame accelerometer
 cut -d, -f5-7 "$work/both.csv" > "$work/alone.csv"
 refuses "magnetometer: none there" 1 'the log has no columns of an accelerometer' \
     calibrate --magnetometer "$work/alone.csv" --frame accelerometer
 refuses "magnetometer: --with a magnetometer" 2 'is a calibration of a magnetometer' \
     calibrate --magnetometer "$work/both.csv" --with "$work/out/both.json"
-refuses "magnetometer: --with alone" 2 '--with: is for --magnetometer' calibrate "$work/both.csv" --with "$work/accel.json"
-refuses "magnetometer: its frame alone" 2 '--frame: accelerometer is for --magnetometer' \
+refuses "magnetometer: --with alone" 2 '--with: needs --magnetometer' calibrate "$work/both.csv" --with "$work/accel.json"
+refuses "magnetometer: its frame alone" 2 '--frame: accelerometer needs --magnetometer' \
     calibrate "$work/both.csv" --frame accelerometer
 accepts "magnetometer: a need in parts" calibrate --magnetometer "$work/both.csv" --need 1%
 check "magnetometer: is judged" matches "$work/stdout" 'PASS: length within 0\.[0-9]+ of 1\.0 % of the field'
 accepts "magnetometer: and in the unit of the readings" calibrate --magnetometer "$work/both.csv" --need 0.005
 check "magnetometer: is the same" matches "$work/stdout" 'PASS: length within 0\.00[0-9]+ of 0\.0050 field units'
-refuses "magnetometer: a need of gravity" 2 'the field .--gravity. is no gravity' \
+refuses "magnetometer: a need of gravity" 2 'the field .--gravity. is not gravity' \
     calibrate --magnetometer "$work/both.csv" --need 1mg
 
 recording=${RECORDINGS:-$here/../../../shared/data}/ck_acc_mag.csv

@@ -23,7 +23,7 @@ function behind(text, words,    at) {
         same(behind(line, " within "), json["accuracy95"] / json["need.wanted"] * behind(line, " of "), "need")
     answers++
 }
-/standard deviations\.<\/p>/ { same(behind($0, "parameters "), json["interval95"], "interval95") }
+/standard deviations\.<\/p>/ { same(behind($0, "parameters, "), json["interval95"], "interval95") }
 section == "The nine parameters" && /^<tr( class="bad")?><th scope="row"/ {
     is_bad = /class="bad"/
     gsub(/<\/t[hd]>/, "|"); gsub(/<[^>]*>/, "")

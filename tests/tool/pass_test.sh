@@ -38,7 +38,7 @@ for need in '0.1 %' 1000ug 0.001g 0.00980665m/s2 0.00980665; do
 done
 run calibrate "$work/log.csv" $sheet --need 100ug
 check "pass: told as it was stated" prints 'within [0-9.]+ of 100 µg'
-refuses "pass: a unit that is none" 2 '--need 1mT: ends with mg, g, ug, m/s2 or %' calibrate "$work/log.csv" --need 1mT
+refuses "pass: a unit that is none" 2 '--need 1mT: must end with mg, g, ug, m/s2 or %' calibrate "$work/log.csv" --need 1mT
 refuses "pass: mg of a field that is none of gravity" 2 'is not gravity: state % of it' \
     calibrate "$work/log.csv" --gravity 48.5 --need 1mg
 refuses "pass: no number" 2 "--need x: 'x' is not a decimal" calibrate "$work/log.csv" --need xmg
@@ -81,9 +81,9 @@ check "strict: fails its need" strictly 1 '--strict: FAIL: \|a\| within .* of 0\
     "$work/log.csv" $sheet --need 0.001mg
 check "strict: or a limit" strictly 1 '--strict: FAIL: offset z' "$work/log.csv" $sheet --tolerance 0.02,0.04,0.02
 check "strict: is rough" strictly 1 '--strict: the verdict is rough: the positions disagree by 3\.6 times' $xsens
-check "strict: is weak" strictly 1 '--strict: the verdict is weak: angle xy, angle xz, angle zy badly' \
+check "strict: is weak" strictly 1 '--strict: the verdict is weak: angle xy, angle xz, angle zy poorly' \
     "$data/t265_positions.csv" --positions
-check "strict: has no redundancy" strictly 1 'no redundancy: no position is left' "$work/nine.csv" --positions
+check "strict: has no redundancy" strictly 1 'no redundancy: nothing checks' "$work/nine.csv" --positions
 for trouble in drift cubic; do
     awk -v trouble=$trouble -v seed=1 -f "$here/trouble.awk" > "$work/$trouble.csv"
     check "strict: $trouble" strictly 1 '--strict: the verdict is (drifting: the offsets drift|bent: the [xyz] axis has)' \

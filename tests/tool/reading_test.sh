@@ -42,7 +42,7 @@ write "$nine" "$xyz \",1,2,3,40,50,60\""
 is_right "nine axes" --rate 100
 check "nine axes: the accelerometer is told" first_lines "header in line 1; the accelerometer's ax ay az in counts"
 check "nine axes: so is the magnetometer" first_lines \
-    "gyroscope: gx gy gz; ignored: 3 other columns, a magnetometer's among them (mx ..; --columns chooses)"
+    "gyroscope: gx gy gz; ignored: 3 other columns, including a magnetometer's (mx ..; --columns chooses)"
 write "timestamp,mag_x,mag_y,mag_z,temp,gyro_x,gyro_y,gyro_z,accel_x,accel_y,accel_z" "t \",4,5,6,25,1,2,3,\" $xyz"
 is_right "nine axes in another order, time and temperature"
 check "nine axes in another order: it is told" first_lines \
@@ -85,7 +85,7 @@ refuses "twelve columns without a header" 3 '12 columns, .* --columns 2,3,4 stat
 is_right "columns by number" --columns 3,4,5 --rate 100
 check "columns by number: they are told" first_lines "(--columns 3,4,5); ignored: 9 other columns"
 is_right "time, temperature and axes by number" --columns temperature=12,z=5,y=4,x=3,t=1
-check "time by number tells the rate" first_lines "124 s at 100 samples a second "
+check "time by number tells the rate" first_lines "124 s at 100 samples per second "
 write "when,p,q,r,s" "t \",\" $xyz \",9\""
 is_right "columns by name" --columns time=when,x=P,y=q,z=4
 check "columns by name: it is told" first_lines "header in line 1; when (s), p q r in counts"
@@ -102,12 +102,12 @@ check "watch --columns: 18 positions" test "$(grep -c '^position .* taken' "$wor
 choice() { # SENTENCE CODE PATTERN COLUMNS
     refuses "--columns: $1" "$2" "$3" calibrate "$work/log.csv" --columns "$4"
 }
-choice "two" 2 'x, y and z belong together; state three' ax,ay
+choice "two" 2 'x, y and z must all be given; give three' ax,ay
 choice "four" 2 'more than three without a name' 1,2,3,4
 choice "no meaning" 2 '--columns w=1: unknown name' w=1
-choice "one twice" 2 'there twice' x=1,x=2,y=3,z=4
+choice "one twice" 2 'given twice' x=1,x=2,y=3,z=4
 choice "an empty one" 2 'one is empty' ax,,az
-choice "no such name" 3 "log\.csv:1: --columns: there is no column 'aw' for z among the 9: ax, ay, .*, mz$" ax,ay,aw
+choice "no such name" 3 "log\.csv:1: --columns: no column 'aw' for z among the 9: ax, ay, .*, mz$" ax,ay,aw
 choice "no such number" 3 "no column '10' for z" 1,2,10
 choice "a fraction" 3 "no column '1.5' for x" 1.5,2,3
 choice "the same column" 3 'three different columns' ax,1,az
@@ -138,7 +138,7 @@ check "apply: it is told of both" test "$(grep -c ' line is cut off, and ignored
 is_right "a last line that is cut, below a header"
 { cat "$work/rows"; printf '124.00,37\n'; cat "$work/rows"; } > "$work/log.csv"
 refuses "a line that is cut in the middle is none at the end" 3 \
-    'log\.csv:12401: 2 columns, but line 1 has 4, separated by commas: put the line right, or delete it$' \
+    'log\.csv:12401: 2 columns, but line 1 has 4, separated by commas: correct the line, or delete it$' \
     calibrate "$work/log.csv"
 { cat "$work/rows"; printf '124.00,37,1,x\n'; } > "$work/log.csv"
 { cat "$work/rows"; printf 'a,b\n'; } > "$work/short.csv"
@@ -175,7 +175,7 @@ refuses "rests of 1 s at 20 Hz without times: what to do" 1 \
     'no rest of two seconds .* at 100 samples per second \(a guess\).* state --rate, and hold each position still for 3 s or longer, below 25 samples per second for 50 samples, or average each yourself and add --positions$' \
     calibrate "$work/log.csv"
 refuses "rests of 1 s at 20 Hz: what to do" 1 \
-    'no rest of 2\.5 seconds .* at 20 samples a second; refused [0-9]+: too short: .* \(near line [0-9]+, .*hold each position still for 3\.5 s or longer, or average each yourself and add --positions$' \
+    'no rest of 2\.5 seconds .* at 20 samples per second; refused [0-9]+: too short: .* \(near line [0-9]+, .*hold each position still for 3\.5 s or longer, or average each yourself and add --positions$' \
     calibrate "$work/log.csv" --rate 20
 rate_log 20 3.5
 is_right "rests as long as it was told" --rate 20
@@ -200,8 +200,8 @@ no_table() { # SENTENCE PATTERN BYTES
     refuses "no table: $1" 3 "bad: this is $2" calibrate "$work/bad"
     refuses "no positions: $1" 3 "bad: this is $2" calibrate "$work/bad" --positions
 }
-no_table "PNG" 'a picture \(PNG\): the readings themselves are needed, as CSV$' '\211PNG\r\n\032\n\000\000'
-no_table "JPEG" 'a picture \(JPEG\): the readings' '\377\330\377\340\000\020JFIF'
+no_table "PNG" 'a picture \(PNG\): readings are needed, as CSV$' '\211PNG\r\n\032\n\000\000'
+no_table "JPEG" 'a picture \(JPEG\): readings' '\377\330\377\340\000\020JFIF'
 no_table "GIF" 'a picture \(GIF\)' 'GIF89a\001\000'
 no_table "TIFF" 'a picture \(TIFF\)' 'MM\000*\000\010'
 no_table "PDF" 'a PDF document: export the readings as CSV' '%%PDF-1.7\n%%\342\343\n'
@@ -248,9 +248,9 @@ lsb "'9/x' is not a decimal number" 9/x
 lsb "'9/' is empty" 9/
 lsb "'1/2/3' is not a decimal number" 1/2/3
 for c in calibrate watch allan; do
-    refuses "$c: an empty LOG" 2 '^invcal: LOG is empty: is a variable of a script not set\?; see' $c ''
-    refuses "$c: an empty --out" 2 '^invcal: --out: its value is empty: is a variable' $c "$work/log.csv" --out ''
-    refuses "$c: an empty --gravity" 2 '^invcal: --gravity: its value is empty: is a variable' $c "$work/log.csv" --gravity=
+    refuses "$c: an empty LOG" 2 '^invcal: LOG is empty: is a shell variable not set\?; see' $c ''
+    refuses "$c: an empty --out" 2 '^invcal: --out: its value is empty: is a shell variable' $c "$work/log.csv" --out ''
+    refuses "$c: an empty --gravity" 2 '^invcal: --gravity: its value is empty: is a shell variable' $c "$work/log.csv" --gravity=
 done
 refuses "apply: an empty CAL.json" 2 '^invcal: CAL\.json is empty' apply '' "$work/log.csv"
 refuses "an empty command" 2 '^invcal: COMMAND is missing' ''

@@ -51,7 +51,7 @@ check "record: watch has it" matches "$work/stdout" '^    "serial": "7"$'
 {
     refuses "record: no such day" 2 "--date '2026-02-30': is not a date" $calibrate --date 2026-02-30
     refuses "record: a date of another form" 2 "write it like 2026-11-23" $calibrate --date 23.11.2026
-    refuses "record: control characters" 2 "--note 'a\?b': is not plain text" $calibrate --note "$(printf 'a\033b')"
+    refuses "record: control characters" 2 "--note 'a\?b': is not plain UTF-8 text" $calibrate --note "$(printf 'a\033b')"
     refuses "record: a text too long" 2 "--serial '0+1': is too long" $calibrate --serial "$(printf %0160d 1)"
     refuses "record: an empty one" 2 '--serial: its value is empty' $calibrate --serial=
 }
@@ -59,7 +59,7 @@ planted() { # SENTENCE PATTERN SED: compare reads all there is
     sed "$3" "$work/cal.json" > "$work/bad.json"
     refuses "record: a file with $1" 3 "bad.json:[0-9]+: $2" compare "$work/bad.json" "$work/cal.json"
 }
-planted "a day that there is not" '"date" of "record" is no day' 's/2026-11-23/2026-11-31/'
+planted "a day that there is not" '"date" of "record" is not a date' 's/2026-11-23/2026-11-31/'
 planted "an escape sequence" '"serial" of "record" is not plain' 's/0047/\\u001b[31m/'
 planted "too long a text" '"note" of "record" is too long' "s/on the bench/$(printf %0160d 1)/"
 

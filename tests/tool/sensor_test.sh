@@ -33,7 +33,7 @@ made
 accepts "nothing stated: is calibrated" calibrate "$work/log.csv" --out "$work/cal.json" --report "$page"
 cp "$work/stdout" "$work/table"
 check "nothing stated: the table says so, and what would state it" matches "$work/table" \
-    '^nominal: not stated; --sensor, --unit, or --zero and --lsb would state it$'
+    '^nominal: unknown; state --sensor, --unit, or --zero and --lsb$'
 check "nothing stated: no columns of it" matches "$work/table" '^ +calibrated ± sigma$'
 check "nothing stated: offsets as they are read" matches "$work/table" '^offset x +327\.[0-9]+ ± 0\.[0-9]+ +counts$'
 check "nothing stated: scales too" matches "$work/table" '^scale z +169[0-9]\.[0-9] ± [0-9.]+ +counts per m/s²$'
@@ -45,7 +45,7 @@ check "nothing stated: nor an excuse" says_not 'guess|say nothing'
 check "nothing stated: nor bars" lacks "$page" 'bar"|The nine parameters with their uncertainty'
 check "nothing stated: it has what the sensor reads, and angles" says_page \
     'parameter value remark offset x 327\.[0-9]+ ± 0\.[0-9]+ .*angle xy \+0\.57[0-9]* ± 0\.0[0-9]* °'
-check "nothing stated: it says what would state it" says_page 'nominal not stated: --sensor, --unit, or --zero and --lsb tell it'
+check "nothing stated: it says what would state it" says_page 'nominal unknown; state --sensor, --unit, or --zero and --lsb'
 check "nothing stated: it has residuals" says_page ' Residuals '
 check "nothing stated: it is well formed" is_page "$page"
 run calibrate "$work/log.csv" --json
@@ -97,7 +97,7 @@ in_unit 0.000598550415
 compares "m/s^2 by size" unit "$work/unit.csv"
 check "m/s^2 by size: zero 0, scale 1" is "$(nominal zero) $(nominal lsb)" '[0, 0, 0] [1, 1, 1]'
 run calibrate "$work/unit.csv"
-check "m/s^2 by size: the first lines say so" sh -c 'head -n 5 "$1" | tr "\n" " " | grep -q "in m/s² (by their size).*nominal: zero and scale by the unit"' sh \
+check "m/s^2 by size: the first lines say so" sh -c 'head -n 5 "$1" | tr "\n" " " | grep -q "in m/s² (by their size).*nominal: zero and scale from the unit"' sh \
     "$work/stdout"
 run watch "$work/unit.csv" --json
 check "m/s^2 by size: watch compares alike" near 3e-4 "$(member delta)" "$truth"
@@ -194,7 +194,7 @@ check "slopes of counts: JSON has the same" near 5e-7 "$slope" \
 run calibrate "$work/drift.csv" --thermal 1
 check "slopes of counts: no excuse" lacks "$work/stdout" 'guess'
 check "slopes of counts: the page has none" says_not 'guess'
-check "slopes of counts: curves begin where the parameters are" says_page 'offset over the field, less that at 15\.[0-9]+ °C, mg'
+check "slopes of counts: curves begin where the parameters are" says_page 'offset over the field relative to 15\.[0-9]+ °C, mg'
 
 # ---- a stand --------------------------------------------------------------------------------------
 
@@ -220,12 +220,12 @@ echo old > "$work/out/cal.json"
 rm -f "$page"
 for command in calibrate watch; do
     refuses "$command: another range is named" 2 \
-        'log\.csv: the readings are 2\.[01] times too large for mpu6050:4g: as if it were mpu6050:2g; see' \
+        'log\.csv: the readings are 2\.[01] times too large for mpu6050:4g: they match mpu6050:2g; see' \
         $command "$work/log.csv" --sensor mpu6050:4g --out "$work/out/cal.json"
     check "$command: nothing is written" is_untouched
-    refuses "$command: another sensor" 2 'the readings are 5[0-9]+ times too large for adxl345:16g, and no range of it fits' \
+    refuses "$command: another sensor" 2 'the readings are 5[0-9]+ times too large for adxl345:16g, at any of its ranges' \
         $command "$work/log.csv" --sensor adxl345:16g
-    refuses "$command: an unknown name" 2 "--sensor: no data sheet of 'mpu605' is known \(did you mean mpu6050\?\); --sensor list" \
+    refuses "$command: an unknown name" 2 "--sensor: unknown sensor 'mpu605' \(did you mean mpu6050\?\); --sensor list" \
         $command "$work/log.csv" --sensor mpu605
     refuses "$command: an unknown range" 2 "MPU-6050 has no '3g', but 2g, 4g, 8g, 16g" \
         $command "$work/log.csv" --sensor mpu6050:3g
@@ -242,9 +242,9 @@ done
 check "--sensor list names the range at power-on" [ "$(grep -c '[a-z0-9]\* ' "$work/stdout")" -eq 12 ]
 check "--sensor list says what is typical" matches "$work/stdout" 'typical: offsets ±50, ±50, ±80 mg; scale ±3 %'
 made --lsb 0.000299275207
-refuses "too small" 2 'the readings are 2\.0 times too large for mpu6050:2g, and no range' calibrate "$work/log.csv" --sensor mpu6050
+refuses "too small" 2 'the readings are 2\.0 times too large for mpu6050:2g, at any of its ranges' calibrate "$work/log.csv" --sensor mpu6050
 made --lsb 0.00119710083
-refuses "as if it were another" 2 'the readings are 2\.0 times too small for mpu6050:2g: as if it were mpu6050:4g' \
+refuses "as if it were another" 2 'the readings are 2\.0 times too small for mpu6050:2g: they match mpu6050:4g' \
     calibrate "$work/log.csv" --sensor mpu6050
 accepts "it is" calibrate "$work/log.csv" --sensor mpu6050:4g
 refuses "--tolerance needs something to compare with" 2 '--tolerance: .*--sensor' calibrate "$work/log.csv" \

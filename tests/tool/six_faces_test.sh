@@ -25,7 +25,7 @@ sigma_of() { # KIND
 # ---- without the option --------------------------------------------------------------------------
 
 refuses "six faces: without the option too few, with a way on" 1 \
-    '6 positions are too few: 9 .*--six-faces takes the angles.*Six more tell everything: \+x up' \
+    '6 positions are too few: 9 .*--six-faces takes the angles.*Six more determine everything: \+x up' \
     calibrate "$log"
 # shellcheck disable=SC2086 # words
 set_of $faces $faces > "$work/twice.csv"
@@ -68,7 +68,7 @@ check "six faces: the calibration can be applied" test "$(wc -l < "$work/applied
 accepts "six faces: in words" calibrate "$log" --six-faces
 tr '\n' ' ' < "$work/stdout" > "$work/words"
 check "six faces: the verdict says what is not measured, and what that costs" matches "$work/words" \
-    'Good for offsets and scales; angles not measured: taken as 0 ±0\.57 degrees .*±8\.8 mg in lengths .*±11 mg at most'
+    'Good for offsets and scales; angles not measured: taken as 0 ±0\.57 degrees .*±8\.8 mg in lengths .*±11 mg at worst'
 check "six faces: and that nothing checks the rest" matches "$work/words" 'No redundant position checks'
 check "six faces: what to do next" matches "$work/words" 'Next: to measure the angles, add six positions'
 check "six faces: each angle is marked in the table" \
@@ -110,7 +110,7 @@ check "six faces: and the verdict is the usual one" matches "$work/stdout" '^Goo
 # ---- tables of six means -------------------------------------------------------------------------
 
 printf '%s\n' 10.1,0.1,0 -9.7,0.1,0.1 0.2,9.9,0 0.2,-9.6,0 0.2,0.1,9.8 0.2,0.1,-9.9 > "$work/means.csv"
-refuses "six faces: a table without noise" 2 '--six-faces: is weighed against the noise.*--noise' \
+refuses "six faces: a table without noise" 2 '--six-faces: needs the noise.*--noise' \
     calibrate "$work/means.csv" --positions --six-faces
 accepts "six faces: a table, the noise stated" calibrate "$work/means.csv" --positions --six-faces \
     --noise 0.01
@@ -140,16 +140,16 @@ refuses "six faces: what is none leaves offsets and scales open, no angles" 1 \
     'undetermined: (offset z, scale z|offset z|scale z); add positions with the field along \+z and -z$' \
     calibrate "$work/z_up.csv" --six-faces $sheet
 accepts "six faces: what hardly is one is used" calibrate "$work/no_faces.csv" --six-faces
-check "six faces: and said to be weak" matches "$work/stdout" '^Weak: offset z, scale z are badly'
+check "six faces: and said to be weak" matches "$work/stdout" '^Weak: offset z, scale z are poorly'
 head -n 5 "$work/means.csv" > "$work/five.csv"
 refuses "six faces: five are too few" 1 '5 positions are too few: 6 are needed' \
     calibrate "$work/five.csv" --positions --six-faces --noise 0.01
-refuses "six faces: a prior on offsets has no place" 2 '--prior: beside --six-faces' \
+refuses "six faces: a prior on offsets has no place" 2 '--prior: with --six-faces' \
     calibrate "$log" --six-faces --prior 0.1,0,0.01
-refuses "six faces: nor an angle of anything" 2 '--prior: beside --six-faces' \
+refuses "six faces: nor an angle of anything" 2 '--prior: with --six-faces' \
     calibrate "$log" --six-faces --prior 0,0,0
 for o in --robust --quadratic --cubic '--thermal=1'; do
-    refuses "six faces: not together with ${o%=*}" 2 "--six-faces: does not go together with ${o%=*}" \
+    refuses "six faces: not together with ${o%=*}" 2 "--six-faces: cannot be combined with ${o%=*}" \
         calibrate "$log" --six-faces "$o"
 done
 

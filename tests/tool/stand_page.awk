@@ -60,9 +60,9 @@ BEGIN {
     sub(/ .*/, "", percent)
     same(percent, 100 * json["stand.closure_chance"], "chance")
 }
-/agree to [0-9.]* mrad/ {
-    match($0, /to [0-9.]*/)
-    same(substr($0, RSTART + 3, RLENGTH - 3), 1000 * json["stand.scatter"] / 57.29577951308232, "scatter")
+/agree within [0-9.]* mrad/ {
+    match($0, /within [0-9.]*/)
+    same(substr($0, RSTART + 7, RLENGTH - 7), 1000 * json["stand.scatter"] / 57.29577951308232, "scatter")
 }
 /^<p>Misset: .* mrad/ {
     match($0, /by [0-9.]* mrad/)

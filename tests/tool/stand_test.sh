@@ -61,7 +61,7 @@ check "stand: one less does none" quiet lost 'group 2 ' --stand
 check "stand: exchanged columns are named" each columns 'Stand: .*only with alpha and beta swapped: ' --stand
 check "stand: a reversed beta is" each reversed 'Stand: .*only with the sense of beta reversed' --stand
 check "stand: and taken as told" quiet reversed ' closure ' --stand --stand-sense 1,-1
-check "stand: another zero of alpha is told" each zero 'Stand: the angles do not belong to these readings' --stand
+check "stand: another zero of alpha is told" each zero 'Stand: the angles do not fit the readings' --stand
 check "stand: and taken off" quiet zero ' closure ' --stand --stand-zero 20,0
 check "stand: a reversed alpha is half a turn about y" each alpha \
     'mounting y +-?1(79\.9|80\.0).*The unit appears to be mounted at a large angle' --stand
@@ -86,9 +86,9 @@ without() { # FIRST: from that position on there are none
 without 9
 check "stand: positions without angles are counted" matches "$work/stdout" '^stand +8 positions with angles .*, 10 without'
 check "stand: of eight the mounting is told" matches "$work/stdout" '^mounting z '
-check "stand: and J1 is open" matches "$work/stdout" '^J1 +these directions leave parameters open$'
+check "stand: and J1 is open" matches "$work/stdout" '^J1 +these directions leave parameters undetermined$'
 without 4
-check "stand: three tell nothing" matches "$work/stdout" '^Stand: there are too few positions with angles'
+check "stand: three tell nothing" matches "$work/stdout" '^Stand: too few positions have angles'
 calibrate "$work/without" --stand --json
 check "stand: nor as JSON" matches "$work/stdout" '"angles": "few"'
 
@@ -153,11 +153,11 @@ refuses "stand: angles that do not fit turn no frame" 1 'no frame of the stand: 
     calibrate "$work/reversed.1" --positions --stand --frame stand
 refuses "stand: no frame without angles" 2 '--frame: needs the angles of a stand' \
     calibrate "$work/none.1" --positions --frame stand
-refuses "stand: a sense is 1 or -1" 2 '--stand-sense: is 1 or -1' \
+refuses "stand: a sense is 1 or -1" 2 '--stand-sense: must be 1 or -1' \
     calibrate "$work/none.1" --positions --stand --stand-sense 2,1
 refuses "stand: no sense without angles" 2 '--stand-sense: needs the angles' \
     calibrate "$work/none.1" --positions --stand-sense 1,-1
-refuses "stand: nor beside temperature" 2 '--thermal: and the angles' \
+refuses "stand: nor beside temperature" 2 '--thermal: cannot be combined with the angles' \
     calibrate "$work/none.1" --positions --stand --thermal 1
 
 # ---- a log -------------------------------------------------------------------------------------------
@@ -263,9 +263,9 @@ check "stand: exchanged columns are told on the page" says_page \
     '^ *At the stand ! The angles fit the readings only with alpha and beta swapped: exchange'
 check "stand: and nothing is made of the angles" says_not 'mounting|closure|J1'
 makes_page "another convention" "$work/reversed.1" --stand --stand-sense 1,-1
-check "stand: the page tells the sense" says_page 'α = alpha, β = -beta, with'
+check "stand: the page tells the sense" says_page 'α = alpha, β = -beta, where'
 makes_page "another zero" "$work/zero.1" --stand --stand-zero 20,0 --units ins
-check "stand: the page tells the zero" says_page 'α = [(]alpha - 20°[)], β = beta, with'
+check "stand: the page tells the zero" says_page 'α = [(]alpha - 20°[)], β = beta, where'
 check "stand: and the units that are wished" says_page 'about x [-+0-9.]* ± [0-9.]* arcsec .* offset x [-+0-9.]* ± [0-9.]* µg'
 makes_page "a program" "$work/plain.csv" --plan per-group:6
 check "stand: the page tells that the order was kept" says_page 'those of the program 3 x 6, in its order'

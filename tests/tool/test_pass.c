@@ -139,7 +139,8 @@ static void the_line_tells_the_margins(void)
     TEST_ASSERT_EQUAL_STRING("FAIL: |a| within 500 of 1.0 µg (95 %).", pass_text(&result, text));
     TEST_ASSERT_EQUAL_STRING(
         "FAIL: |a| within 500 of 1.0 µg (95 %). Missing: the length of the field, to "
-        "the length of the field with a σ of 5e-06 (--gravity G+-S, or --latitude): its error is an error of all scales.",
+        "the length of the field with a σ of 5e-06 (--gravity G+-S, or --latitude): its error is "
+        "an error of all scales.",
         pass_strict(&result, text));
 }
 

@@ -95,7 +95,7 @@ check "three that are wrong do not hide one another" near 0 "$(json "$work/stdou
 # All by the same length: its error is told beside the good ones, not beside the other two.
 fit "$work/three.csv" --thermal 1
 check "and how wrong each is, is told" near 0.05 \
-    "$(sed -n 's/^Left out: .*wrong by \([0-9.-]*\) % of the field$/\1/p' "$work/stdout" | tr '\n' ' ')" \
+    "$(sed -n 's/^Left out: .*off by \([0-9.-]*\) % of the field$/\1/p' "$work/stdout" | tr '\n' ' ')" \
     5,5,5
 fit "$work/wrong.csv" --thermal 1 --keep-all --json
 check "--keep-all keeps it" lacks "$work/stdout" '"rejected": \[.+\]'
@@ -120,7 +120,7 @@ check "two temperatures tell no parabola, but straight lines" prints \
     'Straight lines instead of parabolas: positions and temperatures leave slopes open'
 sensor 0,40 7 | awk -F, 'NR <= 19 || NR > 35' > "$work/open.csv"
 fit "$work/open.csv" --thermal 1
-check "slopes that are wanting limit the accuracy" prints '^limited by    temperature: slopes are wanting'
+check "slopes that are wanting limit the accuracy" prints '^limited by    temperature: the slopes are not fitted'
 check "without slopes over a range the result is weak, and it says what helps" prints \
     '^Next: measure nine positions or more at each of two temperatures'
 sensor 25,25 7 > "$work/one.csv"
@@ -216,14 +216,14 @@ check "watch finds the same" same "$work/stdout" "$work/steps.json"
 
 fit "$work/positions.csv"
 check "residuals that depend on temperature are told" prints \
-    'The residuals depend on temperature .*offset . moves by'
+    'The residuals depend on temperature .*offset . drifts by'
 check "and limit the accuracy" prints '^limited by    temperature, which --thermal'
 sensor 25,25,25 3 | awk -F, -v OFS=, 'NR == 1 { print; next } { print $1, $2, $3, 20 + 10 * int((NR - 2) / 18) }' \
     > "$work/calm.csv"
 fit "$work/calm.csv"
 check "those that do not, too" prints 'do not depend on temperature.*--thermal'
 fit "$work/one.csv"
-check "and where it cannot be told" prints 'cannot be told: too narrow a range'
+check "and where it cannot be told" prints 'cannot be tested: too narrow a range'
 
 # ---- what limits the accuracy -------------------------------------------------------------------
 
@@ -247,7 +247,7 @@ check "gravity at 45 degrees" gravity_at 45 0 9.8061977694 1e-10
 check "gravity at a pole" gravity_at -90 0 9.8321849379 1e-10
 check "gravity 3000 m above it, by the potential" gravity_at 90 3000 9.8229412899722 1e-6
 run calibrate "$data/mpu9150_0_positions.csv" --positions --latitude 48 --height 500
-check "an error of g scales all alike" prints 'normal gravity at 48 degrees, 500 m, ±0.0005: an error'
+check "an error of g scales all alike" prints 'normal gravity at 48 degrees, 500 m, ±0.0005; its error'
 positions_file=$data/mpu9150_0_positions.csv
 refuses "a latitude and a field are too much" 2 '--latitude: .*--gravity' \
     calibrate "$positions_file" --positions --latitude 48 --gravity 9.81
@@ -259,7 +259,7 @@ refuses "nor such a height" 2 '--height: ' calibrate "$positions_file" --latitud
 # ---- options ------------------------------------------------------------------------------------
 
 for degree in 0 3 1.5 -1; do
-    refuses "--thermal $degree is refused" 2 '--thermal: is 1' calibrate "$work/log.csv" \
+    refuses "--thermal $degree is refused" 2 '--thermal: must be 1' calibrate "$work/log.csv" \
         --thermal=$degree
 done
 refuses "--thermal needs temperatures" 3 'needs a column of temperature' calibrate "$work/log.csv" \

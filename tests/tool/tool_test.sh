@@ -65,14 +65,14 @@ done
 refuses_value --gravity nan "'nan' is not a finite number"
 refuses_value --gravity -inf "'-inf' is not a finite number"
 for v in nine 9.8x 0x9 9,8 '9.8,' ' 9.8' 1e 1e+ . + 1.2.3; do
-    refuses_value --gravity "$v" '(is not a decimal number|is empty|expected are 1 number)'
+    refuses_value --gravity "$v" '(is not a decimal number|is empty|has a decimal comma|1 number expected)'
 done
 refuses_value --gravity 1e999 "'1e999' is too large"
-refuses_value --zero 1,2 'expected are 3 numbers with commas between'
-refuses_value --zero 1,2,3,4 'expected are 3 numbers'
+refuses_value --zero 1,2 '3 numbers separated by commas expected'
+refuses_value --zero 1,2,3,4 '3 numbers separated by commas expected'
 refuses_value --zero 1,,3 "'' is empty"
 refuses_value --zero 1,nan,3 "'nan' is not a finite number"
-refuses_value --lsb 1,2 'expected are 3 numbers with commas between, or one'
+refuses_value --lsb 1,2 '3 numbers separated by commas expected, or one'
 refuses_value --lsb 0 'not 0'
 refuses_value --lsb 1,0,1 'not 0'
 refuses_value --frame round 'symmetric, triangular or stand'
@@ -82,7 +82,7 @@ refuses_file "a prior with --zero alone is refused" 2 '--prior: .*--lsb' \
     "$good" --zero 0,0,0 --noise 0.01 --prior 0.1,0.1,0.1
 refuses_file "a prior without noise is refused and tells why" 2 '--prior: .*--noise, or columns' \
     "$good" --zero 0,0,0 --lsb 1 --prior 0.1,0.1,0.1
-refuses_file "a negative prior is refused" 2 '--prior: no standard deviation is negative' \
+refuses_file "a negative prior is refused" 2 '--prior: a standard deviation must not be negative' \
     "$good" --zero 0,0,0 --lsb 1 --noise 0.01 --prior 0.1,-0.1,0.1
 refuses_file "--nominal with --zero is refused" 2 '--nominal: .*leave out --zero' \
     "$good" --nominal x --zero 0,0,0
@@ -138,7 +138,7 @@ check "t265: the three angles are named as undetermined" \
     [ "$(json "$work/cal.json" undetermined)" = '["gamma_xy", "gamma_xz", "gamma_zy"]' ]
 run calibrate "$data/t265_positions.csv" --positions --gravity 9.8016
 check "t265: the table says that it is weak, and in what" \
-    matches "$work/stdout" '^Weak: angle xy, angle xz, angle zy are badly determined'
+    matches "$work/stdout" '^Weak: angle xy, angle xz, angle zy are poorly determined'
 check "t265: the table says which positions to add" \
     matches "$work/stdout" '^Next: add positions with the field midway between x and y, x and z'
 check "no standard output but the table" lacks "$work/stdout" '^invcal:'
@@ -168,7 +168,7 @@ check "the table has the residuals before" matches "$work/demo" 'rms before .*\(
 check "the table has noise and degrees of freedom" matches "$work/demo" \
     '^noise .*7 degrees of freedom \(of samples: '
 check "the table has a verdict" matches "$work/demo" '^Rough: the positions disagree by 3\.6 times the noise of the samples'
-check "the table has a next step" matches "$work/demo" '^Next: look for what disturbs'
+check "the table has a next step" matches "$work/demo" '^Next: look for a disturbance'
 check "the columns of the table stand below each other" awk '
     /^(offset|scale|angle)/ { at = index($0, " + "); if (first && at != first) exit 1; first = at }
     END { if (!first) exit 1 }' "$work/demo"
@@ -186,7 +186,7 @@ check "nine positions: the table says that nothing checks them" matches "$work/s
     '^No redundancy: '
 check "nine positions: the table says what to do" matches "$work/stdout" \
     '^Next: add 3 or more positions'
-check "nine positions: the noise is not known" matches "$work/stdout" '^noise +not known'
+check "nine positions: the noise is not known" matches "$work/stdout" '^noise +unknown'
 
 # ---- JSON --------------------------------------------------------------------------------------
 
@@ -278,7 +278,7 @@ accepts "it may come from the standard input" calibrate "$work/xsens.csv" --posi
 in=/dev/null
 ascii "$work/stdout"
 check "the table says that it is an earlier calibration" matches "$work/ascii" \
-    '^nominal: zero and scale of an earlier calibration'
+    '^nominal: zero and scale from an earlier calibration'
 check "scales are those of the earlier calibration" matches "$work/ascii" \
     '^scale x +414\.437 \+ 0\.026 +414\.437 +\+0\.000  '
 printf '{"offset": [1, 2, 3]}' > "$work/half.json"
@@ -439,15 +439,15 @@ bad_file "a header with n twice" "bad\.csv:1: more than one column could be 'n'"
 bad_file "a header with a number" "bad\.csv:1: column 1 \(x\): 'x' is not a decimal number"
 awk -F, 'BEGIN { print "x,y,z,mx,my,mz" } { print $0 "," $0 }' "$good" > "$work/bad.csv"
 bad_file "an unnamed sensor and a magnetometer in one file" \
-    "x, y and z are there twice \('x' and 'mx'\): state which with --columns, or leave one"
+    "x, y and z are there twice \('x' and 'mx'\): choose one set with --columns, or delete"
 { echo 'x,y,z,t,time,n,count'; sed 's/$/,1,1,1,1/' "$good"; } > "$work/bad.csv"
 bad_file "two columns of one meaning" 'more than one column could be'
 awk '{ print 1 }' "$good" > "$work/bad.csv"
-bad_file "one column" 'bad\.csv:1: 1 column, separated by blanks, without a header: 3 \('
+bad_file "one column" 'bad\.csv:1: 1 column, separated by blanks, without a header: expected are 3 \('
 sed 's/$/,1,1,1,1,1/' "$good" > "$work/bad.csv"
-bad_file "eight columns" '8 columns, separated by commas, without a header: 3 .*header that names'
+bad_file "eight columns" '8 columns, separated by commas, without a header: expected are 3 .*header that names'
 printf '1,5;2,5;3,5\n' > "$work/bad.csv"
-bad_file "decimal commas" "bad\.csv:1: column 1 \(x\): '1,5' is not a decimal number"
+bad_file "decimal commas" "bad\.csv:1: column 1 \(x\): '1,5' has a decimal comma"
 awk 'BEGIN { for (i = 0; i < 300; i++) printf "%d,", i; print 0 }' > "$work/bad.csv"
 bad_file "300 columns" 'more than 256 columns'
 head -c 4096 /dev/urandom > "$work/bad.csv"; bad_file "random bytes" 'bad\.csv'
@@ -481,7 +481,7 @@ five_columns() { # five_columns STD N
         > "$work/bad.csv"
 }
 five_columns -0.01 100
-refuses_file "a negative std" 3 'bad\.csv:5: column 4 \(std_x\): no standard' "$work/bad.csv"
+refuses_file "a negative std" 3 'bad\.csv:5: column 4 \(std_x\): a standard deviation must not' "$work/bad.csv"
 five_columns 1e200 100
 refuses_file "an absurd std" 3 'bad\.csv:5: column 4 \(std_x\)' "$work/bad.csv"
 five_columns 0.01 0
@@ -598,7 +598,7 @@ check "a position of 1e30 is left out and named" test "$(json "$work/stdout" rej
 awk -F, 'NR == 1 { print "x,y,z\n# comment" }
     { print NR == 7 ? "1e300,-1e300,3" : $1 "e-10," $2 "e-10," $3 "e-10" }' "$good" > "$f"
 hopeless "a position that overflows in the calculation" "$f" 'not finite' \
-    'hopeless\.csv:9: position 7 is too large' --zero 0,0,0 --lsb 1e10
+    'hopeless\.csv:9: the reading of position 7 is too large' --zero 0,0,0 --lsb 1e10
 awk 'NR % 2 { print "1.7e308,-1.7e308,1.7e308"; next } { print "-1.7e308,1.7e308,-1.7e308" }' \
     "$good" > "$f"
 hopeless "the largest numbers" "$f" '.*' 'hopeless'
@@ -613,11 +613,11 @@ hopeless "a wrong unit" "$work/xsens.csv" 'out of range' \
     'xsens\.csv:1: position 1 reads .*check --gravity' --zero 33123,33276,32360 --lsb 9.8
 hopeless "a wrong field" "$good" 'out of range' 'position 1 reads .*check --gravity' \
     --zero 0,0,0 --lsb 1 --gravity 0.05
-refuses_file "a scale too small to calculate with" 2 '^invcal: --lsb: is too small' "$good" --lsb 1e-320
+refuses_file "a scale too small to calculate with" 2 '^invcal: --lsb: the scale is too small' "$good" --lsb 1e-320
 refuses_file "a noise larger than the field" 2 '^invcal: --noise: is larger than the field' "$good" \
     --noise 10
 sed 's/$/,10,1/' "$good" > "$f"
-refuses_file "std columns larger than the field" 3 'hopeless\.csv: its std columns tell a noise' "$f" \
+refuses_file "std columns larger than the field" 3 'hopeless\.csv: the noise from its std columns' "$f" \
     --lsb 1
 
 # ---- writing ------------------------------------------------------------------------------------
@@ -629,7 +629,7 @@ refuses "--out of a directory" 3 'out: cannot be written: Is a directory' \
     calibrate "$good" --positions --out "$work/out"
 check "nothing was left behind" [ -z "$(ls -A "$work/out")" ]
 cp "$good" "$work/both.csv"
-refuses "--out over the positions themselves" 2 '--out: is LOG itself' \
+refuses "--out over the positions themselves" 2 '--out: would overwrite LOG' \
     calibrate "$work/both.csv" --positions --out "$work/../tool_test.$$/both.csv"
 check "the positions are still there" same "$good" "$work/both.csv"
 # A disk that is full, by a limit of 512 or 1024 bytes for each file. (Not by --out /dev/full: for
@@ -756,7 +756,7 @@ printf '0,1,2,3,20\n0,1,2,3,\n' > "$work/in"
 refuses "apply: an empty temperature" 3 'in:2: column 5 \(temperature\) is empty' apply \
     "$work/simple.json" "$work/in"
 printf '1,2,3\n1e308,2,3\n' > "$work/in"
-refuses "apply: a reading that overflows" 3 'in:2: too large' apply "$work/simple.json" "$work/in"
+refuses "apply: a reading that overflows" 3 'in:2: the reading is too large' apply "$work/simple.json" "$work/in"
 
 # ---- malformed calibrations ---------------------------------------------------------------------
 
@@ -808,7 +808,7 @@ bad_json "an error in the third line" "{$o,
  \"other\": [true, false, null],
  \"matrix\": [[1, 0, 0], [0, 1, 0], [0, 0, x]]}" "3: 'x' is not a decimal number"
 bad_json "a refusal in place of a calibration" '{"error": "too few", "reason": "", "undetermined": []}' \
-    '1: no member "offset": this is no calibration'
+    '1: no member "offset": not a calibration'
 head -c 4096 /dev/urandom > "$work/bad.json"
 refuses "apply: a calibration of random bytes" 3 'bad\.json:' apply "$work/bad.json" "$work/log.csv"
 refuses "apply: a missing calibration" 3 'nowhere\.json: cannot be read' apply \

@@ -154,8 +154,8 @@ check "plan --allan: no milli-g" lacks "$work/stdout" 'mg'
 text "$work/plan.html" > "$work/plan.text"
 check "plan --allan: page: no milli-g" lacks "$work/plan.text" '[0-9] mg|, mg|in mg'
 run plan --limits 1e-9,1e-9,1e-9 --allan "$work/noise.json" --units ins
-check "plan --allan: a refusal" matches "$work/stderr" ' µg are needed'
-refuses "plan: units that are none" 2 'units SI: is everyday or ins' plan --units SI
+check "plan --allan: a refusal" matches "$work/stderr" ' µg is needed'
+refuses "plan: units that are none" 2 'units SI: must be everyday or ins' plan --units SI
 
 # ---- other fields, temperature, live -----------------------------------------------------------
 
@@ -166,9 +166,9 @@ in=$work/log.csv
 run watch - --units ins
 in=/dev/null
 check "watch: micro-g, ppm and arcsec" matches "$work/stdout" \
-    'to 95 %: offsets ± [0-9.e+]+ µg, scales ± [0-9.e+]+ ppm, angles ± [0-9.e+]+ arcsec'
+    '; 95 %: offsets ± [0-9.e+]+ µg, scales ± [0-9.e+]+ ppm, angles ± [0-9.e+]+ arcsec'
 run calibrate "$work/log.csv" --units ins
 check "temperature, drift: no milli-g" lacks "$work/stdout" '[0-9] mg'
-refuses "units that are none" 2 'units SI: is everyday or ins' calibrate "$work/log.csv" --units SI
+refuses "units that are none" 2 'units SI: must be everyday or ins' calibrate "$work/log.csv" --units SI
 
 finish

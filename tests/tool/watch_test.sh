@@ -79,13 +79,13 @@ check "exchanged: nobody is told of exchanged axes for that" lacks "$work/stdout
 
 sed 7d "$work/all" > "$work/left_out"
 follow per-group:6 "$work/left_out"
-check "left out: what is missing is told at the end" matches "$work/stdout" '^of the program not visited: 7$'
+check "left out: what is missing is told at the end" matches "$work/stdout" '^positions of the program not visited: 7$'
 check "left out: it is not finished" lacks "$work/stdout" '^finished'
 
 head -n 3 "$work/all" > "$work/three"
 follow per-group:36 "$work/three"
 check "left out: a list that is too long ends with dots" matches "$work/stdout" \
-    '^of the program not visited: ([0-9]+, )+[0-9]+, \.\.\.$'
+    '^positions of the program not visited: ([0-9]+, )+[0-9]+, \.\.\.$'
 
 awk '{ print } NR == 9 { print before } { before = $0 }' "$work/all" > "$work/repeated"
 follow per-group:6 "$work/repeated"
@@ -101,7 +101,7 @@ in=$work/log.csv
 run watch - --plan per-group:6 --zero 0,0,0
 in=/dev/null
 check "elsewhere: with the zero stated its angles are told" matches "$work/stdout" \
-    '^wrong position: that is alpha 12[0-9.]+, beta [34][0-9.]+°, no position of the program; 3 was asked for\.'
+    '^wrong position: that is alpha 12[0-9.]+, beta [34][0-9.]+°, not a position of the program; go to 3\.'
 check "elsewhere: and the turn from there" matches "$work/stdout" \
     '^next: position 3 of 18: alpha 150, beta 0°; turn alpha \+2[0-9.]+, beta -[34][0-9.]+°; '
 

@@ -210,7 +210,7 @@ static int begin(reading *r, const samples *log, const double *clip, unsigned gu
     timeline_begin(&r->recording->outline, rate);
     if (invcal_rests_init(&r->rests, guessed > 0 ? guessed : samples_whole_rate(log)) !=
         INVCAL_OK) {
-        message("%s: %.6g samples a second: 8 to 8000 are supported", log->table.name, rate);
+        message("%s: %.6g samples per second: 8 to 8000 are supported", log->table.name, rate);
         return EXIT_FILE;
     }
     if (clip && invcal_rests_rails(&r->rests, samples_count(log, clip[0]),

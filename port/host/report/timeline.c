@@ -171,7 +171,7 @@ void report_timeline(page *p, const report_facts *f)
     }
     page_section(p, "The log");
     page_say(p,
-             "%lu samples, %.6g s at %.4g samples a second%s: %u rests of two seconds or more "
+             "%lu samples, %.6g s at %.4g samples per second%s: %u rests of two seconds or more "
              "are the positions.",
              log->samples, log->seconds, log->rate,
              log->is_rate_known ? "" : " (a guess; --rate states it)", f->count);

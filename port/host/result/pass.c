@@ -85,7 +85,7 @@ static void add_cause(const calibrate_result *r, char text[PASS_MAX])
         append(text, PASS_MAX, ": %s poorly determined",
                parameters_list(r->quality.weak, list, sizeof list));
     } else if (r->quality.verdict == INVCAL_NO_REDUNDANCY) {
-        append(text, PASS_MAX, ": no redundancy to check it");
+        append(text, PASS_MAX, ": nothing checks the fit");
     } else {
         append(text, PASS_MAX, ": %s", verdict_cause(r, cause));
     }
