@@ -14,7 +14,7 @@ const NOT_SECURE = "Browsers open serial ports only for pages from https or from
 const WHY = {
     NotFoundError: "No port was chosen. If your board is not in the list, check its cable (some only charge) and its driver.",
     SecurityError: "The browser does not let this page use serial ports. Allow them in the browser's settings for this page.",
-    NetworkError: "The port does not open. Close other programs that use it, such as a serial monitor. On Linux your account may need permission: sudo usermod -aG dialout $USER, then log in again.",
+    NetworkError: "The port cannot be opened. Close other programs that use it, such as a serial monitor. On Linux your account may need permission: sudo usermod -aG dialout $USER, then log in again.",
     InvalidStateError: "The port is open already. Press Stop, wait a moment, and try again.",
 };
 
@@ -117,7 +117,7 @@ export class Board {
         if (target === this.port) {
             this.isGone = true;
             this.sink.gap();
-            this.tell("The board is unplugged. Plug it in again: what has been taken is kept.");
+            this.tell("The board is unplugged. Plug it in again: the positions taken are kept.");
         }
     }
 

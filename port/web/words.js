@@ -98,5 +98,5 @@ function rounding({ step, unit }) {
     if (!(mg > 2)) { // finer than the noise of any phone
         return "";
     }
-    return `. This browser rounds the readings to ${figure(mg)} mg, so a position held very still may be wrong by ${figure(mg / 2)} mg, or be refused because its readings never change. The ± above includes this, as it comes from how well the positions agree. Good for seeing how a calibration works; it is no instrument.`;
+    return `. This browser rounds the readings to ${figure(mg)} mg, so a position held very still may be wrong by ${figure(mg / 2)} mg, or be refused because its readings never change. The ± above includes this, as it comes from how well the positions agree. Good enough to see how a calibration works, but not for measuring.`;
 }

@@ -328,7 +328,7 @@ bad_line "decimal commas between tabs, without a header" "column 2 \(y\): '-2,5'
     '1\t-2,5\t3,5\n'
 bad_line "decimal commas between blanks" "bad\.csv:1: column 1 \(x\): '1,5' .* decimal comma" \
     '1,5 2,5 3,5\n'
-bad_line "thousands separators" "column 1 \(x\): '1,234.5' .* has thousands separators: save without them$" \
+bad_line "thousands separators" "column 1 \(x\): '1,234.5' has thousands separators: save without them$" \
     'x;y;z\n1,234.5;2;3\n'
 bad_line "thousands separators of Switzerland" "column 2 \(y\): '1'234' .* thousands separators" \
     "x;y;z\n1;1'234;3\n"
@@ -342,7 +342,7 @@ bad "linear acceleration" \
 bad_line "phyphox with decimal commas" \
     "bad\.csv:2: column [12] \([tx]\): '1,01E[+-]01' has a decimal comma" \
     '"Time (s)";"Acceleration x (m/s^2)";"Acceleration y (m/s^2)";"Acceleration z (m/s^2)"\n1,01E-01;1,01E+01;2,0E-01;3\n'
-bad "LabVIEW" 'bad\.csv: this is a LabVIEW measurement file: delete the lines above' \
+bad "LabVIEW" 'bad\.csv: this is a LabVIEW measurement file: delete the lines before' \
     'LabVIEW Measurement\t\nWriter_Version\t2\t\n'
 printf 't,x,y,z\n2026-05-01T10:00:00Z,1,2,3\n' > "$work/bad.csv"
 refuses "a date is no time, and what to do is told" 3 \
@@ -370,7 +370,7 @@ refuses "calibrate LOG: times without a unit that are no seconds" 3 \
     calibrate "$work/bad.csv"
 for u in furlong '' m/s gauss mgal; do
     [ -z "$u" ] || refuses "--unit $u is refused by its name" 2 \
-        "^invcal: --unit $u: is g, mg, m/s2 or counts; see invcal calibrate --help\$" \
+        "^invcal: --unit $u: must be g, mg, m/s2 or counts; see invcal calibrate --help\$" \
         calibrate "$work/plain.csv" --unit "$u"
 done
 refuses "--unit without a value" 2 '--unit: its value is missing' calibrate "$work/plain.csv" --unit

@@ -42,7 +42,7 @@ refuses "pass: a unit that is none" 2 '--need 1mT: must end with mg, g, ug, m/s2
 refuses "pass: mg of a field that is none of gravity" 2 'is not gravity: state % of it' \
     calibrate "$work/log.csv" --gravity 48.5 --need 1mg
 refuses "pass: no number" 2 "--need x: 'x' is not a decimal" calibrate "$work/log.csv" --need xmg
-refuses "pass: 0 mg" 2 '--need: is above 0' calibrate "$work/log.csv" --need 0mg
+refuses "pass: 0 mg" 2 '--need: must be above 0' calibrate "$work/log.csv" --need 0mg
 
 accepts "pass: limits that are not kept" calibrate "$work/log.csv" $sheet --tolerance 0.02,0.04,0.02 --report "$page"
 check "pass: then it fails, and by which margin" prints 'FAIL: offset z up to 30\.0 of 20\.0 mg and 1 more \(95 %\)\. Beyond'

@@ -242,7 +242,7 @@ check "plan: seven to spare" holds 'n == 16'
 check "plan: it says so" test "$(field redundancy)" = 7
 judge --budget 200 --spare 11
 check "plan: eleven to spare in a budget" holds 'n == 20'
-refuses "plan: twelve to spare in it" 1 '20 positions fit .* the minimum is 21, nine and 12' plan \
+refuses "plan: twelve to spare in it" 1 '20 positions fit .* the minimum is 21, nine and a redundancy of 12' plan \
     --budget 200 --spare 12
 refuses "plan: more to spare than --optimal leaves" 2 'spare 4: --optimal 12 leaves 3' plan \
     --optimal 12 --spare 4

@@ -138,7 +138,7 @@ static void the_line_tells_the_margins(void)
     state(NULL);
     TEST_ASSERT_EQUAL_STRING("FAIL: |a| within 500 of 1.0 µg (95 %).", pass_text(&result, text));
     TEST_ASSERT_EQUAL_STRING(
-        "FAIL: |a| within 500 of 1.0 µg (95 %). Missing: the length of the field, to "
+        "FAIL: |a| within 500 of 1.0 µg (95 %). Missing: "
         "the length of the field with a σ of 5e-06 (--gravity G+-S, or --latitude): its error is "
         "an error of all scales.",
         pass_strict(&result, text));
@@ -150,10 +150,10 @@ static void a_strict_exit_names_the_verdict(void)
     result.need = 0;
     result.quality.verdict = INVCAL_WEAK;
     result.quality.weak = 1u << 6;
-    TEST_ASSERT_EQUAL_STRING("the verdict is weak: angle xy badly determined",
+    TEST_ASSERT_EQUAL_STRING("the verdict is weak: angle xy poorly determined",
                              pass_strict(&result, text));
     result.quality.verdict = INVCAL_NO_REDUNDANCY;
-    TEST_ASSERT_EQUAL_STRING("the verdict is no redundancy: no position is left to check it",
+    TEST_ASSERT_EQUAL_STRING("the verdict is no redundancy: nothing checks the fit",
                              pass_strict(&result, text));
     result.quality.verdict = INVCAL_BENT;
     result.quality.systematic = INVCAL_QUADRATIC;

@@ -274,7 +274,7 @@ static void each_phase_has_its_order(void)
     now.is_refused = 0;
     now.phase = WATCH_MOVING;
     draw();
-    TEST_ASSERT_TRUE(says("\nThe last rest is refused: a reading is below a tenth"));
+    TEST_ASSERT_TRUE(says("\nLast rest refused: a reading is below a tenth"));
     TEST_ASSERT_TRUE(says("FINISHED "));
     now.phase = WATCH_ENDED;
     draw();
@@ -365,7 +365,7 @@ static void without_degrees_of_freedom_nothing_is_known(void)
     know(1e-3, 1e-3, 1e-3);
     now.quality.dof = 0;
     draw();
-    TEST_ASSERT_EQUAL_STRING("offsets not known", panel(6));
+    TEST_ASSERT_EQUAL_STRING("offsets unknown", panel(6));
     TEST_ASSERT_EQUAL_STRING("███████████████████", panel(7));
 }
 
@@ -381,7 +381,7 @@ static void what_is_wanted_is_marked_on_the_bar(void)
     TEST_ASSERT_EQUAL_STRING("lengths ± 0.16 mg", panel(12));
     TEST_ASSERT_EQUAL_STRING("████|▊·············", panel(13));
     TEST_ASSERT_EQUAL_STRING("| target", panel(14));
-    TEST_ASSERT_TRUE(says("Good, but what is wanted is not reached yet; go on\n"));
+    TEST_ASSERT_TRUE(says("Good, but the target is not reached yet; go on\n"));
 }
 
 /* ---- the verdict -------------------------------------------------------------------------------- */
@@ -391,7 +391,7 @@ static void the_verdict_so_far_is_told(void)
     const struct {
         unsigned verdict;
         const char *words;
-    } verdict[] = {{INVCAL_GOOD, "so far    Good so far; a few positions more have to confirm it"},
+    } verdict[] = {{INVCAL_GOOD, "so far    Good so far; take a few more positions to confirm it"},
                    {INVCAL_NO_REDUNDANCY, "so far    No redundancy: "},
                    {INVCAL_ROUGH, "so far    Rough: "},
                    {INVCAL_DRIFTING, "so far    Drifting: "},
@@ -404,7 +404,7 @@ static void the_verdict_so_far_is_told(void)
                              line_text(21));
     now.status = INVCAL_UNDETERMINED;
     draw();
-    TEST_ASSERT_EQUAL_STRING("so far    These directions leave parameters open; go on",
+    TEST_ASSERT_EQUAL_STRING("so far    These directions leave parameters undetermined; go on",
                              line_text(21));
     now.status = INVCAL_NOT_ELLIPSOID;
     draw();

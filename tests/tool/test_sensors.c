@@ -93,7 +93,7 @@ static void test_unknown(void)
     refuses("mpu605", "did you mean mpu6050?");
     refuses("adlx345:2g", "did you mean adxl345?");
     refuses("lis", "did you mean list?");
-    refuses("thermometer", "is known;");
+    refuses("thermometer", "unknown sensor 'thermometer';");
     refuses("", "unknown sensor ''");
     refuses(":2g", "unknown sensor ''");
     refuses("mpu6050:", "MPU-6050 has no '', but 2g, 4g, 8g, 16g");
@@ -153,9 +153,9 @@ static void test_other_range(void)
     fits("mpu6050:4g", 1, NULL);
     fits("mpu6050:4g", 0.8, NULL);
     fits("mpu6050:4g", 1.3, NULL);
-    fits("mpu6050:2g", 0.5, "2.0 times too small for mpu6050:2g: as if it were mpu6050:4g");
-    fits("mpu6050:2g", 0.25 * 0.95, "4.2 times too small for mpu6050:2g: as if it were mpu6050:8g");
-    fits("mpu6050:16g", 8, "8.0 times too large for mpu6050:16g: as if it were mpu6050:2g");
+    fits("mpu6050:2g", 0.5, "2.0 times too small for mpu6050:2g: they match mpu6050:4g");
+    fits("mpu6050:2g", 0.25 * 0.95, "4.2 times too small for mpu6050:2g: they match mpu6050:8g");
+    fits("mpu6050:16g", 8, "8.0 times too large for mpu6050:16g: they match mpu6050:2g");
     fits("mpu6050:16g", 32, "32 times too large for mpu6050:16g, and at any of its ranges");
     fits("bno055", 1.02 / 0.980665, NULL);
     fits("mpu6050", (double)NAN, "at any of its ranges");

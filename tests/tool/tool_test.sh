@@ -73,8 +73,8 @@ refuses_value --zero 1,2,3,4 '3 numbers separated by commas expected'
 refuses_value --zero 1,,3 "'' is empty"
 refuses_value --zero 1,nan,3 "'nan' is not a finite number"
 refuses_value --lsb 1,2 '3 numbers separated by commas expected, or one'
-refuses_value --lsb 0 'not 0'
-refuses_value --lsb 1,0,1 'not 0'
+refuses_value --lsb 0 'not be 0'
+refuses_value --lsb 1,0,1 'not be 0'
 refuses_value --frame round 'symmetric, triangular or stand'
 refuses_value --nominal-name a-very-long-heading 'at most 14'
 refuses_value --prior 0.1,0.1,0.1 '--zero and --lsb, or --nominal'
@@ -773,8 +773,8 @@ bad_json "without offset" "{$m}" '.: no member "offset"'
 bad_json "without matrix" "{$o}" '.: no member "matrix"'
 bad_json "without members" '{}' '.: no member "offset"'
 bad_json "offset twice" "{$o, $o, $m}" '1: "offset" or "matrix" is there twice'
-bad_json "an offset of two" "{\"offset\": [1, 2], $m}" '1: a list of 3 is expected'
-bad_json "an offset of four" "{\"offset\": [1, 2, 3, 4], $m}" '1: a list of 3 is expected'
+bad_json "an offset of two" "{\"offset\": [1, 2], $m}" '1: a list of 3 expected'
+bad_json "an offset of four" "{\"offset\": [1, 2, 3, 4], $m}" '1: a list of 3 expected'
 bad_json "an offset that is no list" "{\"offset\": 1, $m}" '1: a JSON list'
 bad_json "a word in the offset" "{\"offset\": [1, two, 3], $m}" "1: 'two' is not a decimal number"
 bad_json "a text in the offset" "{\"offset\": [1, \"2\", 3], $m}" '1: a number expected'
@@ -790,7 +790,7 @@ bad_json "cut off" "{$o, \"matrix\": [[1, 0" "2: ',' or ']' is expected, but the
 bad_json "a comma missing" "{$o $m}" "1: ',' or '}' is expected"
 bad_json "a comma too many" "{$o, $m,}" '1: a name or text in double quotes expected'
 bad_json "a comma too many in a list" "{\"a\": [1,], $o, $m}" '1: a value expected'
-bad_json "a colon missing" "{\"offset\" [1, 2, 3], $m}" "1: ':' is expected"
+bad_json "a colon missing" "{\"offset\" [1, 2, 3], $m}" "1: ':' expected"
 bad_json "something behind it" "{$o, $m} x" '1: nothing may follow'
 bad_json "a second object" "{$o, $m}{}" '1: nothing may follow'
 bad_json "a name without quotes" "{offset: [1, 2, 3], $m}" '1: a name or text in double quotes'

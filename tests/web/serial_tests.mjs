@@ -269,7 +269,7 @@ test("serial: after Stop, Send opens the port, waits until the board prints, and
     equal((await state(page)).samples, n, "samples that came meanwhile");
     await page.evaluate(() => (board.isBusy = true));
     await page.click("#send");
-    await page.until('document.querySelector("#sent").textContent.startsWith("Not sent. The port does not open")', "a port that has become busy");
+    await page.until('document.querySelector("#sent").textContent.startsWith("Not sent. The port cannot be opened")', "a port that has become busy");
 }, CHROMIUM);
 
 // The statements that print a sample in the examples, as they stand there.

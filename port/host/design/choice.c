@@ -124,7 +124,7 @@ static void refuse(choice *c, const choice_request *request, unsigned allowed)
     if (allowed < choice_least(request)) {
         snprintf(c->refusal, sizeof c->refusal,
                  "only %u position%s into %.6g s with %.6g s in each and %.6g s between; the "
-                 "minimum is %u, nine and %u to spare",
+                 "minimum is %u, nine and a redundancy of %u",
                  allowed, allowed == 1 ? " fits" : "s fit", request->budget, request->cost.dwell,
                  request->cost.move, choice_least(request), request->spare);
     } else {

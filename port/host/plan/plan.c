@@ -177,7 +177,7 @@ static int read_turns(const request *r, turns_request *out)
     out->rate_noise = rate_noise / FIGURE_DEGREES;
     out->instability = instability / FIGURE_DEGREES / 3600;
     if (!failure && out->noise + out->rate_noise + out->instability >= 0.5) {
-        return usage(NOISE, "too large: turns determine nothing with so much noise");
+        return usage(NOISE, "too large: with that noise, turns determine nothing");
     }
     return failure;
 }

@@ -118,7 +118,7 @@ static void describe(const report_facts *f, char *text, size_t size)
     const rests_summary *log = f->result->log;
 
     snprintf(text, size,
-             "Readings of x, y and z%s against time, %.4g seconds, with %u rests marked. %u rests "
+             "Readings of x, y and z%s over time, %.4g seconds, with %u rests marked. %u rests "
              "were refused.",
              f->result->data->has_temperature ? " and temperature" : "",
              log->track->outline.duration, f->count, log->track->outline.refusals);
@@ -174,13 +174,13 @@ void report_timeline(page *p, const report_facts *f)
              "%lu samples, %.6g s at %.4g samples per second%s: %u rests of two seconds or more "
              "are the positions.",
              log->samples, log->seconds, log->rate,
-             log->is_rate_known ? "" : " (a guess; --rate states it)", f->count);
+             log->is_rate_known ? "" : " (a guess; state --rate)", f->count);
     say_refused(p, log);
     if (log->gaps > 0) {
-        page_say(p, "%lu gap%s in the times; what lasts more than a minute is left out here.",
+        page_say(p, "%lu gap%s in the times; those of more than a minute are left out here.",
                  log->gaps, log->gaps == 1 ? "" : "s");
     }
-    page_panorama(p, "The readings as an outline from least to greatest, and the rests in them.",
+    page_panorama(p, "The range of the readings, minimum to maximum, and the rests in them.",
                   draw_timeline, f);
     report_lengths(p, f);
 }

@@ -36,7 +36,7 @@ static void write_matrix(page *p, const report_facts *f, const invcal_calibratio
 
     snprintf(caption, sizeof caption,
              "Corrected reading = matrix · (reading - offset). Offset: %s; matrix: %s per unit of "
-             "that; axes: %s.",
+             "the offset; axes: %s.",
              calibrate_input_unit(f->result), calibrate_field_unit(f->result),
              calibrate_frame(f->result));
     page_table_begin(p, &sheet);
@@ -76,21 +76,21 @@ static void write_constant(page *p, const report_facts *f, const invcal_calibrat
     char file[MESSAGE_MAX];
 
     if (f->result->degree > 0) {
-        page_say(p, "There is no constant of it: no format takes quadratic and cubic errors of the "
-                    "axes off, as invcal apply does before.");
+        page_say(p, "It cannot be exported as a constant: no format corrects quadratic and cubic "
+                    "errors; use invcal apply.");
         return;
     }
     page_say(p,
              "As a constant for a firmware with this library, "
              "invcal_apply(&calibration, raw, calibrated)%s:",
-             f->result->temperature == CALIBRATE_THERMAL
-                 ? ", of what holds at the reference temperature"
-                 : "");
+             f->result->temperature == CALIBRATE_THERMAL ? ", valid at the reference temperature"
+                                                         : "");
     if (constant_fits(c->offset, (const double(*)[3])c->matrix)) {
         page_code_begin(p);
         constant_write(p->file, "calibration", c->offset, (const double(*)[3])c->matrix);
         page_code_end(p);
-        page_say(p, "The same as a file; invcal export --help names the formats of other systems:");
+        page_say(
+            p, "The same as a file (for the formats of other systems, see invcal export --help):");
     }
     snprintf(command, sizeof command, "invcal export %s --format c --out calibration.h",
              file_of(f, file));

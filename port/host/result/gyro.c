@@ -225,8 +225,8 @@ static void print_source(FILE *file, const gyro_fit *g)
                        columns_describe(&g->turns->seen, seen, sizeof seen));
     }
     if (!g->word) {
-        wrapped_printf(file, 0, "gyroscope: %s, %.6g readings a second%s", gyro_unit_text(g, text),
-                       g->turns->rate,
+        wrapped_printf(file, 0, "gyroscope: %s, %.6g readings per second%s",
+                       gyro_unit_text(g, text), g->turns->rate,
                        g->turns->is_rate_known ? ""
                                                : " (a guess: its error is an error of the scales)");
     }
