@@ -120,7 +120,7 @@ cp "$work/stdout" "$work/table"
 check "fleet: nine rows" [ "$(grep -cE '^(offset|scale|angle) ' "$work/table")" -eq 9 ]
 check "fleet: one is outside" matches "$work/table" '^Not alike: Outliers, of 20 devices: serial D13 \(offset y\)\.$'
 check "fleet: its row says so" matches "$work/table" '^offset y .* serial D13 +\+[0-9.]+ +outside$'
-check "fleet: by how much" matches "$work/table" '^Outside: serial D13, offset y: \+[0-9]+(\.[0-9])? mg from the median$'
+check "fleet: by how much" matches "$work/table" '^Outlier: serial D13, offset y: \+[0-9]+(\.[0-9])? mg from the median$'
 run compare d*.json --json
 cp "$work/stdout" "$work/fleet.json"
 statistics=$(awk -F, '

@@ -29,18 +29,18 @@ for o in --out --report; do
     for command in calibrate watch; do
         saves "$l" "$command $o over LOG" "$o: is LOG itself, which would be lost" \
             $command "$l" $o "$l"
-        saves "$c" "$command $o over --nominal" "$o: is the file of --nominal, which would be lost" \
+        saves "$c" "$command $o over --nominal" "$o: would overwrite the file of --nominal" \
             $command "$l" --nominal "$c" $o "$c"
-        saves "$a" "$command $o over --plan angles:" "$o: is the file of --plan" \
+        saves "$a" "$command $o over --plan angles:" "$o: would overwrite the file of --plan" \
             $command "$l" --plan "angles:$a" $o "$a"
-        saves "$a" "$command $o over --plan directions:" "$o: is the file of --plan" \
+        saves "$a" "$command $o over --plan directions:" "$o: would overwrite the file of --plan" \
             $command "$l" --plan "directions:$a" $o "$a"
         in=$l
         saves "$l" "$command $o over what the standard input comes from" "$o: is LOG itself" \
             $command - $o "$l"
         in=/dev/null
     done
-    saves "$n" "watch $o over --allan" "$o: is the file of --allan, which would be lost" \
+    saves "$n" "watch $o over --allan" "$o: would overwrite the file of --allan" \
         watch "$l" --allan "$n" --mean-sigma 0.001 $o "$n"
     saves "$l" "allan $o over LOG" "$o: is LOG itself" allan "$l" $o "$l"
     in=$l
@@ -55,19 +55,19 @@ saves "$c" "export --out over what the standard input comes from" '--out: is CAL
     export - --format c --out "$c"
 in=/dev/null
 for o in --svg --report; do
-    saves "$a" "plan $o over --angles" "$o: is the file of --angles" plan --angles "$a" $o "$a"
-    saves "$a" "plan $o over --directions" "$o: is the file of --directions" \
+    saves "$a" "plan $o over --angles" "$o: would overwrite the file of --angles" plan --angles "$a" $o "$a"
+    saves "$a" "plan $o over --directions" "$o: would overwrite the file of --directions" \
         plan --directions "$a" $o "$a"
-    saves "$n" "plan $o over --allan" "$o: is the file of --allan" \
+    saves "$n" "plan $o over --allan" "$o: would overwrite the file of --allan" \
         plan --allan "$n" --limits 1e-4,1e-4,1e-4 $o "$n"
-    saves "$a" "plan $o over --compare, the first" "$o: is the file of --compare" \
+    saves "$a" "plan $o over --compare, the first" "$o: would overwrite the file of --compare" \
         plan --compare "angles:$a" faces $o "$a"
-    saves "$a" "plan $o over --compare, the second" "$o: is the file of --compare" \
+    saves "$a" "plan $o over --compare, the second" "$o: would overwrite the file of --compare" \
         plan --compare edges "directions:$a" $o "$a"
 done
-saves "$a" "simulate --truth over its directions" '--truth: is the file of --plan' \
+saves "$a" "simulate --truth over its directions" '--truth: would overwrite the file of --plan' \
     simulate --plan "directions:$a" --truth "$a"
-saves "$a" "simulate --truth over its angles" '--truth: is the file of --plan' \
+saves "$a" "simulate --truth over its angles" '--truth: would overwrite the file of --plan' \
     simulate --plan "angles:$a" --truth "$a"
 ln "$l" "$work/hard.csv"
 ln -s "$l" "$work/soft.csv"

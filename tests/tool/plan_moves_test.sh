@@ -71,7 +71,7 @@ check "--dwell counts in the time" member_is seconds 70
 # ---- words -------------------------------------------------------------------------------------
 
 accepts "plan --moves: it prints" plan --moves tour12
-check "it begins where it begins" matches "$work/stdout" '^Begin with \+z up\.'
+check "it begins where it begins" matches "$work/stdout" '^Start with \+z up\.'
 check "a quarter turn in words" matches "$work/stdout" '^ +1 \+x up: a quarter turn about y +18 '
 check "sigma in units" matches "$work/stdout" '^  gyro scale x  +0\.5[0-9]+ +0\.015[0-9] %$'
 accepts "plan --moves with --units ins" plan --moves tour12 --units ins
@@ -98,7 +98,7 @@ check "one axis: exit code 1" [ "$code" -eq 1 ]
 check "one axis: rank 8" member_is rank 8
 check "one axis: what is open is named" member_is undetermined "[$one_axis]"
 check "one axis: no sigma" [ "$(numbers sigma | tr -d ' ')" = null,null,null,null,null,null,null,null,null,null,null,null,null,null,null,null,null,null ]
-check "one axis: said in one line" says '8 turns determine 8 of 18 parameters; open: gyro angle xy, .*, angle xz\. Turn next: .* up: '
+check "one axis: said in one line" says '8 turns determine 8 of 18 parameters; undetermined: gyro angle xy, .*, angle xz\. Turn next: .* up: '
 run plan --moves x:90,x:90,x:90,x:90
 check "the table is printed all the same" matches "$work/stdout" '^ +4 \+z up: a quarter turn about x +12 '
 check "and no sigma" lacks "$work/stdout" 'sigma'
@@ -123,7 +123,7 @@ check "with what is open" matches "$work/open.html" 'Undetermined'
 refuses "no such program" 2 "'tour13' is not a program .*tour12.*a direction .*or a turn" plan --moves tour13
 refuses "greedy without a number" 2 'greedy12 and the like, of 1 to 31' plan --moves greedy
 refuses "greedy with too many" 2 'greedy12 and the like, of 1 to 31' plan --moves greedy32
-refuses "the opposite has no shortest way" 2 "'-z' is up already, or down: .*x:180" plan --moves +z,-z
+refuses "the opposite has no shortest way" 2 "'-z' points up or down already, .*x:180" plan --moves +z,-z
 refuses "an axis twice" 2 "'\+x\+x' is not a program" plan --moves +x+x
 refuses "too many degrees" 2 "'x:721' is not a program" plan --moves x:721
 refuses "no degrees" 2 "'x:' is not a program" plan --moves x:
@@ -132,15 +132,15 @@ refuses "an empty word" 2 "'' is not a program" plan --moves +z,,+x
 refuses "no turn at all" 2 'one rest without a turn' plan --moves +x
 refuses "more turns than a device keeps" 2 'more than 31 turns' plan --moves "$(awk 'BEGIN { for (i = 0; i < 31; i++) printf "x:90,"; print "x:90" }')"
 refuses "a turn that is too slow" 2 'turn 13 of tour16 would take 12 s; the bias is known for 10 s only' plan --moves tour16 --move 3
-refuses "--rate-noise without --moves" 2 '--rate-noise: belongs to --moves' plan --rate-noise 0.01
-refuses "--instability without --moves" 2 '--instability: belongs to --moves' plan --instability 10
+refuses "--rate-noise without --moves" 2 '--rate-noise: needs --moves' plan --rate-noise 0.01
+refuses "--instability without --moves" 2 '--instability: needs --moves' plan --instability 10
 refuses "a negative rate noise" 2 '--rate-noise -1: must be within' plan --moves tour12 --rate-noise -1
-refuses "--moves beside a set" 2 '--moves: names its sets itself' plan --moves tour12 --edges
-refuses "--moves beside --programs" 2 '--programs: cannot be joined with --moves' plan --moves tour12 --programs
+refuses "--moves beside a set" 2 '--moves: names its own sets' plan --moves tour12 --edges
+refuses "--moves beside --programs" 2 '--programs: cannot be combined with --moves' plan --moves tour12 --programs
 refuses "--moves with --limits" 2 '--limits: .*leave out .*--moves' plan --moves tour12 --limits 1,1,1
 for option in '--svg x.svg' '--settle 1' '--warm-up 1'; do
     # shellcheck disable=SC2086 # an option and its value
-    refuses "--moves with ${option% *}" 2 "${option% *}: cannot be joined with --moves" plan --moves tour12 $option
+    refuses "--moves with ${option% *}" 2 "${option% *}: cannot be combined with --moves" plan --moves tour12 $option
 done
 refuses "--moves with --csv" 2 '--csv: is for one set' plan --moves tour12 --csv
 refuses "a report that cannot be written" 3 'none/r.html' plan --moves tour12 --report "$work/none/r.html"

@@ -78,7 +78,7 @@ run plan --json
 down=$(sed -n 's/^ *"vertical": .*, \(.*\)\],*$/\1/p' "$work/stdout" | awk '$1 < -1e-9' | wc -l)
 check "report: the lower half is described" tells \
     "z down, seen from +z. It holds $((down + 0)) of 18 positions."
-check "report: and the upper" tells "z up or level, seen from +z. $((18 - down)) of 18 positions"
+check "report: and the upper" tells "z up or level, seen from +z. It holds $((18 - down)) of 18 positions"
 check "report: position 2 of group 1 is in the middle" matches "$page" \
     '^<circle class="c1 over" cx="168" cy="164"'
 
@@ -106,7 +106,7 @@ bounds=$(length_sigma)
 check "report: |a| is known best along an axis" test "${bounds% *}" = \
     "$(formula %.3f 'sqrt(1/6 + 7/30)')"
 check "report: sigma of |a|, the least" tells "of a corrected reading is ±${bounds% *} × noise"
-check "report: sigma of |a|, the most" tells "to ±${bounds#* } × noise where they tell least"
+check "report: sigma of |a|, the most" tells "±${bounds#* } × noise in the worst"
 
 # The check of pages must see what it is for.
 sees() { # sees FAULT SED-COMMAND
@@ -137,7 +137,7 @@ check "report: it says what is missing, and why" \
     tells 'Never along gravity: +x +y -z; an odd number per group'
 # +x, -x, +y, -y, +z, -z by what stands at +1 g (the right end, 672) and -1 g (34).
 covered() {
-    sed -n '/>The range that each axis feels</,/^<\/svg>/p' "$page" | awk '
+    sed -n '/>The range of each axis</,/^<\/svg>/p' "$page" | awk '
         /class="c3 over"|class="c2 hollow"/ && rows > 0 {
             x = $0
             sub(/.*(cx|points)="/, "", x)
@@ -213,7 +213,7 @@ check "report: below 1 MB" test "$(wc -c < "$page")" -lt 1000000
 # ---- a sweep -----------------------------------------------------------------------------------
 
 makes_page "a sweep" --sweep 5:16
-check "report: twice the positions" tells "every σ $(formula %.2f 'sqrt(1/2)') times as large"
+check "report: twice the positions" tells "multiply every σ by $(formula %.2f 'sqrt(1/2)')"
 check "report: from end to end" tells \
     "falls from $(formula %.2f 'sqrt(8/5)') to $(formula %.3f 'sqrt(8/16)') times"
 follows_formulas() {
@@ -303,11 +303,11 @@ check "report: JSON is as without" same "$work/stdout" "$work/plain.json"
 
 rm -f "$work"/out/*
 cp "$work/cap.csv" "$work/out/own.csv"
-refuses "report: a page over its directions" 2 'report: is the file of --directions' plan --directions \
+refuses "report: a page over its directions" 2 'report: would overwrite the file of --directions' plan --directions \
     "$work/out/own.csv" --report "$work/out/own.csv"
-refuses "report: the same to compare" 2 'report: is the file of --compare' plan --compare edges \
+refuses "report: the same to compare" 2 'report: would overwrite the file of --compare' plan --compare edges \
     "directions:$work/out/own.csv" --report "$work/out/own.csv"
-refuses "report: a picture over them" 2 'svg: is the file of --compare' plan --compare \
+refuses "report: a picture over them" 2 'svg: would overwrite the file of --compare' plan --compare \
     "directions:$work/out/own.csv" edges --svg "$work/out/own.csv"
 check "report: they are still there" same "$work/cap.csv" "$work/out/own.csv"
 rm -f "$work"/out/*

@@ -244,7 +244,7 @@ judge --budget 200 --spare 11
 check "plan: eleven to spare in a budget" holds 'n == 20'
 refuses "plan: twelve to spare in it" 1 '20 positions fit .* the minimum is 21, nine and a redundancy of 12' plan \
     --budget 200 --spare 12
-refuses "plan: more to spare than --optimal leaves" 2 'spare 4: --optimal 12 leaves 3' plan \
+refuses "plan: more to spare than --optimal leaves" 2 'spare 4: --optimal 12 has a redundancy of only 3' plan \
     --optimal 12 --spare 4
 judge --optimal 12 --spare 3
 check "plan: as many as it leaves" holds 'n == 12'
@@ -290,9 +290,9 @@ for bad in 0 10 90 x ''; do
     refuses "plan: stops of '$bad'" 2 'grid' plan --optimal 12 --grid "$bad"
 done
 refuses "plan: two numbers for stops" 2 "optimal: '12:12'" plan --optimal 12 --grid 30:12
-refuses "plan: stops without a number" 2 'grid: belongs to --optimal' plan --grid 30
-refuses "plan: stops and limits" 2 'grid: cannot be joined' plan --optimal 12 --grid 30 --limits 1,1,1
-refuses "plan: a colon in --optimal" 2 'optimal: is a number' plan --optimal 12:axes
+refuses "plan: stops without a number" 2 'grid: needs --optimal' plan --grid 30
+refuses "plan: stops and limits" 2 'grid: cannot be combined' plan --optimal 12 --grid 30 --limits 1,1,1
+refuses "plan: a colon in --optimal" 2 'optimal: must be a number' plan --optimal 12:axes
 for option in --need-axes '--spare 4'; do
     # shellcheck disable=SC2086
     refuses "plan: $option of a given set" 2 'needs --limits' plan --edges $option
@@ -318,7 +318,7 @@ check "plan: Table 2: no share for the axes" test "$(shares | tr '\n' ' ')" = \
     'axis 0.000000000 other 0.083333333 '
 accepts "plan: shares are printed" plan --weights
 check "plan: six have none" matches "$work/stdout" '^6 positions have no share'
-refuses "plan: shares of a choice" 2 'weights: is for a set that is named' plan --limits 1,1,1 --weights
+refuses "plan: shares of a choice" 2 'weights: needs a named set' plan --limits 1,1,1 --weights
 
 bounds() { # the largest of each kind
     for kind in delta dk gamma; do
@@ -371,13 +371,13 @@ accepts "plan: and in units" plan --noise 0.0001 --dwell 1
 check "plan: cubic in units" matches "$work/stdout" '^  cubic  *3\.2660  *0\.3266 mg per g³   of 15 '
 accepts "plan: of few positions" plan --per-group 5
 check "plan: what calibrate does not take is told" matches "$work/stdout" \
-    '^  cubic .*, but --cubic takes 17 positions or more$'
+    '^  cubic .*, but --cubic needs 17 positions or more$'
 accepts "plan: of corners" plan --icosahedron
 check "plan: what they do not tell is named" matches "$work/stdout" \
-    '^  cubic  *not determined: cubic x, cubic y, cubic z$'
+    '^  cubic  *undetermined: cubic x, cubic y, cubic z$'
 accepts "plan: of nine" plan --optimal 9
 check "plan: nor nine the quadratic" matches "$work/stdout" \
-    '^  quadratic  *not determined: quadratic x, quadratic y, quadratic z$'
+    '^  quadratic  *undetermined: quadratic x, quadratic y, quadratic z$'
 run plan --faces
 check "plan: nothing of it for what determines no calibration" lacks "$work/stdout" 'quadratic'
 
@@ -403,11 +403,11 @@ check "plan: faces and edges over 18: 1.091" matches "$work/stdout" \
     '^  over 3 x 6 +1\.0000 +1\.0000 +1\.0000 +1\.0911 +0\.8660 +0\.7500$'
 # 0.4082 times the noise, and so on.
 run plan --programs --noise 0.001 --dwell 1
-noise=$(sed -n 's/^with \([0-9.]*\) mg of noise.*/\1/p' "$work/stdout")
+noise=$(sed -n 's/^noise of a position mean: \([0-9.]*\) mg$/\1/p' "$work/stdout")
 check "plan: the programs at a noise, in mg, % and degrees" near 0.002 "$(awk -v noise="$noise" 'BEGIN {
     print noise, 0.40825 * noise, 0.0483046 * noise, 1.1547 * noise * 0.0572958 }')" \
-    "$noise $(sed -n '/^with/,$s/^3 x 6//p' "$work/stdout" | tr -c '0-9.\n' ' ')"
-check "plan: of all six" test "$(sed '1,/^with/d' "$work/stdout" | grep -c 'mg .*% .*°$')" -eq 6
+    "$noise $(sed -n '/^noise of/,$s/^3 x 6//p' "$work/stdout" | tr -c '0-9.\n' ' ')"
+check "plan: of all six" test "$(sed '1,/^noise of/d' "$work/stdout" | grep -c 'mg .*% .*°$')" -eq 6
 run plan --programs --json
 check "plan: the programs are JSON" is_json "$work/stdout"
 for option in --edges '--svg x' '--report x' '--limits 1,1,1' '--sweep 5:6' --csv --weights '--bound 1'; do
@@ -463,8 +463,8 @@ bad_angles "nothing" 'contains no position' alpha,beta
 awk 'BEGIN { for (i = 0; i <= 3000; i++) print i % 360, 7 * i % 360 }' > "$work/many.csv"
 refuses "plan: angles: too many" 3 'more than 3000 positions' plan --angles "$work/many.csv"
 refuses "plan: angles: a missing file" 3 'nowhere: cannot be read' plan --angles "$work/nowhere"
-refuses "plan: CSV and JSON" 2 'csv: cannot be joined' plan --csv --json
-refuses "plan: CSV of a sweep" 2 'csv: is for one set' plan --csv --sweep 5:6
+refuses "plan: CSV and JSON" 2 'csv: cannot be combined' plan --csv --json
+refuses "plan: CSV of a sweep" 2 'csv: needs a single set' plan --csv --sweep 5:6
 refuses "plan: no CSV of a set that is refused" 1 'undetermined' plan --faces --csv
 cp "$work/stand.csv" "$work/out/own.csv"
 refuses "plan: a picture over its angles" 2 'would overwrite' plan --angles "$work/out/own.csv" \
@@ -495,13 +495,13 @@ for option in noise dwell move budget; do
     refuses "plan: $option not a number" 2 "$option" plan "--$option" nan
 done
 refuses "plan: two sets" 2 'only one set' plan --edges --icosahedron
-refuses "plan: start angles of an icosahedron" 2 'start: belongs' plan --icosahedron --start 1,2,3
+refuses "plan: start angles of an icosahedron" 2 'start: needs' plan --icosahedron --start 1,2,3
 refuses "plan: limits of a given set" 2 'limits: chooses' plan --edges --limits 1,1,1
 refuses "plan: a budget of a given set" 2 'budget: chooses' plan --edges --budget 100
 refuses "plan: a sweep with a set" 2 'sweep: names' plan --edges --sweep 5:6
 refuses "plan: an operand" 2 'one operand too many' plan edges faces
 refuses "plan: angles in the number" 2 'use --start for the angles' plan --per-group 6:1,2,3
-refuses "plan: a sweep with noise" 2 'sweep: knows no' plan --sweep 5:6 --noise 1e-4
+refuses "plan: a sweep with noise" 2 'sweep: does not use' plan --sweep 5:6 --noise 1e-4
 refuses "plan: standard input twice" 2 'only one input' plan --compare directions:- directions:-
 for bad in '--budget 1e308' '--dwell 1e-300' '--move 1e99' '--noise 1e300' '--noise 1e-300'; do
     # shellcheck disable=SC2086
@@ -511,11 +511,11 @@ for bad in 1e-300,1,1 1,1e300,1; do
     refuses "plan: absurd limits, $bad" 2 'limits: must be within' plan --optimal 12 --limits $bad
 done
 run plan --optimal 9
-check "plan: nine positions are said to be unchecked" matches "$work/stdout" 'nothing checks'
+check "plan: nine positions are said to be unchecked" matches "$work/stdout" 'no redundancy'
 refuses "plan: nothing to compare" 2 'compare: takes two' plan --compare
 refuses "plan: one to compare" 2 'B is missing' plan --compare edges
 refuses "plan: three to compare" 2 'one operand too many' plan --compare edges edges edges
-refuses "plan: an unknown word" 2 "'dodecahedron' is no set" plan --compare edges dodecahedron
+refuses "plan: an unknown word" 2 "'dodecahedron' is not a set" plan --compare edges dodecahedron
 refuses "plan: what is not solvable is not compared" 1 'faces: ' plan --compare faces edges
 
 # ---- pictures ----------------------------------------------------------------------------------

@@ -35,7 +35,7 @@ xsens=$data/xsens_mti_positions.csv
 makes_page "Xsens" "$xsens" --positions --gravity 9.81744 --zero 33123,33276,32360 \
     --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory --tolerance 0.02,0.005,0.02
 check "report: Xsens is rough" says_page '! Rough ✗ FAIL: the verdict is rough; angle zy up to 1\.24 of 1\.15° \(95 %\)\. The positions disagree by 3\.6 times the noise of the samples'
-check "report: and what to do next" says_page 'Next: look for what disturbs the positions'
+check "report: and what to do next" says_page 'Next: look for a disturbance'
 # shared/data: offset 33123.83073, rms 99.857e-6; the angles are those of the reference script.
 check "report: the offset is that of the reference" says_page 'offset x [+]0\.2[0-9]+ ± 0\.1[0-9]+ mg 20\.0 mg 2 % 33123\.83 ± 0\.5[0-9] 33123\.00'
 check "report: the residual is that of the reference" says_page 'rms error of \|a\| in these positions, before and after 4\.18 → 0\.0999 mg'
@@ -53,7 +53,7 @@ check "report: its title is the name of the file" says_page '^ *Calibration of x
 
 makes_page "T265" "$data/t265_positions.csv" --positions --gravity 9.8016
 check "report: T265 is weak, and in what" says_page \
-    '✗ Weak The positions tell too little of angle xy, angle xz, angle zy'
+    '✗ Weak The positions hardly determine angle xy, angle xz, angle zy'
 check "report: and where to begin" says_page \
     'Next: add positions with the field midway between x and y, x and z, z and y\. Begin with: [+-][xyz] up'
 check "report: an error that no direction checks is not told" says_not 'rms error of'
@@ -143,7 +143,7 @@ check "report: the histogram has all positions" histogram_is_full
 awk -F, -v OFS=, 'NR > 5000 { $1 += 3600 } { print }' "$work/outliers.csv" > "$work/pause.csv"
 makes_page "a log with a pause" "$work/pause.csv"
 check "report: what becomes of the pause is told" says_page \
-    '1 gap in the times; what lasts more than a minute is left out here\.'
+    '1 gap in the times; those of more than a minute are left out here\.'
 
 # A sensor that ends at 0.95 g, and nobody has said so. Its counts are too coarse for one to notice
 # that an axis at the end has no noise.
@@ -161,7 +161,7 @@ check "report: then the verdict is no good one" says_page \
     '! Contradictory .* 4 positions contradict one another, and which of them are wrong cannot'
 check "report: nor is the table's" matches "$work/stdout" '^Contradictory: .* 4 positions'
 check "report: and the next step is another measurement" matches "$work/stdout" \
-    '^Next: repeat the measurement'
+    '^Next: measure again with more positions'
 
 "$tool" simulate --plan optimal:9 > "$work/nine.csv"
 makes_page "nine positions" "$work/nine.csv"
@@ -190,7 +190,7 @@ check "report: nor do 20000" test "$(wc -c < "$page")" -lt 1000000
 makes_page "a sensor that clips" "$work/clipped.csv" --keep-all
 check "report: a sensor that clips is not called good" says_page '! Rough .*disagree by [0-9]+ times'
 check "report: nor in the table" matches "$work/stdout" '^Rough: '
-check "report: what to look for" says_page 'Next: look for what disturbs the positions'
+check "report: what to look for" says_page 'Next: look for a disturbance'
 
 # ---- how well every direction is known -----------------------------------------------------------
 
@@ -266,7 +266,7 @@ check "report: the matrix is the JSON's" sh -c 'sed -n "/<h2>Use it/,/<.table>/p
             for (k = 2; k <= 5; k++) { d = \$(5 * i + k) / m[k] - 1; if (!(d * d < 1e-16)) exit 1 } } }" "$3"' sh \
     "$page" "$work/numbers" "$work/told"
 makes_page "a nonlinearity" "$xsens" --positions --gravity 9.81744 --quadratic
-check "report: of which there is no constant" says_page 'There is no constant of it: no format takes quadratic'
+check "report: of which there is no constant" says_page 'It cannot be exported as a constant: no format corrects quadratic'
 check "report: nor a box with one" lacks "$page" 'static const'
 in=$xsens
 makes_page "standard input, to take away" - --positions --gravity 9.81744 --out "$work/out/cal.json"
@@ -282,7 +282,7 @@ positions plane 18 4 > "$work/plane.csv"
 refuses "report: where none can be" 3 'nowhere/x\.html' \
     calibrate "$xsens" --positions --report "$work/nowhere/x.html" --out "$work/out/cal.json"
 check "report: then the calibration is not written either" is_untouched
-refuses "report: not over LOG" 2 'report: is LOG itself' \
+refuses "report: not over LOG" 2 'report: would overwrite LOG' \
     calibrate "$work/plane.csv" --positions --report "$work/plane.csv"
 refuses "report: not over the calibration" 2 'report: is the file of --out' \
     calibrate "$xsens" --positions --report "$work/out/cal.json" --out "$work/out/cal.json"
@@ -290,7 +290,7 @@ for v in 0,1,1 -1,1,1 1,2 nan,1,1; do
     refuses "report: --tolerance $v" 2 '--tolerance' calibrate "$xsens" --positions \
         --zero 0,0,0 --lsb 1 --tolerance "$v"
 done
-refuses "report: --tolerance wants a nominal" 2 'tolerance: says how far from nominal' \
+refuses "report: --tolerance wants a nominal" 2 'tolerance: needs the nominal calibration' \
     calibrate "$xsens" --positions --tolerance 1,1,1
 
 # ---- length does not matter ----------------------------------------------------------------------

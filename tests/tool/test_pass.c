@@ -160,8 +160,8 @@ static void a_strict_exit_names_the_verdict(void)
     result.quality.axis = 2;
     result.quality.size = 0.003;
     TEST_ASSERT_EQUAL_STRING(
-        "the verdict is bent: the z axis is not linear: at both ends, z up and z "
-        "down, it reads 3.0 mg more than in the middle (quadratic).",
+        "the verdict is bent: the z axis has a quadratic error: at both ends, z up and "
+        "z down, it reads 3.0 mg more than in the middle.",
         pass_strict(&result, text));
 }
 

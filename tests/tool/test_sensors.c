@@ -156,7 +156,7 @@ static void test_other_range(void)
     fits("mpu6050:2g", 0.5, "2.0 times too small for mpu6050:2g: they match mpu6050:4g");
     fits("mpu6050:2g", 0.25 * 0.95, "4.2 times too small for mpu6050:2g: they match mpu6050:8g");
     fits("mpu6050:16g", 8, "8.0 times too large for mpu6050:16g: they match mpu6050:2g");
-    fits("mpu6050:16g", 32, "32 times too large for mpu6050:16g, and at any of its ranges");
+    fits("mpu6050:16g", 32, "32 times too large for mpu6050:16g, at any of its ranges");
     fits("bno055", 1.02 / 0.980665, NULL);
     fits("mpu6050", (double)NAN, "at any of its ranges");
     fits("mpu6050", 0, "at any of its ranges");

@@ -62,13 +62,13 @@ check "verdict: a step is not called good" called step '^(Rough|Drifting|Bent): 
 
 files quadratic
 check "verdict: a quadratic error is named with its axis and size" called quadratic \
-    '^Bent: the y axis is not linear: .* (4\.[5-9]|5\.[0-4]?) mg more' '"kind": "quadratic"'
+    '^Bent: the y axis has a quadratic error: .* (4\.[5-9]|5\.[0-4]?) mg more' '"kind": "quadratic"'
 files cubic
 check "verdict: a cubic error, too" called cubic \
-    '^Bent: the x axis is not linear: .* (19|20|21) mg more' '"kind": "cubic"'
+    '^Bent: the x axis has a cubic error: .* (19|20|21) mg more' '"kind": "cubic"'
 files hysteresis
 check "verdict: and hysteresis" called hysteresis \
-    '^Bent: the z axis depends on where it comes from: turned upwards it reads (3\.[5-9]|4\.[0-4]?) mg' \
+    '^Bent: the z axis has hysteresis: it reads (3\.[5-9]|4\.[0-4]?) mg' \
     '"kind": "hysteresis"'
 
 files repeated
@@ -127,13 +127,13 @@ refuses "nonlinearity: 13 positions are too few" 1 '--quadratic: 13 positions ar
     calibrate "$work/thirteen" --positions --zero 0,0,0 --lsb 1 --quadratic
 "$tool" plan --icosahedron --json | sed -n 's/^ *"vertical": \[\(.*\)\],*$/\1/p' > "$work/twelve"
 cat "$work/twelve" "$work/twelve" > "$work/corners"
-refuses "nonlinearity: what the positions leave open is named" 1 '--cubic: the positions leave undetermined: .*cubic x' \
+refuses "nonlinearity: what the positions leave open is named" 1 '--cubic: the positions do not determine cubic x' \
     calibrate "$work/corners" --positions --zero 0,0,0 --lsb 1 --gravity 1 --cubic
 refuses "nonlinearity: --cubic includes --quadratic" 2 'includes --quadratic' \
     calibrate "$work/none.1" --positions --quadratic --cubic
-refuses "nonlinearity: not over temperature" 2 '--quadratic: does not go together with --thermal' \
+refuses "nonlinearity: not over temperature" 2 '--quadratic: cannot be combined with --thermal' \
     calibrate "$work/none.1" --positions --quadratic --thermal 1
-refuses "l1: nine parameters only" 2 '--robust: is of nine parameters' \
+refuses "l1: nine parameters only" 2 '--robust: needs nine free parameters' \
     calibrate "$work/none.1" --positions --robust --cubic
 
 # ---- nonlinearity, taken off -----------------------------------------------------------------------------

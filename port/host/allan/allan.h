@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * allan/allan.h: what `invcal allan` has found, and the ways of telling it.
+ * allan/allan.h: what `invcal allan` has found, and the ways to report it.
  */
 #ifndef ALLAN_H
 #define ALLAN_H
@@ -15,14 +15,14 @@
 /* What the command line asks for. */
 typedef struct {
     const char *file;
-    double rate;   /* samples a second; 0: not told */
+    double rate;   /* samples per second; 0: unknown */
     unsigned taus; /* of --tau; 0: octaves */
     double tau[INVCAL_ALLAN_TAUS];
     int is_apart;        /* one window begins where another ends; else they overlap */
-    double sigma;        /* of a position mean that is wanted; 0: not told */
-    double lsb;          /* field units per input unit; 0: not told */
-    double gravity;      /* length of the field; 0: not told */
-    reading_unit unit;   /* of the readings, if --unit tells */
+    double sigma;        /* of a position mean that is wanted; 0: unknown */
+    double lsb;          /* field units per input unit; 0: unknown */
+    double gravity;      /* length of the field; 0: unknown */
+    reading_unit unit;   /* of the readings, from --unit */
     double from, to;     /* seconds from the first sample */
     const char *command; /* the command line, for the report */
 } allan_wish;
@@ -115,7 +115,7 @@ const char *allan_next(const allan_result *r, char text[ALLAN_WORDS_MAX]);
 const char *allan_misfits(const allan_result *r, char text[ALLAN_WORDS_MAX]);
 extern const char allan_misfit_words[];
 
-/* ---- telling ---------------------------------------------------------------------------------- */
+/* ---- reports ----------------------------------------------------------------------------------- */
 
 void allan_print(FILE *file, const allan_result *r, const allan_wish *wish);
 void allan_json(FILE *file, const allan_result *r, const allan_wish *wish);

@@ -203,7 +203,7 @@ static int find_noise(allan_result *r, double unit)
     return EXIT_GOOD;
 }
 
-/* The kind with the largest part in the deviation after a time, `first` or one behind it. */
+/* The kind with the largest part in the deviation after a time, `first` or a later one. */
 static unsigned find_limit(const invcal_noise *n, double tau, unsigned first)
 {
     const double *c = n->coefficient;
@@ -236,7 +236,7 @@ static int find_dwell(const invcal_noise *n, double wanted, allan_dwell *out)
 }
 
 /* Whether a dwell asks more of the user than another: what cannot be reached first, then the
- * longer time, or, where a floor is told, the higher one. */
+ * longer time, or, at a floor, the higher one. */
 static int is_worse(const allan_dwell *a, const allan_dwell *b)
 {
     if ((a->end == ALLAN_FLOOR) != (b->end == ALLAN_FLOOR)) {

@@ -38,7 +38,7 @@ typedef struct {
     thermal_correction at;
     nonlinear_correction bent;
     int is_gyro;  /* the log is of the gyroscope alone */
-    int is_quiet; /* nothing is told of readings that are beyond what the calibration knows */
+    int is_quiet; /* no warning of readings outside the calibrated range */
 } job;
 
 /* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. Only a

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * apply/nonlinear_correction.h: takes quadratic and cubic errors of the axes off a reading, before what is linear
+ * apply/nonlinear_correction.h: removes quadratic and cubic errors of the axes from a reading, before what is linear
  * corrects it (nonlinearity.h).
  *
  * The error e(eta) of a reading depends on what the axes feel, eta, and that on the reading without it:

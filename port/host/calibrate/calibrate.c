@@ -20,7 +20,7 @@
 #include "read/columns.h"
 #include "result/pass.h"
 
-/* What is written all the same may be no good: with --strict the exit code tells. */
+/* With --strict the exit code is that of the verdict; all files are written. */
 static int hold(const request *r, const calibrate_result *result)
 {
     char reason[PASS_MAX];

@@ -9,7 +9,7 @@
 #include "read/rests.h"
 #include "read/waved.h"
 
-/* Reads positions; `log` tells what they were found in, `gyro` what a gyroscope
+/* Reads positions; `log` is what they were found in, `gyro` what a gyroscope
  * read meanwhile. Returns an exit code. */
 typedef int positions_reader(const request *r, positions *data, rests_summary *log, turns *gyro);
 

@@ -59,7 +59,7 @@ int calibrate_nonlinear(calibrate_result *r, unsigned degree)
     r->is_drift_fitted = 0;
     if (found->systematic == INVCAL_QUADRATIC ||
         (degree > 2 && found->systematic == INVCAL_CUBIC)) {
-        found->systematic = INVCAL_NO_SYSTEMATIC; /* it is told as what it is */
+        found->systematic = INVCAL_NO_SYSTEMATIC; /* it is reported as such */
         found->verdict = INVCAL_GOOD;
     }
     found->unchecked &=

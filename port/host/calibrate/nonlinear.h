@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * calibrate/nonlinear.h: quadratic and cubic errors of the axes, fitted beside the nine parameters.
+ * calibrate/nonlinear.h: quadratic and cubic errors of the axes, fitted with the nine parameters.
  */
 #ifndef CALIBRATE_NONLINEAR_H
 #define CALIBRATE_NONLINEAR_H
@@ -8,7 +8,7 @@
 #include "result/result.h"
 
 /* Fits a nonlinearity to what was calibrated without. Returns EXIT_GOOD; EXIT_DATA, with result->refused filled in,
- * if the positions do not tell it. */
+ * if the positions do not determine it. */
 int calibrate_nonlinear(calibrate_result *result, unsigned degree);
 
 #endif

@@ -13,7 +13,7 @@
 #include "text/append.h"
 
 #define GOOD 12u          /* positions */
-#define SLOW 25.0         /* samples a second: shorter rests would do, if they were found */
+#define SLOW 25.0         /* samples per second: shorter rests would do, if they were found */
 #define LISTED 10u        /* rests that are named */
 #define FEW_SAMPLES 1000u /* more rows than anybody has positions */
 
@@ -214,7 +214,7 @@ static void say_why(const calibrate_result *r, const stand_wish *angles, invcal_
     }
 }
 
-/* Begins again: what was found before is not to be told. */
+/* Begins again: the earlier findings are dropped. */
 static refusal *begin(calibrate_result *r, const char *word, uint16_t undetermined)
 {
     r->refused = (refusal){.word = word, .undetermined = undetermined};

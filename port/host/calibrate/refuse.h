@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * calibrate/refuse.h: why there is no calibration, and what to do about it. Nothing is told here: what is wrong is
- * left in result->refused, which deliver.h tells.
+ * left in result->refused, which deliver.h prints.
  */
 #ifndef CALIBRATE_REFUSE_H
 #define CALIBRATE_REFUSE_H
@@ -29,10 +29,10 @@ int calibrate_no_frame(calibrate_result *result);
 /* The ways up of the case that were stated are not those measured. */
 int calibrate_no_case(calibrate_result *result, invcal_status status);
 
-/* Nothing tells how its axes are turned against those of an accelerometer. */
+/* The rotation to the axes of the accelerometer is not determined. */
 int calibrate_no_axes(calibrate_result *result);
 
-/* The samples of a magnetometer do not tell a calibration. */
+/* The samples of a magnetometer do not determine a calibration. */
 int calibrate_refuse_waved(calibrate_result *result);
 
 #endif

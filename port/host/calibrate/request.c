@@ -464,7 +464,7 @@ static int read_gyro(request *r)
     return failure;
 }
 
-/* The program to follow. What it leaves open a prior may tell. */
+/* The program to follow. A prior may determine what it leaves open. */
 static int read_program(request *r)
 {
     design *set = &stated_plan;
@@ -515,7 +515,7 @@ static int read_live_options(request *r)
     return failure || !r->is_live ? failure : read_program(r);
 }
 
-/* What the axes may do beside the nine parameters. */
+/* Errors of the axes that nine parameters do not describe. */
 static int read_degree(request *r)
 {
     const unsigned which = r->value[ASK_CUBIC] ? ASK_CUBIC : ASK_QUADRATIC;
@@ -542,7 +542,7 @@ static int read_degree(request *r)
                       : EXIT_GOOD;
 }
 
-/* The program whose order was kept, in place of columns. */
+/* The program whose order was kept, instead of columns. */
 static int read_order(request *r)
 {
     const int failure = design_make(&stated_plan, r->syntax->command, r->value[ASK_PLAN]);

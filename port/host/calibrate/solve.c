@@ -37,7 +37,7 @@ static int refuse(const request *r, calibrate_result *result, invcal_status stat
                : calibrate_refuse(result, &r->stand, status, reason);
 }
 
-/* What was found among the positions beside outliers. */
+/* What was found among the positions besides outliers. */
 static void judge(calibrate_result *result)
 {
     const invcal_quality *found = &result->rejected.found;
@@ -171,7 +171,7 @@ static void inherit_field(const request *r, calibrate_result *result)
     }
 }
 
-/* What the angles of the stand tell, of readings that a drift is taken from. */
+/* Results from the angles of the stand, the drift removed from the readings. */
 static int find_stand(const request *r, calibrate_result *result)
 {
     const rejection *kept = &result->rejected;
@@ -255,7 +255,7 @@ int solve_positions(const request *r, const positions *data, const turns *gyro,
     return EXIT_GOOD;
 }
 
-/* Its axes against those of the accelerometer beside it. */
+/* The rotation to the axes of the accelerometer. */
 static int find_axes(const request *r, calibrate_result *result)
 {
     const char *path = r->value[ASK_WITH];

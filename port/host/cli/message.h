@@ -17,10 +17,10 @@
 /* Prints `invcal: ` and the message. Always one line: control characters become '?'. */
 void message(const char *format, ...) MESSAGE_FORMAT(1, 2);
 
-/* The latest message, without what stands before and behind it; "" if there was none. */
+/* The latest message, without its prefix and suffix; "" if there was none. */
 const char *message_last(void);
 
-/* The same with a pointer to the help of `command` (null: of the tool) behind it.
+/* The same with a pointer to the help of `command` (null: of the tool) appended.
  * Returns EXIT_USAGE. */
 int message_usage(const char *command, const char *format, ...) MESSAGE_FORMAT(2, 3);
 

@@ -16,7 +16,7 @@ typedef struct {
     int takes_value;
 } option;
 
-/* In place of the number: more of the last operand may follow, and a null behind all. */
+/* In place of the number: more of the last operand may follow, and a null at the end. */
 #define OPTIONS_REPEATS (~0u)
 
 typedef struct {

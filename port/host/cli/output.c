@@ -155,7 +155,7 @@ int output_collide(const char *path, const char *other)
     return same;
 }
 
-/* Creates a file beside o->path under a name that is free: one that was killed under the same number
+/* Creates a file next to o->path under a name that is free: one that was killed under the same number
  * of process (in a container that is always 1) may have left its own. A descriptor; -1 with errno. */
 static int create_beside(output *o)
 {
@@ -175,7 +175,7 @@ static int create_beside(output *o)
     return -1;
 }
 
-/* Opens a new file beside o->path. If there is one already, the new one gets its mode. */
+/* Opens a new file next to o->path. If there is one already, the new one gets its mode. */
 static int open_beside(output *o, const char *path, const struct stat *old)
 {
     const int fd = create_beside(o);

@@ -2,7 +2,7 @@
  *
  * cli/output.h: writing so that a failure leaves everything as it was.
  *
- * A file is written beside its place under another name, and put there by renaming once all else
+ * A file is written next to its place under another name, and put there by renaming once all else
  * has succeeded. What is no regular file (a device, a pipe) is written directly.
  */
 #ifndef OUTPUT_H

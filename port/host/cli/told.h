@@ -21,7 +21,7 @@ typedef struct {
 int told_parse(const char *text, told_style *out);
 
 /* Of lengths, offsets and residuals over the field, which may be gravity: mg or % of the field; on a
- * page, which has space for it, ‰ of the field in place of the latter. In INS µg, or ppm of it. */
+ * page, which has space for it, ‰ of the field instead of the latter. In INS µg, or ppm of it. */
 told_unit told_field(told_style style, int is_gravity);
 told_unit told_parts(told_style style, int is_gravity);
 

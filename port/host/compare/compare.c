@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal compare: several calibrations beside each other.
+ * invcal compare: several calibrations next to each other.
  */
 #include "compare/compare.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * compare/compare.h: several calibrations beside each other: what has changed since the last of the same
+ * compare/compare.h: several calibrations next to each other: what has changed since the last of the same
  * device, and which device differs from the others.
  */
 #ifndef COMPARE_H
@@ -13,7 +13,7 @@
 #include "result/calibration_file.h"
 
 #define COMPARE_FALSE_ALARM 0.05 /* of all nine parameters, and of all devices, together */
-#define COMPARE_FLEET_LEAST 3u   /* devices, to tell which is outside */
+#define COMPARE_FLEET_LEAST 3u   /* devices; fewer have no outlier */
 #define COMPARE_NAME_MAX 256
 #define COMPARE_TEXT_MAX 1600
 
@@ -35,10 +35,10 @@ typedef struct {
 typedef struct {
     unsigned first; /* item */
     unsigned count;
-    int is_dated; /* each has a date, which tells the order; else that of the arguments does */
+    int is_dated; /* each has a date, which gives the order; else that of the arguments */
 } compare_device;
 
-/* From one calibration to the next of the same device: deviations as invcal calibrate tells them, with the
+/* From one calibration to the next of the same device: deviations as in invcal calibrate, with the
  * older one for nominal. */
 typedef struct {
     double x[INVCAL_PARAMETERS]; /* offsets over the field, scale errors, angles (rad) */
@@ -117,7 +117,7 @@ const compare_item *compare_newest(const compare_result *r, unsigned device);
 
 /* ---- words.c ---- */
 
-/* What drifts and deviations of parameter p are told in; and its values themselves. */
+/* What drifts and deviations of parameter p are printed in; and its values themselves. */
 told_unit compare_drift_unit(const compare_result *r, unsigned p);
 told_unit compare_page_unit(const compare_result *r, unsigned p); /* the same with ° */
 told_unit compare_value_unit(const compare_result *r, unsigned p, char name[COMPARE_NAME_MAX]);
@@ -142,7 +142,7 @@ const char *compare_word(const compare_result *r);
 const char *compare_sentence(const compare_result *r, char text[COMPARE_TEXT_MAX]);
 const char *compare_next(const compare_result *r);
 
-/* The rules by which that is told. */
+/* The rules of these decisions. */
 const char *compare_drift_rule(void);
 const char *compare_fleet_rule(void);
 

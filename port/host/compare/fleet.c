@@ -20,7 +20,7 @@
 
 #define NORMAL 1.4826 /* standard deviations of a normal family in its median of |x - median| */
 
-#define MANY 25u /* devices: from here on the steps behind the first add no false alarms */
+#define MANY 25u /* devices: from here on the steps after the first add no false alarms */
 
 typedef struct {
     double x;

@@ -23,7 +23,7 @@ typedef struct {
     int needs_axes;       /* each axis is to stand along gravity, up and down */
     double bound;         /* no position mean is off by more, over the field; 0: not asked for */
     design_cost cost;
-    told_style told;             /* the units of sigma, where the noise is told */
+    told_style told;             /* the units of sigma, where the noise is known */
     const struct labour *labour; /* what dwell and number were chosen by (plan/labour.h), or null */
 } choice_request;
 

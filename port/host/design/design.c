@@ -535,7 +535,7 @@ static int make_from_file(design *d, const char *command, const char *path)
     return failure;
 }
 
-/* With a column of dwell its mean is that of the set, and the shares are as told. */
+/* With a column of dwell its mean is that of the set, and the shares are as stated. */
 static int make_from_angles(design *d, const char *command, const char *path)
 {
     (void)command;

@@ -32,8 +32,8 @@ typedef struct {
     criteria criteria;
     double equal_log_det; /* ln det H'H if all were held equally long; or has_shares is 0 */
     uint8_t axes;         /* that point along gravity: bits of INVCAL_AXIS_PLUS_X ... */
-    double hidden;      /* by how much sigma grows if a drift is to be told apart, in this order */
-    double range[3][2]; /* what each axis feels, least and most, over the field */
+    double hidden;        /* by how much sigma grows if a drift is to be separated, in this order */
+    double range[3][2];   /* what each axis feels, least and most, over the field */
     design_position position[DESIGN_MAX];
 } design; /* large: not for the stack */
 
@@ -87,9 +87,9 @@ void design_next(const design *d, double up[3]);
 /* The name of an axis, "+x" ... "-z". */
 const char *design_axis_name(unsigned axis);
 
-/* What a position costs and, if the user tells, what its mean is worth. */
+/* What a position costs and, if the user states it, what its mean is worth. */
 typedef struct {
-    double noise;   /* standard deviation of a mean over one second, over the field; 0: not told */
+    double noise;   /* standard deviation of a mean over one second, over the field; 0: unknown */
     double warm_up; /* seconds once, before the first position */
     double dwell;   /* seconds in a position, the mean of all */
     double settle;  /* and those before, that count for nothing */

@@ -13,7 +13,7 @@ enum { P = INVCAL_PARAMETERS };
 #define STARTS_OF_MANY 6u /* from MANY positions on local optima are all but equal */
 #define MANY 20u
 #define STEPS 300u /* of a descent, at most */
-#define MEMORY 8u  /* of L-BFGS: steps that tell the curvature */
+#define MEMORY 8u  /* of L-BFGS: steps that hold the curvature */
 #define SETTLED 1e-11
 #define HALVINGS 50u
 #define REACHED 1.0002 /* times the least there can be: powers end 1.00014 times above it */
@@ -106,7 +106,7 @@ static void slope(double M[P][P], const double a[3], double g[3])
     }
 }
 
-/* For ln det the slope has K itself in place of K W K. */
+/* For ln det the slope has K itself instead of K W K. */
 static double evaluate(const problem *p, vectors x, vectors gradient)
 {
     double K[P][P];
@@ -424,7 +424,7 @@ double optimal_within(unsigned n, const double limits[3], int with_axes, double 
             (void)minimise(&p, x);
             const double worst = worst_ratio(&p, x);
             if (k == 0 && worst > 2 * least) {
-                break; /* hopeless beside what is there */
+                break; /* hopeless compared with the best so far */
             }
             if (worst < least * (1 - 1e-9)) {
                 least = worst;

@@ -11,7 +11,7 @@ enum { NINE = INVCAL_PARAMETERS, ALL = NINE + 3 };
 /* A drift is a column tau eta: what it shares with the columns eta_b and eta_b eta_c of the nine are
  * products of two and three of x, y, z, weighed with tau. */
 enum { MOMENTS = 16 };
-#define SHOWN 25.0  /* what the squares of these moments weigh beside radians of turning */
+#define SHOWN 25.0  /* what the squares of these moments weigh against radians of turning */
 #define ENOUGH 1.15 /* sigma that grows by no more is as good as sigma that does not */
 #define BETTER 1e-9
 

@@ -52,7 +52,7 @@ const char *parameters_advice(uint16_t bits, char *text, size_t size)
 
     text[0] = '\0';
     for (unsigned i = 0; i < 3; i++) {
-        /* the two ends of an axis tell its offset and its scale */
+        /* the two ends of an axis determine its offset and its scale */
         if ((bits >> (INVCAL_DELTA_X + i) | bits >> (INVCAL_DK_X + i)) & 1) {
             append(text, size, joint);
             append(text, size, along[i]);

@@ -78,7 +78,7 @@ unsigned program_find(const program *p, const double up[3])
     return nearest;
 }
 
-/* What follows in the same direction need not be visited: a rest does not tell them apart. */
+/* What follows in the same direction need not be visited: a rest cannot distinguish them. */
 static void mark(program *p, unsigned position)
 {
     const double *up = vertical(p, position);
@@ -145,7 +145,7 @@ int program_scale(const program *p, const double *mean, unsigned count, double z
 
 /* ---- in words ---------------------------------------------------------------------------------- */
 
-/* Those of the last rest: what the stand was set to, or what the readings tell. */
+/* Those of the last rest: what the stand was set to, or what the readings show. */
 static stand_angles present(const program *p, unsigned asked)
 {
     return p->here < p->set->count ? angles_at(p, p->here)

@@ -37,7 +37,7 @@ unsigned program_find(const program *p, const double up[3]);
 void program_visit(program *p, unsigned position, const double up[3]);
 
 /* Zero and scale by least squares, if the first rests were at the first positions, in order: mean = zero +
- * length * vertical. For readings of which nobody knows the zero.
+ * length * vertical. For readings with an unknown zero.
  *
  * mean    3 count numbers, input units.
  * count   from 2 to that of the set.

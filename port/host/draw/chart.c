@@ -72,7 +72,7 @@ void chart_ticks_x(FILE *file, const ruler *x, const ruler *y)
     }
 }
 
-/* A figure beside an axis, in short where it is too long for the margin: "-2e5" for -200000. */
+/* A figure at an axis, in short where it is too long for the margin: "-2e5" for -200000. */
 static const char *figure_beside(double value, unsigned places, char text[SVG_NUMBER_MAX])
 {
     (void)svg_fixed(value, places, text);

@@ -33,7 +33,7 @@ typedef struct {
     sphere_kind kind;
 } sphere_mark;
 
-/* A figure for every direction, told by colours: class k where it is below threshold[k], the last
+/* A figure for every direction, shown by colours: class k where it is below threshold[k], the last
  * class elsewhere. */
 #define SPHERE_CLASSES 6u
 typedef struct {

@@ -25,7 +25,7 @@ static int is_stated(const char *origin)
            strcmp(origin, "sensor") == 0;
 }
 
-/* Where the driver's zero and scale come from, in words; null if nobody tells them. */
+/* Where the driver's zero and scale come from, in words; null if unknown. */
 static const char *find_scale(const export_job *job, const double *given_zero,
                               const double *given_lsb, double zero[3], double lsb[3])
 {

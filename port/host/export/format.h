@@ -12,7 +12,7 @@
 
 #include "result/calibration_file.h"
 
-/* What is exported, and what the command line says besides. */
+/* What is exported, and what the command line adds. */
 typedef struct {
     calibration_file file;
     const char *source;        /* name of the file, as people should see it */

@@ -33,7 +33,7 @@ void export_comment(FILE *file, const char *prefix, const char *format, ...)
     fprintf(file, "%s%s\n", prefix, text);
 }
 
-/* The end of a long path tells more than its beginning. */
+/* The end of a long path matters more than its beginning. */
 static const char *tail(const char *path)
 {
     const size_t length = strlen(path);

@@ -18,7 +18,7 @@ typedef struct {
 } case_wish;
 
 typedef struct {
-    unsigned used;         /* positions that told it; 0: it was not asked for */
+    unsigned used;         /* positions used; 0: it was not asked for */
     int is_level;          /* they had one way up: the turn about that is left as it was */
     double rotation[3][3]; /* of the calibrated axes to those of the case */
     double angle[3];       /* the same as a rotation vector, rad, */

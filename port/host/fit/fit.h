@@ -41,7 +41,7 @@ typedef struct {
     unsigned worst;      /* its position, from 0 */
     double condition;    /* of H'WH, prior included */
     uint16_t weak;       /* bit r: parameter r is badly determined */
-    uint16_t from_prior; /* bit r: the prior tells more about it than the positions */
+    uint16_t from_prior; /* bit r: the prior determines it more than the positions do */
     double size;         /* of the systematic error, over the field */
     unsigned systematic; /* an invcal_systematic, */
     unsigned axis;       /* where it is largest, */

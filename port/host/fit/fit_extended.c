@@ -14,7 +14,7 @@ typedef struct {
     unsigned all; /* unknowns */
     unsigned count;
     const fit_settings *settings;
-    double *level;        /* the readings without what is beside the nine */
+    double *level;        /* the readings without the further errors */
     double inverse[3][3]; /* of the nominal matrix: input units per unit of the field */
 } work;
 
@@ -48,7 +48,7 @@ static void row_of(const work *w, const fit_solution *s, unsigned i, double row[
     row[w->all] = scale * observed.h[INVCAL_J];
 }
 
-/* The normal equations of the first n unknowns, and J behind them; then L^-1 with the solution. */
+/* The normal equations of the first n unknowns, followed by J; then L^-1 with the solution. */
 static int solve_linear(const work *w, const fit_solution *s, unsigned n,
                         double a[INVCAL_PACKED_SIZE(MOST + 1)])
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * fit/fit_extended.h: the nine parameters, and errors of the axes beside them: each kind of error has one
+ * fit/fit_extended.h: the nine parameters, and errors of the axes in addition: each kind of error has one
  * unknown for each axis, and adds to its reading
  *
  *     extra(a) value(position, eta_a)
@@ -31,7 +31,7 @@ struct fit_extension {
  * sigma  their standard deviations.
  *
  * Returns as fit_make; INVCAL_TOO_FEW with fewer positions than unknowns and FIT_EXTENDED_SPARE more;
- * INVCAL_UNDETERMINED, too, if the positions do not tell them apart. */
+ * INVCAL_UNDETERMINED, too, if the positions cannot separate them. */
 invcal_status fit_extended_make(const double *raw, unsigned count, const fit_settings *settings,
                                 const fit_extension *extension, fit_solution *solution,
                                 fit_quality *quality, double *extra, double *sigma);

@@ -13,7 +13,7 @@
  * of height takes 3.086e-6.
  *
  * What an error of g does: scale only, and the same on all axes. A calibration is over field: g'
- * in place of g gives a matrix, and every calibrated reading, times g' / g. Offsets,
+ * instead of g gives a matrix, and every calibrated reading, times g' / g. Offsets,
  * angles and the ratios of the scales are untouched, and so are residuals: nothing in a calibration
  * can reveal the error. Calibrated in g there is none.
  */

@@ -148,7 +148,7 @@ static int is_kept(const rejection *kept, unsigned k)
     return !rejection_has(kept, kept->count, k);
 }
 
-/* The samples of the log once more, as rests_read took them. */
+/* The samples of the log again, as rests_read took them. */
 typedef struct {
     const turns *t;
     const positions *p;
@@ -534,7 +534,7 @@ static void feed(const gyro_fit *g, const turns_reading *r, double unit)
     invcal_moves_feed(&moves, raw);
 }
 
-/* All moves once more, now as the library keeps them. */
+/* All moves again, now as the library keeps them. */
 static invcal_status make_moves(gyro_fit *g, replay *r, long lag, const double bias[3], double unit)
 {
     invcal_calibration nominal = {.offset = {0}};

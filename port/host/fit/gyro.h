@@ -68,7 +68,7 @@ typedef struct {
 
 /* Calibrates both.
  *
- * rate   samples a second that rests were found with, and clip as in rests.h.
+ * rate   samples per second that rests were found with, and clip as in rests.h.
  * start  the accelerometer, over the field: about.
  * g      out; large.
  *

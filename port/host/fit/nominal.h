@@ -39,7 +39,7 @@ int nominal_from_range(const positions *p, double field, double zero[3], double 
  * calculation can be made with them over this field. */
 int nominal_make(const double zero[3], const double lsb[3], double field, invcal_calibration *out);
 
-/* Zero or scale are from the range: how far the sensor is from them says nothing about it, and is not told. */
+/* Zero or scale are from the range: how far the sensor is from them means nothing, and is not reported. */
 int nominal_is_guess(const nominal_choice *n);
 
 /* Zero or scale are not from the range: there is something to compare with. */

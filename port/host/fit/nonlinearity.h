@@ -2,7 +2,7 @@
  *
  * fit/nonlinearity.h: the paper's epsilon(i): each axis reads q eta^2, and c eta^3, too much, over the field.
  *
- * In the equation of a position these are columns eta_a^3 and eta_a^4 beside the nine of h(eta), with J1
+ * In the equation of a position these are columns eta_a^3 and eta_a^4 next to the nine of h(eta), with J1
  * exactly and with lengths to the first order: both determine them by the same directions. Twelve
  * parameters with the quadratic, fifteen with both.
  */
@@ -13,7 +13,7 @@
 
 enum { NONLINEARITY_MOST = 6 }; /* q of x, y, z; c of x, y, z */
 
-/* What a set of directions tells of it, before anything has been measured. */
+/* How well a set of directions determines it, before anything has been measured. */
 typedef struct {
     unsigned degree;                                    /* 2: quadratic; 3: cubic as well */
     double root[INVCAL_PARAMETERS + NONLINEARITY_MOST]; /* sigma of delta, dk, gamma, q, c over the

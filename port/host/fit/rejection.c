@@ -11,7 +11,7 @@
 #include "text/random.h"
 
 #define ALLOWED 0.007 /* chance to leave out a good one of all */
-#define FEWEST 11u    /* positions for an outlier to be told from the others */
+#define FEWEST 11u    /* positions needed to identify an outlier */
 #define ROUNDS                                                                                     \
     20u /* with fewer and fewer wrong ones the noise is less and less; seldom more than 5 */
 
@@ -34,7 +34,7 @@ static int is_impossible(const positions *p, unsigned i, const fit_settings *set
            sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1 <= REJECTION_TELLABLE;
 }
 
-/* Up to one in eight, if enough others are there to tell. */
+/* Up to one in eight, if there are enough others. */
 static void reject_impossible(rejection *r, const positions *p, const fit_settings *settings)
 {
     unsigned count = 0;
@@ -127,7 +127,7 @@ static void gather(const rejection *r, const positions *p, turn t, unsigned befo
 }
 
 /* What contradicts the others of its turn. Of one turn among several those that may be wrong count as if
- * they were: all the others can tell (reconsider). */
+ * they were: all the others decide (reconsider). */
 static void find_among(rejection *r, const positions *p, const fit_settings *settings, turn t,
                        unsigned before)
 {
@@ -152,7 +152,7 @@ static void find_among(rejection *r, const positions *p, const fit_settings *set
         r->is_judged = 1;
         if (t.of > 1 && q.suspected != 0 && q.verdict == INVCAL_ROUGH) {
             r->found.verdict =
-                INVCAL_GOOD; /* for those only; all the others tell which are wrong */
+                INVCAL_GOOD; /* for those only; all the others decide which are wrong */
         }
     }
 }
@@ -226,7 +226,7 @@ static int reconsider(rejection *r, const positions *p, const fit_settings *sett
     const unsigned before = r->count;
     unsigned next = 0; /* of the list as it was, */
     unsigned wrong = 0;
-    unsigned again = 0; /* and how many of it are left out once more */
+    unsigned again = 0; /* and how many of it are left out again */
 
     rejection_finish(r, p);
     if (invcal_calibrate(r->kept, r->kept_count, &settings->nominal, 0, &c, &q) != INVCAL_OK) {

@@ -8,7 +8,7 @@
 #include "fit/fit.h"
 #include "read/positions.h"
 
-/* Times the field: what is beyond is no reading, and no figure can be told of it. One that is within is
+/* Times the field: what is beyond is no reading, and no figure is printed for it. One that is within is
  * left out if it cannot be one of this field; beyond, the data are refused. */
 #define REJECTION_TELLABLE 1e100
 
@@ -22,7 +22,7 @@ typedef struct {
     rejected_position *list;    /* ascending */
     rejected_position *scratch; /* room for as many */
     double *number;             /* their numbers, from 1 */
-    unsigned suspected;  /* positions of which some are wrong, the residuals do not tell which */
+    unsigned suspected;  /* positions of which some are wrong, the residuals do not show which */
     double *kept;        /* the others: 3 numbers each, */
     double *temperature; /* and one */
     unsigned kept_count;

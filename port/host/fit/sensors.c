@@ -269,7 +269,7 @@ const char *sensors_key(const sensor_choice *c, char text[SENSORS_TEXT_MAX])
     return text;
 }
 
-/* One limit, behind the others: "offsets ±50, ±50, ±80 mg". */
+/* One limit, after the others: "offsets ±50, ±50, ±80 mg". */
 static void append_limit(const sensor *s, unsigned which, char *text, size_t size)
 {
     const double *offset = s->offset;

@@ -11,7 +11,7 @@
 #include "text/number.h"
 #include "fit/thermal_rejection.h"
 
-/* A prior was weighed with the noise that the residuals tell. It has told more of a
+/* A prior was weighed with the noise of the residuals. It has told more of a
  * parameter than the positions have where these leave more than half of its variance. */
 static void settle_prior(thermal_fit *fit, const invcal_quality *q)
 {

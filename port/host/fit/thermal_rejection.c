@@ -31,8 +31,8 @@ static int fit(const rejection *r, const fit_settings *settings, const thermal_w
     return thermal_solve(r, settings, wish, out, &quality) == INVCAL_OK;
 }
 
-/* The position that stands out most, number `kept` of those that are left, as the linear rows tell: what
- * the sum of squares would lose without it. Returns 0 if none can be told. */
+/* The position that stands out most, number `kept` of those that are left, by the linear rows: what
+ * the sum of squares would lose without it. Returns 0 if none can be found. */
 static int find_suspect(const invcal_thermal *c, const rejection *r, unsigned *kept)
 {
     const unsigned n = thermal_rows_unknowns(c);
@@ -87,7 +87,7 @@ static int beats_fewer(const double *squares, unsigned k, unsigned all, unsigned
 
 /* Leaves out, one after another, what stands out most. Those up to the last that contradicts are
  * wrong; the others come back. What is left without one is found by a fit: where a position is hardly
- * checked by the others, the linear rows tell it too well. */
+ * checked by the others, the linear rows are too optimistic. */
 static void reject(rejection *r, const positions *p, const fit_settings *settings,
                    const thermal_wish *wish)
 {

@@ -43,7 +43,7 @@ void eigenvalues(const double *a, unsigned n, double *value)
     for (unsigned sweep = 0; sweep < SWEEPS; sweep++) {
         for (unsigned q = 1; q < n; q++) {
             for (unsigned p = 0; p < q; p++) {
-                /* What is below a hundredth of the rounding error beside it changes nothing; a NaN
+                /* What is below a hundredth of the rounding error next to it changes nothing; a NaN
                  * is rotated too, and so shows in the values. */
                 if (!(fabs(m[p][q]) <= DBL_EPSILON / 100 * (fabs(m[p][p]) + fabs(m[q][q])))) {
                     rotate(m, n, p, q);

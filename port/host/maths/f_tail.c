@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#define TINY 1e-300      /* in place of a zero that would be divided by */
+#define TINY 1e-300      /* instead of a zero that would be divided by */
 #define STEPS_MOST 10000 /* some hundred are taken */
 
 /* The term of the continued fraction behind term n, of I_x(a, b). */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * maths/f_tail.h: how often chance alone makes one sum of squares so small beside another.
+ * maths/f_tail.h: how often chance alone makes one sum of squares so small compared with another.
  */
 #ifndef F_TAIL_H
 #define F_TAIL_H

@@ -14,9 +14,9 @@ typedef struct {
     const design *set; /* solvable */
     const choice_request *request;
     const choice *choice;            /* that has led to it, or null */
-    double noise;                    /* of a position mean, over the field; 0: not told */
+    double noise;                    /* of a position mean, over the field; 0: unknown */
     double sigma[INVCAL_PARAMETERS]; /* of the parameters, over that noise */
-    uncertainty length_sigma;        /* of |a|, in mg or µg if the noise is told */
+    uncertainty length_sigma;        /* of |a|, in mg or µg if the noise is known */
 } plan_facts;
 
 void plan_facts_find(plan_facts *f, const design *d, const choice_request *request,

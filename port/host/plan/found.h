@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * plan/found.h: what `invcal plan` has found, and the ways of telling it.
+ * plan/found.h: what `invcal plan` has found, and the ways to report it.
  */
 #ifndef PLAN_FOUND_H
 #define PLAN_FOUND_H
@@ -20,7 +20,7 @@ typedef struct {
     uint8_t axes;
 } plan_row;
 
-/* The sweep, and the known programs, which a picture shows beside it. */
+/* The sweep, and the known programs, which a picture shows as well. */
 typedef struct {
     const plan_row *rows;
     unsigned count;
@@ -30,7 +30,7 @@ typedef struct {
 /* The bits of the axes that a set does not point along gravity. */
 unsigned plan_missing(uint8_t axes);
 
-/* Tables for people. The request tells time, noise and limits; `c` is the choice that has led to
+/* Tables for people. The request holds time, noise and limits; `c` is the choice that has led to
  * the set, or null. A set that is not solvable is shown without its sigma. */
 void plan_print(FILE *file, const design *d, const choice_request *request, const choice *c);
 void plan_print_sweep(FILE *file, const plan_sweep *s);
@@ -52,7 +52,7 @@ void plan_csv(FILE *file, const design *d, const design_cost *cost);
 void plan_json_refusal(FILE *file, const char *reason, uint16_t undetermined);
 
 /* Pictures, as a whole SVG document: the directions of a set on the two halves of the sphere; the
- * paper's Fig. 2, sigma against the number of positions, with the known programs beside the curves; the
+ * paper's Fig. 2, sigma against the number of positions, with the known programs next to the curves; the
  * ratios of two sets. */
 void plan_svg_directions(FILE *file, const design *d);
 void plan_svg_sweep(FILE *file, const plan_sweep *s);

@@ -126,7 +126,7 @@ static void write_bound(json_writer *w, const design *d, double error)
     json_object_end(w);
 }
 
-/* What is told of one set only. */
+/* For one set only. */
 static void write_details(json_writer *w, const design *d, const choice_request *request)
 {
     json_number(w, "directions", design_distinct(d));

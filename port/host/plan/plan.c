@@ -119,7 +119,7 @@ static plan_programs programs;
 static labour work;
 static turns_plan turns;
 
-/* With --moves, where nothing else is told: a consumer's sensors. */
+/* With --moves, where nothing else is stated: a consumer's sensors. */
 #define TURNS_NOISE 3e-4       /* of a position mean */
 #define TURNS_RATE_NOISE 0.005 /* degrees/s/sqrt(Hz) */
 #define TURNS_INSTABILITY 20.0 /* degrees/h */
@@ -220,7 +220,7 @@ static int read_field_limits(const request *r)
     return failure;
 }
 
-/* Limits in units of the noise of a position mean, or, if that is told, of the field. A sigma
+/* Limits in units of the noise of a position mean, or, if that is stated, of the field. A sigma
  * above PLAN_WEAK is too weak for invcal calibrate, whatever the limit allows. */
 static int read_limits(request *r)
 {
@@ -379,7 +379,7 @@ static int check_turns(const request *r)
     return EXIT_GOOD;
 }
 
-/* What a set is to have, and what is to be told of it. */
+/* What a set must have, and what to report. */
 static int check_demands(const request *r)
 {
     const char *const *value = r->value;
@@ -455,7 +455,7 @@ static int read_request(int argc, char **argv, request *r)
     return failure ? failure : read_limits(r);
 }
 
-/* What there is to tell: a set, which a choice may have led to; two sets; or a sweep. */
+/* What to report: a set, which a choice may have led to; two sets; or a sweep. */
 typedef struct {
     const request *asked;
     const design *set[2];
@@ -632,7 +632,7 @@ static int show_programs(const request *r)
     return deliver(&found);
 }
 
-/* What is refused is told, and has its page. */
+/* A refusal is printed, and has its page. */
 static int show_turns(const request *r)
 {
     const result found = {.asked = r, .turns = &turns};

@@ -40,7 +40,7 @@ static void print_positions(FILE *file, const design *d)
     putc('\n', file);
 }
 
-/* One sigma: over the noise, and in units if the noise is told. */
+/* One sigma: over the noise, and in units if the noise is known. */
 static void print_sigma(FILE *file, const char *what, double sigma, double noise, told_unit unit)
 {
     fprintf(file, "  %-15s%9.4f", what, sigma);

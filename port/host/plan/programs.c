@@ -48,7 +48,7 @@ static void add_program(const design *d, const design *paper, const design_cost 
     tabular_row();
 }
 
-/* In units, if the noise is told. */
+/* In units, if the noise is known. */
 static void print_expected(FILE *file, const plan_programs *p, const choice_request *request)
 {
     char text[PLAN_WORDS_MAX];

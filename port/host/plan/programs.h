@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * plan/programs.h: the known programs in one table, beside the paper's 18 positions.
+ * plan/programs.h: the known programs in one table, against the paper's 18 positions.
  */
 #ifndef PLAN_PROGRAMS_H
 #define PLAN_PROGRAMS_H
@@ -28,7 +28,7 @@ typedef struct plan_programs {
 /* 3 x 5, 3 x 6, stand-24, six faces and twelve edges, stand-12, the icosahedron. */
 void plan_programs_make(plan_programs *p);
 
-/* A table for people; one JSON object. The request tells time and noise. */
+/* A table for people; one JSON object. The request holds time and noise. */
 void plan_programs_print(FILE *file, const plan_programs *p, const choice_request *request);
 void plan_programs_json(FILE *file, const plan_programs *p, const choice_request *request);
 

@@ -11,7 +11,7 @@
 #include "design/weights.h"
 
 #define TEXT_MAX 800
-#define NAMED_FROM 11u /* positions, from which on a wrong one is told (outlier.h) */
+#define NAMED_FROM 11u /* positions, from which on an outlier is identified (outlier.h) */
 #define SHORT_REST 2.0 /* seconds; shorter ones are not found in a log (still.h) */
 
 /* ---- what it comes to -------------------------------------------------------------------------- */

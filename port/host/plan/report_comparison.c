@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The page of a comparison: what B needs and is worth, beside A.
+ * The page of a comparison: cost and accuracy of B against A.
  */
 #include <math.h>
 #include <string.h>
@@ -28,7 +28,7 @@ static int is_more(double ratio)
     return ratio > 1 + EQUAL;
 }
 
-/* "B needs 0.7447 of the time of A, with 18 positions in place of 24" */
+/* "B needs 0.7447 of the time of A, with 18 positions instead of 24" */
 static void time_text(const comparison *c, char text[TEXT_MAX])
 {
     const double ratio = c->ratio[PLAN_RATIO_TIME].ratio;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the axes feel: their range, and which of them stand along gravity.
+ * The range of the axes, and which of them stand along gravity.
  */
 #include "draw/chart.h"
 #include "plan/facts.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The section of a program's page that tells why this number of positions and this dwell.
+ * The section of a program's page that explains this number of positions and this dwell.
  */
 #include "text/figure.h"
 #include "plan/labour.h"

@@ -38,7 +38,7 @@ static int has_fraction(double x)
     return fabs(x - nearbyint(x)) > 0;
 }
 
-/* "α +60°, β +90°", to 0.01 degrees: what is to be set stands beside it. */
+/* "α +60°, β +90°", to 0.01 degrees: the angles to set are next to it. */
 static void turn_text(const design_position *from, const design_position *to,
                       char text[PLAN_WORDS_MAX])
 {

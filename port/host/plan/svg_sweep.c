@@ -18,7 +18,7 @@
 #define RIGHT 14.0
 #define PLOT 254.0 /* height of the chart proper */
 #define BELOW 46.0 /* for figures and words under it */
-#define TITLE 36.0 /* and what a file of its own has besides */
+#define TITLE 36.0 /* and the additions in a separate file */
 #define NOTES 40.0
 #define LEGEND_ROW 22.0
 #define MARKER 4.5    /* radius */

@@ -7,7 +7,7 @@
 #include "text/figure.h"
 
 #define JOINT "\302\240"   /* U+00A0: a number and its unit stay on one line */
-#define LONGEST_WORDS 1e15 /* seconds; hours of more digits tell nobody anything */
+#define LONGEST_WORDS 1e15 /* seconds; more digits of hours mean nothing */
 
 const char *const plan_kinds[PLAN_KINDS] = {"offsets", "scale errors", "angles"};
 

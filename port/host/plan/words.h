@@ -30,11 +30,11 @@ double plan_sigma(const criteria *c, unsigned kind);
 double plan_sigma_largest(const criteria *c);
 
 /* A sigma that is given over the noise: "0.0183 mg", or, if `noise` of a position mean over the
- * field is not told (0), "0.408", of which plan_times says what it means. Returns text. */
+ * field is unknown (0), "0.408", of which plan_times says what it means. Returns text. */
 const char *plan_sigma_text(unsigned kind, double sigma, double noise, told_style told,
                             char text[PLAN_WORDS_MAX]);
 
-/* Behind what is told so: "", or, if the noise is not told, ", × noise". */
+/* To follow it: "", or, if the noise is unknown, ", × noise". */
 const char *plan_times(double noise);
 
 /* Why a set does not point all six axes along gravity: a clause. */

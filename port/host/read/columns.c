@@ -54,7 +54,7 @@ static int has_key(const table *t, const char *key)
 }
 
 /* Takes all headings apart. What ROS calls linear acceleration holds gravity; flat tables of its
- * sensor_msgs/Imu are known by the angular velocity beside it. */
+ * sensor_msgs/Imu are known by the angular velocity next to it. */
 static void read_headings(const table *t)
 {
     for (unsigned i = 0; i < t->columns; i++) {
@@ -352,7 +352,7 @@ static double turn_of_system(const heading *x)
 }
 
 /* The first three columns of one; with none of them the accelerometer is alone. Where some follow that are
- * of another, nobody can guess which one is beside it, and the first counts. */
+ * of another, it is unknown which one belongs to it, and the first counts. */
 static void find_gyro(const table *t, columns *out)
 {
     int *index = out->gyro;
@@ -628,7 +628,7 @@ static void find_gyro_by_count(const table *t, columns_kind kind, columns *out)
     out->seen.others = is_there && kind != COLUMNS_IMU ? 3 : 0;
 }
 
-/* Without a header the number of columns tells; each letter is one column. */
+/* Without a header, the number of columns decides; each letter is one column. */
 static int find_by_count(const table *t, columns_kind kind, columns *out)
 {
     static const char *const layouts[2][5] = {{"xyz", "xyzsn", "xyzabcn"},

@@ -11,7 +11,7 @@
 #include "read/heading.h"
 #include "read/table.h"
 
-/* What was recognised, to be told to people; it needs the table no more. */
+/* What was recognised, to be printed; the table is no longer needed. */
 typedef struct {
     const char *separator;     /* "commas", ... */
     unsigned long header_line; /* 0: none */
@@ -19,7 +19,7 @@ typedef struct {
     unsigned long unit_line;   /* a row of units; 0: none */
     int is_magnetometer;       /* one was asked for */
     char set_aside
-        [HEADING_NAME_MAX]; /* x of the accelerometer beside it; else of a magnetometer beside the
+        [HEADING_NAME_MAX]; /* x of the accelerometer next to it; else of a magnetometer beside the
                                          accelerometer; empty: none */
     char gyro[3][HEADING_NAME_MAX]; /* of a gyroscope, as in the header; empty: there is none */
     double turn; /* rad/s in one of its units, if the headings state it; else 0 */
@@ -35,7 +35,7 @@ typedef struct {
 /* For each meaning the index into table.field, or -1. */
 typedef struct {
     int index[COLUMN_COUNT];
-    int aside[3];      /* of the accelerometer beside a magnetometer, or -1: */
+    int aside[3];      /* of the accelerometer next to a magnetometer, or -1: */
     int gyro[3];       /* the same of a gyroscope's x y z; -1: there is none, or it is not wanted */
     int last;          /* the greatest of them */
     double per_second; /* units of the time column in a second */
@@ -77,7 +77,7 @@ typedef enum {
 int columns_find(table *t, columns_kind kind, columns *out);
 
 /* The first line has been left out (table_drop_cut_first), or the current one, the last, is to be: it is
- * cut, which columns_is_cut tells after table_next has not come to the end. Says so. */
+ * cut, as columns_is_cut shows after table_next has not come to the end. Says so. */
 void columns_say_cut(const table *t, const char *which, unsigned long line);
 int columns_is_cut(const table *t, const columns *where);
 
@@ -87,7 +87,7 @@ int columns_is_cut(const table *t, const columns *where);
  * Returns EXIT_GOOD; EXIT_FILE, with a message that names line and column. */
 int columns_number(const table *t, const columns *where, column which, double *out);
 
-/* An axis of the accelerometer beside a magnetometer. NaN if there is none, or the current row holds no number
+/* An axis of the accelerometer next to a magnetometer. NaN if there is none, or the current row holds no number
  * there. */
 double columns_aside(const table *t, const columns *where, unsigned axis);
 /* What the gyroscope reads in the current row; it must be there. EXIT_GOOD; EXIT_FILE, with a message. */

@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Of the bytes behind those that gave `crc`; begin with 0. */
+/* Of the bytes after those that gave `crc`; begin with 0. */
 uint32_t crc_update(uint32_t crc, const char *bytes, size_t size);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * read/motion.h: whether the sensor of a log has been at rest all the time, at any rate of samples and
- * with any unit: what noise is, the log itself must tell.
+ * with any unit: the noise follows from the log itself.
  *
  * The log is cut into blocks of equal length, at most MOTION_BLOCKS: each two become one when
  * there are more. It has moved where the means of three blocks in a row bend, or the variance

@@ -36,7 +36,7 @@ typedef struct {
     int has_temperature;
     const struct rests_summary *rests; /* of a log: what it was found in, as long as that lives */
     int has_angles;                    /* there are columns alpha and beta */
-    int has_noise;                     /* the file tells std and n of each position */
+    int has_noise;                     /* the file has std and n of each position */
     double noise_square[3]; /* then for each axis the mean over the positions of std^2 / n: the
                                variance of a position mean, input units squared, finite */
     double scatter;         /* of a log: sum over the positions of the variance of a sample, */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * read/recording.h: what is remembered of a log beside its rests, in fixed memory: where in the file and
+ * read/recording.h: what is kept of a log besides its rests, in fixed memory: where in the file and
  * when each block of invcal_rests began (where samples were lost or lines skipped, counting does
  * not tell), and its outline.
  */
@@ -42,7 +42,7 @@ typedef struct {
     double drift;       /* of temperature from begin to end, K without sign, by the straight line
                            through its blocks: a thermometer's noise is no drift */
     double angle[2];    /* alpha and beta of the stand, degrees; NaN: not known, or they changed */
-    double variance[3]; /* of its mean, counts^2, as its blocks tell: tremor is no white noise */
+    double variance[3]; /* of its mean, counts^2, from its blocks: tremor is no white noise */
 } recording_place;
 
 void recording_begin(recording *r, const samples *log);

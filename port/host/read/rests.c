@@ -23,7 +23,7 @@ typedef struct {
     recording *recording;
 } reading;
 
-/* Where nothing tells the rate, these are tried at once; the last is good for all that are slower. */
+/* Where the rate is unknown, these are tried at once; the last is good for all that are slower. */
 static const unsigned guess[] = {100, 50, 25};
 
 #define GUESSES (sizeof guess / sizeof guess[0])
@@ -194,7 +194,7 @@ static int read_samples(reading *r, unsigned readings, samples *log, turns *gyro
     return failure;
 }
 
-/* `guessed`: samples a second; 0: the log's own. */
+/* `guessed`: samples per second; 0: the log's own. */
 static int begin(reading *r, const samples *log, const double *clip, unsigned guessed)
 {
     const double rate = guessed > 0 ? guessed : log->rate;

@@ -52,10 +52,10 @@ int rests_take(positions *p, const invcal_rest *rest, double unit, const recordi
 void rests_end(positions *p, const samples *log, rests_summary *summary);
 
 /* Finds the rests in a log ("-": standard input), in fixed memory but for the positions. Where nothing
- * tells the rate, 100 samples a second are taken for it; if that finds too few for a calibration, but 50
+ * tells the rate, 100 samples per second are taken for it; if that finds too few for a calibration, but 50
  * or 25 enough, these.
  *
- * rate  samples a second; 0: see samples.h.
+ * rate  samples per second; 0: see samples.h.
  * clip  null, or the least and the greatest reading of the sensor, input units.
  *
  * gyro  null: a gyroscope's columns are ignored; else they are kept in it, if there are some: without

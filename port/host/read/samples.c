@@ -168,7 +168,7 @@ static int find_rate(samples *s)
     return EXIT_GOOD;
 }
 
-/* If the first line of a live stream was cut beyond recognition, the second tells. */
+/* If the first line of a live stream was cut beyond recognition, the second one counts. */
 static int find_columns(samples *s)
 {
     unsigned long cut = 0;
@@ -186,7 +186,7 @@ static int find_columns(samples *s)
         return failure;
     }
     (void)table_next(&s->table); /* the first */
-    (void)table_next(&s->table); /* has another number of columns, and is told */
+    (void)table_next(&s->table); /* has another number of columns, and gives a warning */
     s->table.columns = s->table.found > 0 ? s->table.found : s->table.columns;
     s->skipped = 2;
     return columns_find(&s->table, s->kind, &s->where);

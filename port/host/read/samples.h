@@ -12,7 +12,7 @@
 
 #include "read/columns.h"
 
-#define SAMPLES_RATE_MIN 8 /* samples a second in which rests are found */
+#define SAMPLES_RATE_MIN 8 /* samples per second in which rests are found */
 #define SAMPLES_RATE_MAX 8000
 
 #define SAMPLES_AHEAD 256u     /* lines that decide, */
@@ -30,7 +30,7 @@ typedef struct {
                        SAMPLES_PAUSE, count as one sample */
     double temperature;
     double angle[2]; /* alpha and beta of a stand, degrees; NaN: not known */
-    double aside[3]; /* the accelerometer beside a magnetometer, as it reads; NaN: not known */
+    double aside[3]; /* the accelerometer next to a magnetometer, as it reads; NaN: not known */
     double gyro[3];  /* if there is one, input units */
     unsigned long line;
     int is_gap; /* time has gone back or jumped, or lines were skipped */
@@ -40,13 +40,13 @@ typedef struct {
     table table;
     columns where;
     double unit; /* input units of one count */
-    double rate; /* samples a second */
+    double rate; /* samples per second */
     int has_time;
     int has_temperature;
     int has_gyro;
     int has_angles;    /* there are columns alpha and beta */
-    int has_aside;     /* and those of an accelerometer beside a magnetometer */
-    int is_rate_known; /* given, or told by the times; else rate is a guess */
+    int has_aside;     /* and those of an accelerometer next to a magnetometer */
+    int is_rate_known; /* given, or from the times; else rate is a guess */
     /* inside */
     double ahead[SAMPLES_AHEAD][SAMPLES_NUMBERS];
     unsigned long ahead_line[SAMPLES_AHEAD];
@@ -66,17 +66,17 @@ typedef struct {
 /* Opens a log ("-": standard input).
  *
  * kind  COLUMNS_LOG, COLUMNS_IMU with a gyroscope's columns, if there are some, or COLUMNS_GYRO.
- * live  0: a malformed line is an error, but a first or last one that is cut is told and left out. 1: a stream that goes on whatever comes; malformed lines
+ * live  0: a malformed line is an error, but a first or last one that is cut is reported and left out. 1: a stream that goes on whatever comes; malformed lines
  *       are told, skipped and counted as gaps, up to a hundred in a row, and if the first line was
  *       cut, the second decides about the columns.
- * rate  samples a second, or 0: the times tell (the middle of their steps), or 100.
+ * rate  samples per second, or 0: the times tell (the middle of their steps), or 100.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if it is unreadable or malformed, holds no
  * sample, or the times do not tell a rate within 8 ... 8000. The structure is large and must not
  * be moved. To be closed with samples_close in either case. */
 int samples_open(samples *s, const char *path, columns_kind kind, double rate, int live);
 
-/* The rate in whole samples a second, as the library wants it. */
+/* The rate in whole samples per second, as the library wants it. */
 unsigned samples_whole_rate(const samples *s);
 
 /* A reading in counts; beyond an int32 the nearest. */

@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 
-/* What the file is and what to do with it, to be set behind "this is " in a message; null if the
+/* What the file is and what to do with it, to follow "this is " in a message; null if the
  * bytes are of no kind that is known. */
 const char *signature_find(const char *bytes, size_t length);
 

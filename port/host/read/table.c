@@ -122,7 +122,7 @@ static int takes_separator(table *t)
     return 1;
 }
 
-/* `%time` is a heading of ROS. A ; with another one behind it separates. */
+/* `%time` is a heading of ROS. A ; with another one after it separates. */
 static int is_comment(const table *t, const char *start)
 {
     switch (*start) {
@@ -222,7 +222,7 @@ static void strip_end(const char *start, char *end)
 }
 
 /* Finds the end of a field that begins with a quote, and takes the quotes off. Returns the place
- * of the separator behind it, or of the end of the line; null if there is something else. */
+ * of the separator after it, or of the end of the line; null if there is something else. */
 static char *end_quoted(const table *t, char **start)
 {
     char *end = strchr(*start + 1, '"');
@@ -323,7 +323,7 @@ static int read_first(table *t)
     return t->columns > 0 ? 1 : -1;
 }
 
-/* A word, and a value or more behind it. */
+/* A word, and one or more values. */
 static int is_preamble(const table *t)
 {
     if (t->has_pairs && t->has_header) {

@@ -35,7 +35,7 @@ typedef struct {
     int is_trailing;                /* every row ends with a separator that separates nothing */
     int has_row;                    /* 1 when the first row below the header has been read */
     int has_end;                    /* the latest line is ended, as all should be */
-    int is_log;                     /* who reads tells of a last line that is cut */
+    int is_log;                     /* the reader reports a last line that is cut */
     int is_forgiving;               /* who reads goes on behind a malformed line */
     int pending;                    /* a row has been read, but not handed out, */
     int pending_result;             /* with this result of table_next */

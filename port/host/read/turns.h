@@ -31,7 +31,7 @@ typedef struct turns {
     turns_reading *reading;
     size_t samples, readings;
     double unit;        /* input units of one count of raw */
-    double rate;        /* readings a second, */
+    double rate;        /* readings per second, */
     int is_rate_known;  /* else it is a guess */
     const char *file;   /* separate file, to be set before; null: they are columns of the log */
     recognition seen;   /* how that was read */

@@ -48,7 +48,7 @@ static void find_next_along(report_facts *f)
     (void)invcal_words(up, f->next_words);
 }
 
-/* Where to turn next, beside the positions kept. Returns 0 without memory. */
+/* Where to turn next, besides the positions kept. Returns 0 without memory. */
 static int find_next(report_facts *f)
 {
     const unsigned kept = f->result->rejected.kept_count;
@@ -80,7 +80,7 @@ static void set_marks(report_facts *f)
     f->mark[f->count].kind = SPHERE_NEXT;
 }
 
-/* Of what a prior tells the ± is 1.96 sigma. */
+/* For parameters from a prior, the ± is 1.96 sigma. */
 static double worst_length(const report_facts *f)
 {
     const fit_quality *q = &f->result->quality;

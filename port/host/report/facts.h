@@ -25,7 +25,7 @@ typedef struct {
     const calibrate_wish *wish;
     pass asked;         /* --need and --tolerance, and whether they are kept */
     int is_gravity;     /* the field is that of gravity, in m/s^2 */
-    double parts;       /* of the field that lengths are told in: thousandths or millionths, */
+    double parts;       /* of the field that lengths are printed in: thousandths or millionths, */
     const char *unit;   /* and what these are called */
     const char *length; /* symbol of the length of a reading */
     int has_before;     /* a nominal calibration that means something; else there is no before */
@@ -35,10 +35,11 @@ typedef struct {
     unsigned count;
     int has_up;                /* which way up was is known */
     report_position *position; /* count of them */
-    sphere_mark *mark;         /* the same for the sphere, and behind them the next one */
+    sphere_mark *mark;         /* the same for the sphere, followed by the next one */
     double noise;              /* of a position mean, in these parts; 1 if not known */
     uncertainty length_spread; /* ± of the calibrated length, from the noise above */
-    double length_worst; /* the same in the worst direction, what a prior tells counted by itself */
+    double
+        length_worst; /* the same in the worst direction, with parameters from a prior on their own */
     double field_spread; /* and ± of the field itself, which is no part of that */
     double next[3];      /* the direction to take next, in the calibrated frame, */
     char next_words[INVCAL_WORDS];
@@ -50,7 +51,7 @@ typedef struct {
 int report_facts_find(report_facts *f, const calibrate_result *result, const calibrate_wish *wish);
 void report_facts_release(report_facts *f);
 
-/* What offsets (0), scale errors (1) and angles (2) are told in. */
+/* What offsets (0), scale errors (1) and angles (2) are printed in. */
 told_unit report_unit(const report_facts *f, unsigned kind);
 
 /* The sections, in this order. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * How the residuals are spread, beside what noise alone would do.
+ * How the residuals are spread, and what noise alone would do.
  */
 #include <math.h>
 

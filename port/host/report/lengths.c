@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The length of the readings along the log, before and after: it should be the same wherever the sensor
- * was at rest. In between it is turned, and feels more than gravity.
+ * was at rest. In between it is turned, and reads more than gravity.
  */
 #include <math.h>
 

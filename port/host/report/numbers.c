@@ -93,7 +93,7 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     page_cells(p, sheet, cells);
 }
 
-/* Of very many only those that tell something. */
+/* Of very many, only the informative ones. */
 static int is_listed(const report_facts *f, unsigned n)
 {
     const report_position *at = &f->position[n];

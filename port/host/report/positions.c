@@ -69,7 +69,7 @@ static double height_of(const plot *p, double value)
     return chart_pixel(&p->y, fmax(p->y.first, fmin(p->y.last, value)));
 }
 
-/* Thousands of markers would be a blot, and a large file: columns one pixel wide tell as much. */
+/* Thousands of markers would be a blot, and a large file: columns one pixel wide show as much. */
 static void draw_columns(FILE *file, const plot *p, stage which, const char *style)
 {
     unsigned n = 0;
@@ -292,7 +292,7 @@ static void say_left_out(page *p, const report_facts *f)
     }
 }
 
-/* The samples tell a noise, the residuals another: something else is in them. */
+/* The noise of samples and residuals differs: something else is in them. */
 static void say_unexplained(page *p, const report_facts *f)
 {
     const double times = calibrate_unexplained(f->result);

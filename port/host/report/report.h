@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * report/report.h: a calibration as a page that tells what it is worth (page.h).
+ * report/report.h: a calibration as a page, with its accuracy (page.h).
  */
 #ifndef REPORT_H
 #define REPORT_H

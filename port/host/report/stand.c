@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the angles of a stand told: how they are read, how the unit sits, the parameters once more by J1, the
+ * Results from the angles of a stand: how they are read, how the unit sits, the parameters again by J1, the
  * paper's series with its closures.
  */
 #include <math.h>

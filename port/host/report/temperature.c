@@ -23,7 +23,7 @@
 
 enum { KINDS = 3 };
 
-/* Offsets, scale errors, angles: as they are told. */
+/* Offsets, scale errors, angles: as printed. */
 typedef struct {
     const char *title;
     const char *unit;
@@ -313,7 +313,7 @@ static void find_range(const report_facts *f, double *least, double *most)
     }
 }
 
-/* How many plots there are: the nine parameters alone are another one beside slopes only. */
+/* How many plots there are: with slopes, the nine parameters alone are another one. */
 static unsigned residual_plots(const report_facts *f)
 {
     const thermal_fit *fit = &f->result->fit;

@@ -319,7 +319,7 @@ static int read_gyro(json_reader *r, calibration_file *file)
 
 static int read_record_member(json_reader *r, const char *name, void *into)
 {
-    char text[RECORD_MAX + 1]; /* one more, to tell what is too long */
+    char text[RECORD_MAX + 1]; /* one more, to notice what is too long */
     char what[RECORD_MAX];
 
     for (unsigned k = 0; k < RECORD_TEXTS; k++) {

@@ -18,7 +18,7 @@ typedef struct {
     invcal_calibration nominal; /* whose axes they are of: its matrix, in field units */
 } calibration_nonlinear;
 
-/* All that is known of a calibration. A number that the file does not tell is NUMBER_UNKNOWN, a
+/* All that is known of a calibration. A number that the file does not hold is NUMBER_UNKNOWN, a
  * text is "". */
 typedef struct {
     invcal_calibration calibration;
@@ -32,7 +32,7 @@ typedef struct {
     char unit[CALIBRATION_FILE_WORD];      /* of the readings: "g", "mg", "m/s^2", "counts", ... */
     double zero[3];                        /* the nominal calibration: input units, */
     double lsb[3];                         /* field units per input unit, */
-    int is_skewed;                         /* and 1 if it has cross terms besides, */
+    int is_skewed;                         /* and 1 if it also has cross terms, */
     char zero_from[CALIBRATION_FILE_WORD]; /* where it came from: "given", "range", ... */
     char lsb_from[CALIBRATION_FILE_WORD];
     double sigma_offset[3]; /* standard deviations: input units, */
@@ -64,7 +64,7 @@ int calibration_file_read(const char *path, invcal_calibration *out);
  * members. */
 int calibration_file_read_correction(const char *path, calibration_file *out);
 
-/* The same with everything else that it tells; then the members above are checked as well. */
+/* The same with everything else in it; then the members above are checked as well. */
 int calibration_file_read_all(const char *path, calibration_file *out);
 
 /* The calibration at a temperature, in field units; at most that at the edge of the range seen.

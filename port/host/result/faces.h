@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * result/faces.h: six faces tell offsets and scales. What the angles that they leave open cost, and which
+ * result/faces.h: six faces determine offsets and scales. What the angles that they leave open cost, and which
  * positions would tell them.
  */
 #ifndef FACES_H
@@ -27,7 +27,7 @@ faces_error faces_error_of(const calibrate_result *result);
 /* Their member of the object that is open. */
 void faces_json(json_writer *w, const calibrate_result *result);
 
-/* Six positions that tell the angles, beside six faces, in words. */
+/* Six positions that determine the angles, after six faces, in words. */
 #define FACES_EDGES                                                                                \
     "+x up, tilted by 45 deg so that +y rises, or -y, or +z, or -z; +z up, tilted so that +y "     \
     "rises, or -y"

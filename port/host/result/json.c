@@ -53,7 +53,7 @@ static void write_nominal(json_writer *w, const nominal_choice *nominal)
     json_object_end(w);
 }
 
-/* What was found beside outliers, and what could not be looked for. */
+/* What was found besides outliers, and what could not be looked for. */
 static void write_systematic(json_writer *w, const calibrate_result *result)
 {
     const fit_quality *q = &result->quality;

@@ -53,7 +53,7 @@ void calibrate_take_drift(const calibrate_result *r, double tau, double reading[
     }
 }
 
-/* Takes quadratic and cubic errors off, at the direction that the calibration makes of what is left
+/* Removes quadratic and cubic errors, at the direction that the calibration makes of what is left
  * (nonlinearity.h). */
 static void take_nonlinearity(const calibrate_result *r, double reading[3])
 {
@@ -140,7 +140,7 @@ int calibrate_is_disturbed(const calibrate_result *r)
 
 /* Sigma of the length in the worst direction over the least that can be had there, which so many
  * positions leave in the best directions: sqrt(9 / n) noises of one. With a parabola those at
- * three temperatures tell only a third of what is known at the middle one. */
+ * three temperatures contribute only a third of what is known at the middle one. */
 static double unevenness(const calibrate_result *r, const uncertainty *length)
 {
     const int is_parabola = r->temperature == CALIBRATE_THERMAL && r->fit.calibration.fitted == 2;

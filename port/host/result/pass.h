@@ -20,7 +20,7 @@ typedef struct {
         used[INVCAL_PARAMETERS]; /* (|x| + interval of 95 %) / limit; NaN: not known, or no limit */
     uint16_t limited;            /* bit r: parameter r has a limit, */
     uint16_t failed;             /* is not known to keep it, */
-    uint16_t beyond;  /* and is known not to, or by its value alone if nothing tells the interval */
+    uint16_t beyond;  /* and is known not to, or by its value alone if the interval is unknown */
     unsigned nearest; /* of those with limits, the one that uses most of its own */
 } pass;
 

@@ -26,7 +26,7 @@ typedef struct {
 /* "device", "serial", "operator", "date", "note". */
 const char *record_name(record_text which);
 
-/* Takes a text over. Returns null; what is wrong with it, to be set behind it in a sentence, the record
+/* Takes a text over. Returns null; what is wrong with it, to follow it in a sentence, the record
  * untouched: it is too long, no plain text in UTF-8, or no date of the calendar. */
 const char *record_set(record *r, record_text which, const char *text);
 

@@ -198,7 +198,7 @@ unsigned refusal_add(const calibrate_result *r, refusal_direction out[REFUSAL_DI
     return count;
 }
 
-/* ---- told -------------------------------------------------------------------------------------- */
+/* ---- report -------------------------------------------------------------------------------------- */
 
 const char *refusal_text(const calibrate_result *r, char text[REFUSAL_TEXT_MAX])
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * result/refusal.h: what can be told of positions that were refused: where they point, and which to add.
+ * result/refusal.h: what is known of positions that were refused: where they point, and which to add.
  */
 #ifndef REFUSAL_H
 #define REFUSAL_H
@@ -20,7 +20,7 @@ typedef struct {
 typedef enum { REFUSAL_UNSEEN, REFUSAL_BY_NOMINAL, REFUSAL_BY_ZERO, REFUSAL_BY_RANGE } refusal_view;
 refusal_view refusal_see(const calibrate_result *result, invcal_calibration *view);
 
-/* Where up was. Returns 1; 0 if the reading does not tell. */
+/* Where up was. Returns 1; 0 if the reading does not show it. */
 int refusal_up(const calibrate_result *result, const invcal_calibration *view, unsigned position,
                double up[3]);
 
@@ -32,7 +32,7 @@ double refusal_mean_length(const calibrate_result *result, const invcal_calibrat
 /* The position itself was refused, not only the set. */
 int refusal_is_wrong(const calibrate_result *result, unsigned position);
 
-/* Those that would make the set one of twelve or more that tells everything. Returns how many, 0 without memory. */
+/* Those that would make the set one of twelve or more that determines everything. Returns how many, 0 without memory. */
 unsigned refusal_add(const calibrate_result *result, refusal_direction out[REFUSAL_DIRECTIONS]);
 
 /* "reason; remedy". Returns text. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * result/result.h: what `invcal calibrate` has found, and the ways of telling it.
+ * result/result.h: what `invcal calibrate` has found, and the ways to report it.
  */
 #ifndef RESULT_H
 #define RESULT_H
@@ -28,11 +28,11 @@
 /* What is known of temperature. */
 typedef enum {
     CALIBRATE_PLAIN,  /* nothing, or nothing that could be looked at */
-    CALIBRATE_PROBED, /* it was not asked for: `fit` tells what --thermal 1 would find */
+    CALIBRATE_PROBED, /* it was not asked for: `fit` holds what --thermal 1 would find */
     CALIBRATE_THERMAL /* `fit` is the result; solution and quality are those at its reference */
 } calibrate_temperature;
 
-/* Why there is no calibration. Filled in by calibrate/refuse.h, told by message, JSON and page. */
+/* Why there is no calibration. Filled in by calibrate/refuse.h, reported by message, JSON and page. */
 #define REFUSAL_MAX 1000u
 typedef struct {
     const char *word;         /* "too few", ...; null: it was not refused */
@@ -42,7 +42,7 @@ typedef struct {
     int is_of_position;       /* one reading is wrong, */
     unsigned position;        /* this one, from 0 */
     int wants_positions;      /* others would help, */
-    unsigned degree;          /* to tell a nonlinearity of this degree as well; 0: the nine */
+    unsigned degree;          /* to determine a nonlinearity of this degree as well; 0: the nine */
 } refusal;
 
 typedef struct {
@@ -62,7 +62,7 @@ typedef struct {
     int is_field_stated;     /* as stated; or because it was not */
     double accuracy; /* 95 % of lengths are right within that, over the field, if the field is */
     double need;     /* what is asked of all of it, field units; 0: nothing; */
-    told_unit need_unit;   /* what that is told in */
+    told_unit need_unit;   /* what that is printed in */
     int is_drift_fitted;   /* the calibration holds in the middle of the session, and is freed of */
     double drift[3];       /* this: from the first position to the last, over the field, */
     double drift_sigma[3]; /* and how well that is known */
@@ -80,16 +80,16 @@ typedef struct {
     double residual_before; /* root mean square of |nominal calibration| / field - 1 */
     calibrate_temperature temperature;
     thermal_fit fit;
-    stand stand;         /* what the angles of a stand told, if they were wanted */
+    stand stand;         /* results from the angles of a stand, if requested */
     int is_stand_frame;  /* the calibration is turned to the stand, */
     case_frame frame;    /* or to the case */
-    dip_frame dip;       /* what the accelerometer beside a magnetometer told; */
+    dip_frame dip;       /* what the accelerometer next to a magnetometer told; */
     int is_dip_frame;    /* the calibration is turned to its axes */
     gyro_fit gyro;       /* the gyroscope, if there is one; */
-    int is_joint;        /* its moves tell the accelerometer, which the rests alone do not */
+    int is_joint;        /* its moves determine the accelerometer, which the rests alone do not */
     told_style told;     /* the units of figures for people */
     record record;       /* what it is filed under */
-    const double *place; /* latitude and height that tell the field; null: it was stated */
+    const double *place; /* latitude and height that give the field; null: it was stated */
 } calibrate_result;
 
 /* Slopes were asked for, and are wanting over a range that needs some: other positions at the same
@@ -128,13 +128,13 @@ double calibrate_tau(const positions *data, unsigned position);
 /* The same of a time of the log, seconds. */
 double calibrate_tau_at(const positions *data, double time);
 
-/* The settings with what the moves tell of the angles as a prior, if the solution is that of both. */
+/* The settings with the angles from the moves as a prior, if the solution is that of both. */
 void calibrate_with_moves(const calibrate_result *result, fit_settings *with);
 
 /* What the positions kept leave uncertain (at the reference temperature), for a noise of `unit`. */
 void calibrate_spread(const calibrate_result *result, double unit, uncertainty *u);
 
-/* 0 if neither the user nor the residuals tell the noise: sigma then means nothing. */
+/* 0 if the noise is unknown, neither stated nor from residuals: sigma then means nothing. */
 int calibrate_knows_noise(const calibrate_result *result);
 
 /* How many times the noise of a position mean is as large as that stated, or as the scatter of the
@@ -152,7 +152,7 @@ int calibrate_has_lost_many(const calibrate_result *result);
  * chance. */
 int calibrate_is_disturbed(const calibrate_result *result);
 
-/* Some direction is told far worse than so many positions could. */
+/* Some direction is known far worse than so many positions could. */
 int calibrate_is_uneven(const calibrate_result *result);
 
 /* The field is gravity: people know it in g. */
@@ -162,7 +162,7 @@ int calibrate_is_gravity(const calibrate_result *result);
 const char *calibrate_field_unit(const calibrate_result *result);
 const char *calibrate_input_unit(const calibrate_result *result);
 
-/* What lengths, offsets and residuals over the field are told in, apart from the report. */
+/* What lengths, offsets and residuals over the field are printed in, apart from the report. */
 told_unit calibrate_told_field(const calibrate_result *result);
 
 /* What limits the accuracy: a sentence. Returns text. */
@@ -180,7 +180,7 @@ void calibrate_waved_print(FILE *file, const calibrate_result *result);
 const char *calibrate_waved_fault(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX]);
 void calibrate_waved_json(json_writer *w, const calibrate_result *result);
 
-/* How its axes are turned against those of the accelerometer beside it: sentences, or "" without one. Returns
+/* How its axes are turned against those of the accelerometer next to it: sentences, or "" without one. Returns
  * text. */
 #define CALIBRATE_AXES_MAX 800
 const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBRATE_AXES_MAX]);
@@ -206,7 +206,7 @@ typedef struct {
     const char *log;          /* and the log in it, "-" for the standard input */
 } calibrate_wish;
 
-/* Rows of the table (tabular.h), a line behind it, and members of the object that is open: the nonlinearity that
+/* Rows of the table (tabular.h), a line after it, and members of the object that is open: the nonlinearity that
  * was fitted, and the cross-check. */
 void calibrate_nonlinear_rows(const calibrate_result *result);
 void calibrate_nonlinear_json(json_writer *w, const calibrate_result *result);

@@ -13,7 +13,7 @@
 #define TEXT_MAX 512
 #define LABEL 14u /* columns before a line's text */
 
-/* What a slope is told in. */
+/* What a slope is printed in. */
 typedef struct {
     double scale;
     const char *unit;

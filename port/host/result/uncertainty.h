@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * result/uncertainty.h: how exactly nine parameters tell the length of a reading, direction by direction.
+ * result/uncertainty.h: how accurately nine parameters give the length of a reading, direction by direction.
  *
  * The row h of a reading (invcal/expert.h) and the covariance K of the nine give its variance,
  * h K h'.
@@ -13,7 +13,7 @@
 
 typedef struct {
     double covariance[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* K, over the squared noise */
-    double unit;  /* the noise of a position mean in the unit to tell; 1 for multiples of it */
+    double unit;  /* the noise of a position mean in the unit to print; 1 for multiples of it */
     double least; /* sigma of the length, over all directions */
     double most;
     double worst[3];                /* the direction of the latter, */
@@ -35,7 +35,7 @@ double uncertainty_half(const uncertainty *u, const double up[3], double coverag
 sphere_shading uncertainty_shading(const uncertainty *u, double least, double most);
 
 /* Explains the colours, in the upper UNCERTAINTY_LEGEND pixels of a picture as wide as a half of
- * the sphere. `what` says what is told, and its unit. */
+ * the sphere. `what` names the quantity and its unit. */
 #define UNCERTAINTY_LEGEND 56.0
 void uncertainty_legend(FILE *file, const sphere_shading *shading, const char *what);
 

@@ -24,7 +24,7 @@ typedef struct {
 typedef struct {
     const gyro_model *model;
     random_source random;
-    double rate; /* samples a second */
+    double rate; /* samples per second */
     double before[3];
     int is_begun;
 } gyro_scene;

@@ -22,7 +22,7 @@ typedef struct {
     double instability;    /* of a slow walk of each offset, which forgets in 100 s */
     double drift;          /* of each offset per degree, from 25 degrees C on */
     double temperature[2]; /* degrees C, at the first sample and at the last */
-    double rate;           /* samples a second */
+    double rate;           /* samples per second */
     double dwell;
     double move;
     double tremor;          /* standard deviation of what the hand adds below 3 Hz */

@@ -2,7 +2,7 @@
  *
  * stand/group_series.h: the paper's series of each group (series.h), from what was measured at any angles.
  *
- * Fifteen coefficients of three groups tell nine parameters: six of them twice. The offset of x is felt in
+ * Fifteen coefficients of three groups determine nine parameters: six of them twice. The offset of x is felt in
  * groups 2 and 3, that of y in 1 and 3, that of z in 1 and 2; and so are the scale errors. That both groups
  * tell the same is the closure, a check that no single group has.
  *
@@ -26,14 +26,15 @@ enum { GROUP_SERIES_CLOSURES = 6 }; /* delta_x ... dk_z, in the order of the par
 
 typedef struct {
     unsigned count[INVCAL_PLAN_GROUPS];    /* positions in each, */
-    int is_determined[INVCAL_PLAN_GROUPS]; /* and whether they tell its five coefficients */
+    int is_determined[INVCAL_PLAN_GROUPS]; /* and whether they determine its five coefficients */
     double coefficient[INVCAL_PLAN_GROUPS][SERIES_TERMS]; /* a0 a1 b1 a2 b2, */
     double root[INVCAL_PLAN_GROUPS]
                [SERIES_TERMS];             /* and their standard deviations over the noise */
     int is_closed_over;                    /* all three are determined: what follows is known */
-    double closure[GROUP_SERIES_CLOSURES]; /* what the second group tells more than the first, */
+    double closure[GROUP_SERIES_CLOSURES]; /* the second group minus the first, */
     double closure_root[GROUP_SERIES_CLOSURES]; /* and its standard deviation over the noise */
-    double told[GROUP_SERIES_CLOSURES][2]; /* what each of the two groups tells, as in the table */
+    double told[GROUP_SERIES_CLOSURES]
+               [2];              /* the result of each of the two groups, as in the table */
     double x[INVCAL_PARAMETERS]; /* the nine parameters, each coefficient by its information, */
     double x_root[INVCAL_PARAMETERS]; /* and their standard deviations over the noise */
     double noise;  /* of J1, by what the nine leave, over the field; NaN: not known */

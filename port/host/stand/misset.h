@@ -29,7 +29,7 @@ typedef struct {
 
 /* Finds them, and leaves them out: more than one in four are not single ones any more.
  *
- * m     out: the mounting that the others tell.
+ * m     out: the mounting from the others.
  * list  out: room for `count`.
  * found out: how many.
  *

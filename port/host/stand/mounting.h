@@ -45,7 +45,7 @@ invcal_status mounting_fit(const mounting_position *p, unsigned count,
 /* How much of its own error a position draws the fit along: 4 / n on average. */
 double mounting_leverage(const mounting *m, const double eta[3]);
 
-/* The direction that a reading tells, in the frame of the stand, a unit vector. */
+/* The direction of a reading, in the frame of the stand, a unit vector. */
 void mounting_direction(const mounting *m, const double raw[3], double direction[3]);
 
 /* Squared distance of that from the direction stated; the angle in rad, if it is small. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * stand/stand.h: what the angles of a two-axis stand tell beside the lengths of the readings.
+ * stand/stand.h: what the angles of a two-axis stand add to the lengths of the readings.
  *
  * Conventions. With alpha = 0 the y axis of the unit points up, whatever beta; then the unit is turned by the
  * outer angle alpha about its x axis and by the inner angle beta about its y axis:
@@ -25,14 +25,14 @@
 /* What the user says of the angles. */
 typedef struct {
     int is_wanted;
-    const design *plan; /* positions were visited in its order; null: columns alpha and beta tell */
+    const design *plan; /* positions were visited in its order; null: columns alpha and beta */
     double sense[2];    /* of alpha and beta: 1, or -1 */
     double zero[2];     /* what the stand reads where alpha and beta are 0, degrees */
     int is_frame;       /* the result is to be in the frame of the stand */
 } stand_wish;
 
 /* How the angles are to be read so that they fit the readings. An alpha of the other sense is not among
- * them: it is as if the unit sat half a turn about its y axis away, and no reading tells which. */
+ * them: it is as if the unit sat half a turn about its y axis away, and no reading shows which. */
 typedef enum {
     STAND_AS_STATED,
     STAND_BETA_REVERSED,
@@ -46,7 +46,7 @@ typedef enum {
 typedef struct {
     int is_known;
     double x[INVCAL_PARAMETERS];
-    double sigma[INVCAL_PARAMETERS]; /* NaN if no position is left to tell the noise */
+    double sigma[INVCAL_PARAMETERS]; /* NaN if without redundancy for the noise */
     double noise;                    /* of J1, over the field */
     unsigned dof;
 } stand_vertical;
@@ -66,14 +66,14 @@ typedef struct {
     group_series series;
 } stand;
 
-/* An error of an angle up to this, rad, is told in alpha and beta. */
+/* An error of an angle up to this, rad, is printed in alpha and beta. */
 #define STAND_SMALL 0.5
 
 /* Are there angles for these positions? Returns EXIT_GOOD; EXIT_FILE or EXIT_USAGE, with a message. */
 int stand_check(const stand_wish *wish, const positions *data);
 
 /* Which group of a program was not visited, by its angles, where the two others were: 1 ... 3; 0 if that is not
- * so, or without angles. No other group tells its angle between axes: zy, xz, xy. */
+ * so, or without angles. No other group determines its angle between axes: zy, xz, xy. */
 unsigned stand_missing_group(const stand_wish *wish, const positions *data);
 
 /* Finds all of it.

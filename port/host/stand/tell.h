@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * stand/tell.h: the ways of telling what a stand's angles gave; the report has one of its own
+ * stand/tell.h: the output of the results from a stand's angles; the report has one of its own
  * (report/stand.c).
  */
 #ifndef STAND_TELL_H
@@ -36,7 +36,7 @@ const char *stand_missing_text(const stand_wish *wish, unsigned group, char text
 /* The member `stand` of the object that is open. Deviations from a nominal that is not stated are null. */
 void stand_json(json_writer *w, const stand *s, const nominal_choice *nominal);
 
-/* A table and sentences for people, a blank line behind them. Deviations from a nominal that is not stated are
+/* A table and sentences for people, a blank line after them. Deviations from a nominal that is not stated are
  * left out; differences of them are not.
  *
  * x     the nine parameters by the lengths, to compare with.

@@ -12,7 +12,7 @@ double stand_coverage(double dof)
 double stand_series_coverage(const group_series *s)
 {
     return stand_coverage((double)s->dof +
-                          (double)GROUP_SERIES_CLOSURES); /* they tell of the noise, too */
+                          (double)GROUP_SERIES_CLOSURES); /* they show the noise, too */
 }
 
 const char *stand_turned_far(const mounting *m)

@@ -13,7 +13,7 @@
 #define APPEND_FORMAT
 #endif
 
-/* Puts more behind a text in `size` bytes; what is too long is cut off. */
+/* Appends to a text in `size` bytes; what is too long is cut off. */
 void append(char *text, size_t size, const char *format, ...) APPEND_FORMAT;
 
 #endif

@@ -13,7 +13,7 @@
 typedef enum {
     NUMBER_OK,
     NUMBER_EMPTY,
-    NUMBER_NOT_DECIMAL, /* a word, a hexadecimal number, something behind it */
+    NUMBER_NOT_DECIMAL, /* a word, a hexadecimal number, something after it */
     NUMBER_COMMA,       /* digits with one comma between */
     NUMBER_GROUPED,     /* thousands are separated: 1,234,567  1.234,5  1'234 */
     NUMBER_NOT_FINITE,  /* nan, inf, infinity */
@@ -23,7 +23,7 @@ typedef enum {
 /* Reads [+-]digits[.digits][e[+-]digits], the whole text, without blanks. */
 number_status number_parse(const char *text, double *out);
 
-/* What is wrong, to be set behind the text in a sentence: "is not a decimal number". */
+/* What is wrong, to follow the text in a sentence: "is not a decimal number". */
 const char *number_problem(number_status status);
 
 /* 1 if somebody meant a number, right or wrong: a digit comes first, or it is nan or inf. */

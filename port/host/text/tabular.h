@@ -2,7 +2,7 @@
  *
  * text/tabular.h: a table whose columns are as wide as what stands in them.
  *
- * If it is wider than the stream shows (wrapped.h), the notes behind its rows stand above them, and the
+ * If it is wider than the stream shows (wrapped.h), the notes after its rows stand above them, and the
  * columns that find no room make a second table, with the first column again. One table at a time.
  */
 #ifndef TABULAR_H
@@ -22,11 +22,11 @@
 #define TABULAR_COLUMNS 10u
 #define TABULAR_CELL 48u /* bytes of a cell or note; more are cut off */
 
-/* Begins a table. Each letter is a column: r to the right, l to the left and close behind the one before,
+/* Begins a table. Each letter is a column: r to the right, l to the left and directly after the one before,
  * which it stays with. */
 void tabular_begin(FILE *file, const char *alignment);
 
-/* The next cell of the row, cut off where there is no room; and what is said behind it. */
+/* The next cell of the row, cut off where there is no room; and a note after it. */
 void tabular_cell(const char *format, ...) TABULAR_FORMAT;
 void tabular_note(const char *format, ...) TABULAR_FORMAT;
 

@@ -66,7 +66,7 @@ double unit_field_si(double field);
 /* The unit that most of these readings at rest look like, by their length; else counts.
  *
  * reading  3 count numbers: x y z, ...
- * field    length of the field: if it is no gravity, nothing can be told. */
+ * field    length of the field: if it is no gravity, nothing is known. */
 reading_unit unit_by_size(const double *reading, unsigned count, double field);
 
 /* 1 if readings of that size can be nothing else: nine in ten are as long as gravity in g or m/s^2, to 15 %,
@@ -74,7 +74,7 @@ reading_unit unit_by_size(const double *reading, unsigned count, double field);
  * sure: there are sensors of 1000 or 1024 counts a g. */
 int unit_is_sure(reading_unit u, const double *reading, unsigned count);
 
-/* Field units per unit, for a field that is gravity; 0 if the field or the unit does not tell it. */
+/* Field units per unit, for a field that is gravity; 0 if the field or the unit does not give it. */
 double unit_scale(reading_unit u, double field);
 
 /* For JSON: "g", "mg", "m/s^2", "counts", "uT", "nT", "gauss", "mgauss", "unknown". */

@@ -33,7 +33,7 @@ void wrapped_line(FILE *file, size_t at, size_t indent, const char *text);
 /* A paragraph, with an end of the line. */
 void wrapped_printf(FILE *file, size_t indent, const char *format, ...) WRAPPED_FORMAT;
 
-/* A command for a shell, to be copied: whole on this line behind a blank, or on the next behind `indent`
+/* A command for a shell, to be copied: whole on this line after a blank, or on the next after `indent`
  * blanks, or else with a backslash where it goes on. With an end of the line. */
 void wrapped_command(FILE *file, size_t at, size_t indent, const char *command);
 

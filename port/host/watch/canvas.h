@@ -34,7 +34,7 @@ void canvas_clear(canvas *c);
 void canvas_put(canvas *c, unsigned line, unsigned column, int colour, const char *glyph);
 
 /* Writes a text of UTF-8 up to column `end`. What is no Latin, Greek or Cyrillic letter or sign, and may be of any
- * width, is shown as '?'. Returns the column behind it. */
+ * width, is shown as '?'. Returns the column after it. */
 unsigned canvas_text(canvas *c, unsigned line, unsigned column, unsigned end, int colour,
                      const char *text);
 
@@ -45,7 +45,7 @@ void canvas_wrapped(canvas *c, unsigned line, unsigned lines, unsigned column, i
 /* How many columns a text takes. */
 unsigned canvas_width(const char *text);
 
-/* As text, each line but for spaces at its end, and `line_end` behind it. Paint is that of paint.h for
+/* As text, each line but for spaces at its end, and `line_end` after it. Paint is that of paint.h for
  * `talk`. */
 const char *canvas_print(const canvas *c, FILE *talk, const char *line_end,
                          char text[CANVAS_BYTES]);

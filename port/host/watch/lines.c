@@ -70,7 +70,7 @@ static void say_next(const watch_state *now)
     }
 }
 
-/* How exactly everything is known, once it can be told; else "". */
+/* How exactly everything is known, once it is known; else "". */
 static const char *sigma_text(const watch_state *now, char text[SIGMA_MAX])
 {
     size_t used = 0;

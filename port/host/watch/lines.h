@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * watch/lines.h: a live calibration told in lines, one below the other. On a terminal the progress of a rest is
+ * watch/lines.h: a live calibration in lines, one below the other. On a terminal the progress of a rest is
  * shown on one line that changes.
  */
 #ifndef WATCH_LINES_H

@@ -15,7 +15,7 @@
 #include "watch/screen.h"
 #include "watch/zero.h"
 
-#define HOLD_MAX 60       /* seconds: what the first rest tells is cut off there */
+#define HOLD_MAX 60       /* seconds: the time from the first rest is limited to this */
 #define HOLD_LONGEST 3600 /* seconds that can be demanded */
 #define TICK 0.1          /* seconds of the log from one WATCH_PASSED to the next, at least */
 
@@ -99,7 +99,7 @@ static void aim(const stage *s, int is_ready)
     (void)live_program_good_text(&followed, p, now.good, sizeof now.good);
 }
 
-/* The device moves or rests. What was refused has been told, and is over once it moves. */
+/* The device moves or rests. A refusal has been reported, and is over once it moves. */
 static void tell_phase(stage *s, watch_news what)
 {
     now.progress = invcal_session_progress(&session);
@@ -120,7 +120,7 @@ static void hold(double seconds)
     invcal_session_hold(&session, (uint32_t)ceil(1000 * seconds));
 }
 
-/* The first rest tells the noise: T = s^2 / (sigma^2 rate), s^2 that of a sample, the mean over the
+/* The first rest gives the noise: T = s^2 / (sigma^2 rate), s^2 that of a sample, the mean over the
  * axes. That is white noise. Returns whether the rest has been held as long. */
 static int is_held_long_enough(const stage *s)
 {
@@ -257,7 +257,7 @@ static int take(stage *s)
     return failure;
 }
 
-/* A rest may be refused while it is held and again when it is left: that is told once. */
+/* A rest may be refused while it is held and again when it is left: that is reported once. */
 static void tell_refused(stage *s, int is_left)
 {
     if (now.is_refused) {

@@ -9,7 +9,7 @@
 #include "watch/wish.h"
 
 /* Reads a stream to its end, or until somebody interrupts it (Ctrl-C), tells what to do, and
- * collects the positions. What is malformed is told and skipped. It is told by a screen if wish.talk is
+ * collects the positions. Malformed lines are reported and skipped. It is shown on a screen if wish.talk is
  * the standard output and can show one (screen.h), else by lines (lines.h).
  *
  * gyro  as in rests_read.

@@ -32,7 +32,7 @@ static invcal_calibration best_known(const live_program *l)
                : l->session->nominal;
 }
 
-/* Nothing states the zero, nor do so few positions tell it: their directions may be anything. */
+/* The zero is not stated, and so few positions do not determine it: their directions may be anything. */
 static int is_zero_unknown(const live_program *l)
 {
     return !l->is_zero_stated && l->taken->count < LIVE_PROGRAM_FOLLOWED;
@@ -56,7 +56,7 @@ static int is_astray(const program *now, unsigned asked)
     return asked < now->set->count && now->here != asked && !now->is_again;
 }
 
-/* A calibration that is known better tells of rests before where they really were. Later it is hardly known
+/* A better calibration shows where earlier rests really were. Later it is hardly known
  * any better: then they are looked at again whenever there are twice as many, so that a stream of any
  * length takes the time that its length does. */
 static unsigned first_to_visit(const live_program *l)

@@ -12,7 +12,7 @@
 #include "design/program.h"
 
 #define LIVE_PROGRAM_FOLLOWED                                                                      \
-    3u /* positions of a program that tell zero and scale, if they are these */
+    3u /* positions of a program that determine zero and scale, if they are these */
 
 typedef struct {
     program now;
@@ -32,7 +32,7 @@ void live_program_begin(live_program *l, const design *set, const invcal_session
  * so far may think otherwise of where the first ones were. Returns 1 if the program is complete by it. */
 int live_program_take(live_program *l);
 
-/* Zero and scale of the readings, input units, as the positions taken tell them if they are the first of the
+/* Zero and scale of the readings, input units, from the positions taken if they are the first of the
  * program: three or more. Returns 1 if that zero is far from 0. */
 int live_program_scale(const live_program *l, double zero[3], double *length);
 

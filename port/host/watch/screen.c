@@ -10,7 +10,7 @@
 
 #include "watch/frame.h"
 
-/* Lines of the terminal; 0 if it is too small, or does not tell. */
+/* Lines of the terminal; 0 if it is too small, or it is unknown. */
 static unsigned lines_of(FILE *talk)
 {
     struct winsize size;
@@ -38,7 +38,7 @@ static void put_out(FILE *talk, const char *text)
     while (left > 0) {
         const ssize_t written = write(fileno(talk), text, left);
         if (written < 0 && errno != EINTR) {
-            return; /* what is printed at the end tells */
+            return; /* what is printed at the end says so */
         }
         text += written > 0 ? written : 0;
         left -= written > 0 ? (size_t)written : 0;
@@ -54,7 +54,7 @@ static void put_out(FILE *talk, const char *text)
 static struct {
     int is_ringing; /* with the next frame */
     int has_rung;   /* for the rest that goes on */
-    int is_good;    /* has been told */
+    int is_good;    /* has been reported */
 } told;
 
 /* A bell for each turn of things: the person looks at the device. */

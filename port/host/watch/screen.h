@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * watch/screen.h: a live calibration told on a screen that is redrawn: where the device points and where it is
+ * watch/screen.h: a live calibration on a screen that is redrawn: where the device points and where it is
  * to, which directions are covered, how well everything is known, and what it comes to (frame.h).
  */
 #ifndef WATCH_SCREEN_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * watch/state.h: what is known at any time of a calibration that goes on. live.c keeps it; lines.c and
- * screen.c tell it to people, and only read.
+ * screen.c show it, and only read.
  */
 #ifndef WATCH_STATE_H
 #define WATCH_STATE_H
@@ -23,7 +23,7 @@ typedef enum {
     WATCH_TAKEN,    /* it has left a position, */
     WATCH_REFUSED,  /* or a rest is none: once in a rest */
     WATCH_ENDED,    /* the stream has come to its end, */
-    WATCH_BROKEN    /* or to an error, which has been told */
+    WATCH_BROKEN    /* or to an error, which has been reported */
 } watch_news;
 
 /* What the last position has brought about. */
@@ -38,7 +38,7 @@ typedef enum {
 #define WATCH_GOOD_MAX (PROGRAM_TEXT_MAX + 64)
 
 typedef struct {
-    FILE *talk; /* where it is told */
+    FILE *talk; /* where it is printed */
     told_style told;
     int is_magnetometer; /* one is waved: positions are cells that have been passed through, and what is
                             told of up is told of the field */
@@ -61,7 +61,7 @@ typedef struct {
     watch_news last;     /* WATCH_TAKEN or WATCH_REFUSED, whichever was later; else WATCH_BEGUN */
     int has_up;
     double up[3]; /* the direction that points upwards, in the frame of the case: a unit vector */
-    int is_guess; /* directions are by a zero or a scale that nobody has stated, nor positions
+    int is_guess; /* directions are by a zero or a scale that is not stated, nor positions
                         have told yet */
 
     /* where to go */
@@ -73,12 +73,12 @@ typedef struct {
 
     /* what there is */
     unsigned taken;            /* positions, */
-    char gyro[WATCH_GYRO_MAX]; /* what the moves tell of a gyroscope; "": nothing */
+    char gyro[WATCH_GYRO_MAX]; /* what the moves determine of a gyroscope; "": nothing */
     unsigned covered;
     double direction[INVCAL_MAX_POSITIONS][3]; /* and where the last of them point */
     unsigned astray;                           /* rests in a row that were not those asked for, */
     char wrong[PROGRAM_TEXT_MAX];              /* and where the last of them was */
-    invcal_status status;                      /* of what they tell: */
+    invcal_status status;                      /* of these: */
     invcal_quality quality;
     double accuracy;                  /* of lengths, 95 %, over the field */
     double target_sigma[WATCH_KINDS]; /* that is enough; 0: any */
@@ -103,11 +103,11 @@ double watch_wanted(const watch_state *now, unsigned kind);
 /* There is a target, or a need. */
 int watch_is_anything_wanted(const watch_state *now);
 
-/* The unit that it is told in. */
+/* The unit that it is printed in. */
 told_unit watch_unit(const watch_state *now, unsigned kind);
 extern const char *const watch_kinds[WATCH_KINDS];
 
-/* Who tells. */
+/* The output. */
 typedef void (*watch_teller)(const watch_state *now, watch_news what);
 
 #endif

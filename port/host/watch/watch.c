@@ -13,7 +13,7 @@
 #include "watch/live.h"
 #include "watch/wave.h"
 
-/* Where there is talk: to stdout, beside JSON to stderr, and with --quiet nowhere, which is to be closed. */
+/* Where there is talk: to stdout, with JSON to stderr, and with --quiet nowhere, which is to be closed. */
 static FILE *begin_talk(const request *r, live_wish *wish)
 {
     FILE *nowhere = r->value[ASK_QUIET] ? fopen("/dev/null", "w") : NULL;

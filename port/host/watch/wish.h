@@ -17,19 +17,19 @@
 typedef struct {
     double rate;        /* 0: see samples.h */
     const double *clip; /* null, or least and greatest reading */
-    reading_unit unit;  /* stated; UNIT_UNKNOWN: the heading may tell */
+    reading_unit unit;  /* stated; UNIT_UNKNOWN: the heading may state it */
     double field;
     const invcal_calibration *nominal; /* for the guidance; null: */
     const double *zero;   /* zero, else 0, and scale, else by the unit or from the first samples; if
                            neither they nor the unit are given, both are found again from the */
     const double *lsb;    /* positions */
-    sensor_choice sensor; /* whose readings they are, for a scale that neither lsb nor unit tells */
+    sensor_choice sensor; /* whose readings they are, for a scale that neither lsb nor unit gives */
     const design *set;    /* the program to follow; null: free hand */
     double target[3];     /* sigma that is enough; 0: any */
     double need;          /* what lengths may be wrong by, over the field; 0: anything */
     double field_sigma;   /* what the field may, over itself */
     double mean_sigma;    /* of a position mean that is wanted, field units; 0: any */
-    const invcal_noise *noise; /* of three axes, over the field, in place of what the first rest
+    const invcal_noise *noise; /* of three axes, over the field, instead of what the first rest
                                   tells; null: there is none. Needs mean_sigma */
     told_style told;           /* the units of sigma */
     gyro_wish gyro;

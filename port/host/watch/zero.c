@@ -9,7 +9,7 @@
 #define RENEW 4u    /* positions whose range says more than the first reading */
 #define FAR_OFF 0.7 /* mean of unit vectors that differ less than positions do */
 
-/* Field units per input unit, if a unit is stated that tells it; else 0. */
+/* Field units per input unit, if the stated unit gives it; else 0. */
 static double scale_of_unit(const zero_finder *z)
 {
     const reading_unit stated =
@@ -85,7 +85,7 @@ static int nominal_of_counts(const zero_finder *z, const double zero[3], const d
     return invcal_nominal(zero_counts, counts, out) == INVCAL_OK;
 }
 
-/* The middle of the ranges is the better zero then, and the widest tells the scale. Returns 1 if so. */
+/* The middle of the ranges is the better zero then, and the widest gives the scale. Returns 1 if so. */
 static int find_by_range(const zero_finder *z, double zero[3], double lsb[3])
 {
     if (z->taken->count < RENEW || !is_far_off(z) ||
@@ -96,7 +96,7 @@ static int find_by_range(const zero_finder *z, double zero[3], double lsb[3])
     return 1;
 }
 
-/* Where a program is followed, its directions tell more, as long as it is. */
+/* Where a program is followed, its directions are more informative, as long as it is. */
 static int find_by_program(const zero_finder *z, double zero[3], double lsb[3])
 {
     double length;

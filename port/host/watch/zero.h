@@ -29,7 +29,7 @@ int zero_fits_sensor(const live_wish *wish, const samples *log, char text[SENSOR
 /* Nothing states the zero of the readings, nor the scale. */
 int zero_is_free(const zero_finder *z);
 
-/* And too few positions have been taken to tell them. */
+/* And too few positions have been taken to determine them. */
 int zero_is_guess(const zero_finder *z);
 
 /* A position was taken: the table of the session is in counts, it takes another nominal at any time. */
