@@ -27,7 +27,7 @@ saves() {
 l=$work/log.csv c=$work/cal.json n=$work/noise.json a=$work/angles.csv
 for o in --out --report; do
     for command in calibrate watch; do
-        saves "$l" "$command $o over LOG" "$o: is LOG itself, which would be lost" \
+        saves "$l" "$command $o over LOG" "$o: would overwrite LOG" \
             $command "$l" $o "$l"
         saves "$c" "$command $o over --nominal" "$o: would overwrite the file of --nominal" \
             $command "$l" --nominal "$c" $o "$c"
@@ -36,22 +36,22 @@ for o in --out --report; do
         saves "$a" "$command $o over --plan directions:" "$o: would overwrite the file of --plan" \
             $command "$l" --plan "directions:$a" $o "$a"
         in=$l
-        saves "$l" "$command $o over what the standard input comes from" "$o: is LOG itself" \
+        saves "$l" "$command $o over what the standard input comes from" "$o: would overwrite LOG" \
             $command - $o "$l"
         in=/dev/null
     done
     saves "$n" "watch $o over --allan" "$o: would overwrite the file of --allan" \
         watch "$l" --allan "$n" --mean-sigma 0.001 $o "$n"
-    saves "$l" "allan $o over LOG" "$o: is LOG itself" allan "$l" $o "$l"
+    saves "$l" "allan $o over LOG" "$o: would overwrite LOG" allan "$l" $o "$l"
     in=$l
-    saves "$l" "allan $o over what the standard input comes from" "$o: is LOG itself" \
+    saves "$l" "allan $o over what the standard input comes from" "$o: would overwrite LOG" \
         allan - $o "$l"
     in=/dev/null
 done
-saves "$c" "export --out over CAL.json" '--out: is CAL.json itself' \
+saves "$c" "export --out over CAL.json" '--out: would overwrite CAL.json' \
     export "$c" --format c --out "$c"
 in=$c
-saves "$c" "export --out over what the standard input comes from" '--out: is CAL.json itself' \
+saves "$c" "export --out over what the standard input comes from" '--out: would overwrite CAL.json' \
     export - --format c --out "$c"
 in=/dev/null
 for o in --svg --report; do
@@ -71,8 +71,8 @@ saves "$a" "simulate --truth over its angles" '--truth: would overwrite the file
     simulate --plan "angles:$a" --truth "$a"
 ln "$l" "$work/hard.csv"
 ln -s "$l" "$work/soft.csv"
-saves "$l" "a second name of LOG" '--out: is LOG itself' calibrate "$l" --out "$work/hard.csv"
-saves "$l" "a link to LOG" '--out: is LOG itself' calibrate "$l" --out "$work/soft.csv"
+saves "$l" "a second name of LOG" '--out: would overwrite LOG' calibrate "$l" --out "$work/hard.csv"
+saves "$l" "a link to LOG" '--out: would overwrite LOG' calibrate "$l" --out "$work/soft.csv"
 
 nothing_new() { [ -z "$(ls -A "$work/out")" ] || { ls -A "$work/out" >&2; return 1; }; }
 ln -s out "$work/again"

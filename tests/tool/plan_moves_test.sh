@@ -142,7 +142,7 @@ for option in '--svg x.svg' '--settle 1' '--warm-up 1'; do
     # shellcheck disable=SC2086 # an option and its value
     refuses "--moves with ${option% *}" 2 "${option% *}: cannot be combined with --moves" plan --moves tour12 $option
 done
-refuses "--moves with --csv" 2 '--csv: is for one set' plan --moves tour12 --csv
+refuses "--moves with --csv" 2 '--csv: needs a single set' plan --moves tour12 --csv
 refuses "a report that cannot be written" 3 'none/r.html' plan --moves tour12 --report "$work/none/r.html"
 
 finish

@@ -160,7 +160,7 @@ test("a phone that rounds to 0.1 m/s²: calibrated, and what that means is said"
     await hold(page, inHand(0.04), 0.1);
     await page.until(TAKEN(15), "positions");
     const facts = await page.text("#facts");
-    expect(facts.includes("rounds the readings to 10 mg") && facts.includes("no instrument"), facts);
+    expect(facts.includes("rounds the readings to 10 mg") && facts.includes("not for measuring"), facts);
     const { offset, sigma } = await result(page); // of a sensor that is wrong by nothing
     expect(sigma[0] > 1e-4, `sigma of offsets ${sigma[0]}`);
     offset.forEach((v, i) => close(v / 9.80665, 0, 2 * sigma[0], `offset ${i}, g`));
