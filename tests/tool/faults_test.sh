@@ -141,7 +141,7 @@ for line in "calibrate never --out" "watch never --report" "allan never --out" \
     (run_for)
     code=$?
     check "what is read-only is refused before any work: ${line%% *}" \
-        kept_old 3 'out/cal\.json: is read-only, so nothing is written over it'
+        kept_old 3 'out/cal\.json: is read-only: name another file'
 done
 ln -s out/cal.json "$work/to_old.json"
 run calibrate "$l" --out "$work/to_old.json"
@@ -158,7 +158,7 @@ rm -f "$work"/out/*
 for f in px4 ardupilot; do
     for value in -1 99999999999 1e300 0.5; do
         refuses "export: --format $f --instance $value" 2 \
-            '^invcal: --instance: is a whole number from 0 to 3; see' export "$c" --format $f \
+            '^invcal: --instance: must be a whole number from 0 to 3; see' export "$c" --format $f \
             --zero 0,0,0 --lsb 1 --instance $value
     done
 done
@@ -199,7 +199,7 @@ for member in NaN Infinity -inf null 1e999; do
 done
 refuses_nonfinite() { # FORMAT LSB SENTENCE
     # shellcheck disable=SC2046
-    refuses "export --format $1: $3" 1 'exceed the range of a' \
+    refuses "export --format $1: $3" 1 'exceed the range of a|would be' \
         export "$work/odd.json" --format "$1" $(driver_of "$1" "$2")
 }
 calibration 1e29 1e290 9.8
@@ -215,7 +215,7 @@ refuses_nonfinite fusion 1 "a cross term that overflows"
 nominal='--positions --gravity 9.81744 --zero 33123,33276,32360 --lsb 0.0024'
 { cat "$xsens"; echo 1e200,33330,33330,1,1,1,100; } > "$work/huge.csv"
 # shellcheck disable=SC2086
-refuses "a reading that no figure can tell" 1 'huge\.csv:40: position 39 is too large' \
+refuses "a reading that no figure can tell" 1 'huge\.csv:40: the reading of position 39 is too large' \
     calibrate "$work/huge.csv" $nominal
 { cat "$xsens"; echo 1e20,33330,33330,1,1,1,100; } > "$work/huge.csv"
 # shellcheck disable=SC2086
@@ -530,7 +530,7 @@ warm() { # POSITIONS SEED
 is_chance() { # POSITIONS SEED
     warm "$1" "$2"
     run calibrate "$work/warm.csv" --positions --gravity 9.8 --keep-all
-    told=$(tr '\n' ' ' < "$work/stdout" | sed -n 's/.*(chance alone: \([0-9.e-]*\)).*/\1/p')
+    told=$(tr '\n' ' ' < "$work/stdout" | sed -n 's/.*(p = \([0-9.e-]*\)).*/\1/p')
     run calibrate "$work/warm.csv" --positions --gravity 9.8 --keep-all --thermal 1 --json
     without=$(sed -n 's/^ *"residual_rms_without": \([0-9.e-]*\),*$/\1/p' "$work/stdout")
     is=$(chance_of "$(json "$work/stdout" residual_rms)" "$without" "$1")

@@ -158,7 +158,7 @@ check "report: and the table tells why that may be" matches "$work/stdout" \
 "$tool" simulate --plan per-group:5 --outliers 3 --seed 33 --noise 0.002 > "$work/doubt.csv"
 makes_page "outliers not to be told" "$work/doubt.csv"
 check "report: then the verdict is no good one" says_page \
-    '! Contradictory .* 4 positions contradict one another, and which of them are wrong cannot'
+    '! Contradictory .* 4 positions contradict one another, and nothing shows which'
 check "report: nor is the table's" matches "$work/stdout" '^Contradictory: .* 4 positions'
 check "report: and the next step is another measurement" matches "$work/stdout" \
     '^Next: measure again with more positions'

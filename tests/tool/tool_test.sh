@@ -481,7 +481,7 @@ five_columns() { # five_columns STD N
         > "$work/bad.csv"
 }
 five_columns -0.01 100
-refuses_file "a negative std" 3 'bad\.csv:5: column 4 \(std_x\): a standard deviation must not' "$work/bad.csv"
+refuses_file "a negative std" 3 'bad\.csv:5: column 4 \(std_x\): the standard deviation is negative' "$work/bad.csv"
 five_columns 1e200 100
 refuses_file "an absurd std" 3 'bad\.csv:5: column 4 \(std_x\)' "$work/bad.csv"
 five_columns 0.01 0

@@ -62,9 +62,8 @@ static int add_noise(positions *p, const table *t, const columns *where)
         const column which = (column)(COLUMN_STD_X + i);
         failure = columns_number(t, where, which, &std);
         if (!failure && !(std >= 0 && std * std <= DBL_MAX / POSITIONS_MAX)) {
-            message(
-                "%s:%lu: column %d (%s): a standard deviation must not be negative, nor that large",
-                t->name, t->line, where->index[which] + 1, column_name(which));
+            message("%s:%lu: column %d (%s): the standard deviation is negative or too large",
+                    t->name, t->line, where->index[which] + 1, column_name(which));
             failure = EXIT_FILE;
         }
         if (!failure) {

@@ -286,8 +286,8 @@ static void say_left_out(page *p, const report_facts *f)
     }
     if (r->suspected > 0) {
         page_say(p,
-                 "%u %spositions contradict one another; which of them are wrong cannot be "
-                 "determined: repeat the measurement.",
+                 "%u %spositions contradict one another, and nothing shows which of them are "
+                 "wrong: repeat the measurement.",
                  r->suspected, r->count > 0 ? "more " : "");
     }
 }

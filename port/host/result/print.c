@@ -433,7 +433,7 @@ static void print_rejected(FILE *file, const calibrate_result *result)
     if (r->suspected > 0) {
         wrapped_printf(
             file, 0,
-            "%u %spositions contradict one another; which of them are wrong cannot be determined.",
+            "%u %spositions contradict one another, and nothing shows which of them are wrong.",
             r->suspected, r->count > 0 ? "more " : "");
     }
 }

@@ -112,8 +112,8 @@ static void say_rough(const calibrate_result *r, char text[VERDICT_MAX])
                  figure_digits(times, 2, number), r->is_noise_given ? "stated" : "of the samples");
     } else {
         snprintf(text, VERDICT_MAX,
-                 "the residuals are not noise: outliers, a drift, a step or a nonlinearity. With "
-                 "so few positions, which one cannot be determined.");
+                 "the residuals are not noise: outliers, a drift, a step or a nonlinearity; there "
+                 "are too few positions to decide which.");
     }
 }
 
@@ -122,7 +122,7 @@ const char *verdict_cause(const calibrate_result *r, char text[VERDICT_MAX])
     if (is_contradictory(r)) {
         snprintf(text, VERDICT_MAX,
                  "every parameter is determined, but %u positions contradict one another, and "
-                 "which of them are wrong cannot be determined.",
+                 "nothing shows which of them are wrong.",
                  r->rejected.suspected);
     } else if (r->magnetometer) {
         (void)calibrate_waved_fault(r, text);
