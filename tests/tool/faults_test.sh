@@ -475,7 +475,7 @@ check "the worst of those kept has its number in the file" \
     matches "$work/stdout" 'max .*, at position 11 \(line 12\)$'
 awk -F , -v OFS=, 'NR == 4 { $1 = 1e20 } NR == 12 { $1 = 1e200 } { print }' "$work/moved.csv" > "$work/huge.csv"
 refuses "so has one that is refused behind one that is left out" 1 \
-    'huge\.csv:12: position 11 is too large' calibrate "$work/huge.csv" --positions --gravity 9.8 \
+    'huge\.csv:12: the reading of position 11 is too large' calibrate "$work/huge.csv" --positions --gravity 9.8 \
     --zero 0,0,0 --lsb 1
 long n=24 angles=1 seed=8
 awk -F , -v OFS=, 'NR == 4 { for (i = 1; i <= 3; i++) $i *= 1.005 } NR == 12 { $4 += 2 } { print }' \
