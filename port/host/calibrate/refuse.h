@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * calibrate/refuse.h: why there is no calibration, and what to do about it. Nothing is told here: what is wrong is
+ * calibrate/refuse.h: why there is no calibration, and what to do about it. Nothing is printed here: the reason is
  * left in result->refused, which deliver.h prints.
  */
 #ifndef CALIBRATE_REFUSE_H
@@ -10,7 +10,7 @@
 
 /* What fit_make answered, not INVCAL_OK.
  *
- * angles  what is said of those of a stand: which group of a program is missing they tell.
+ * angles  those of a stand, as stated: they show which group of a program is missing.
  * reason  details of the answer.
  *
  * This and those below return EXIT_DATA. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * cli/told.h: the units that people are told figures in: those of everyday, or those of inertial
- * navigation. What is written for programs (JSON) has units of its own.
+ * cli/told.h: the units of figures for people: everyday ones, or those of inertial navigation.
+ * JSON has its own units.
  */
 #ifndef TOLD_H
 #define TOLD_H

@@ -7,7 +7,7 @@
  *
  *     scale_i = |G_i|,     sin gamma_ij = G_i G_j / (|G_i| |G_j|)
  *
- * Lengths of readings do not tell how the calibrated axes are turned: matrix and R matrix are the same
+ * Lengths of readings do not determine the rotation of the calibrated axes: matrix and R matrix are the same
  * calibration for any turn R, G becomes G R', and neither of the two changes. So it does not matter that two
  * calibrations had different nominals, and with them frames that are turned by a little.
  *
@@ -17,11 +17,11 @@
  *     delta_i = (offset_i - o_i) / (N_i field),   1 + dk_i = S_i's length = scale_i / N_i
  *
  * which to first order are delta, dk and gamma = S_ij + S_ji of invcal_deviation. The angles of the nominal
- * itself are not 0: what is told of an angle is the difference to it.
+ * itself are not 0: the figure for an angle is the difference from it.
  *
  * Sigma of a file is against its own nominal, of scales 1 / lsb: that of dk times 1 / lsb is sigma of the
  * scale, and that of gamma is one of S_ij + S_ji, whose rows are shorter or longer than the axes by
- * 1 / (lsb scale). What the field may be wrong by was added to that of dk. */
+ * 1 / (lsb scale). The uncertainty of the field was added to that of dk. */
 #include <math.h>
 #include <string.h>
 

@@ -502,8 +502,7 @@ static int scale_rows(positions *p)
     return EXIT_GOOD;
 }
 
-/* The name of a file for tables and pictures: ASCII, the end of it if it is too long, which tells
- * most. Returns name. */
+/* The name of a file for tables and pictures: ASCII, if too long, its end, which matters most. Returns name. */
 static const char *plain_name(const char *path, char *name, size_t size)
 {
     const size_t length = strlen(path);

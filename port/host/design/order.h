@@ -5,8 +5,8 @@
 #ifndef ORDER_H
 #define ORDER_H
 
-/* By how much sigma of the nine parameters grows, at most, if a drift of the offsets is to be told from
- * them: the largest sqrt(K12(r,r) / K9(r,r)), K12 with three columns tau eta more, tau from -1/2 at the
+/* By how much sigma of the nine parameters grows, at most, if a drift of the offsets is to be separated
+ * from them: the largest sqrt(K12(r,r) / K9(r,r)), K12 with three columns tau eta more, tau from -1/2 at the
  * first position to 1/2 at the last. Near 1 the order shows a drift; infinite where it hides one.
  *
  * weight  of each direction; or null: all are 1. */

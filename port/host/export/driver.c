@@ -17,8 +17,8 @@ static double unit_si(const char *unit)
     return unit_parse(unit, &u) ? unit_scale(u, UNIT_STANDARD_GRAVITY) : 0;
 }
 
-/* The driver's scale is a figure of its own: neither the range of some data nor an earlier
- * calibration tells it. */
+/* The driver's scale is a figure of its own: it follows neither from the range of data nor
+ * from an earlier calibration. */
 static int is_stated(const char *origin)
 {
     return strcmp(origin, "given") == 0 || strcmp(origin, "unit") == 0 ||

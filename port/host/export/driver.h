@@ -13,11 +13,11 @@
 
 /* Fills in job->driver.
  *
- * zero, lsb  what the command line states, lsb in m/s^2 per input unit; null: the file tells, by
- *            the unit of its readings, or by a nominal calibration that was given.
+ * zero, lsb  what the command line states, lsb in m/s^2 per input unit; null: from the file, by
+ *            the unit of its readings or a nominal calibration that was given.
  *
- * Returns EXIT_GOOD; EXIT_USAGE, with a message, if the driver's scale is unknown, or no
- * calculation can be made with it. */
+ * Returns EXIT_GOOD; EXIT_USAGE, with a message, if the driver's scale is unknown, or
+ * out of range. */
 int export_driver(export_job *job, const double *zero, const double *lsb);
 
 #endif

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * fit/fit.h: nine parameters from position means, and what they are worth.
+ * fit/fit.h: nine parameters from position means, and their accuracy.
  *
- * Everything is over the field, as in the library; fit_in_field_units makes of a calibration what
- * people and files are told.
+ * Everything is over the field, as in the library; fit_in_field_units converts a calibration for
+ * people and files.
  */
 #ifndef FIT_H
 #define FIT_H

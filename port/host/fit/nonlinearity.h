@@ -42,7 +42,7 @@ unsigned nonlinearity_least(unsigned degree);
  * sigma  their standard deviations.
  *
  * Returns as fit_make; INVCAL_TOO_FEW with fewer than nonlinearity_least positions, 14 or 17; INVCAL_UNDETERMINED,
- * too, if the directions do not tell them: nonlinearity_open names them. */
+ * too, if the directions do not determine them: nonlinearity_open names them. */
 invcal_status nonlinearity_fit(const double *raw, unsigned count, const fit_settings *settings,
                                unsigned degree, fit_solution *solution, fit_quality *quality,
                                double out[NONLINEARITY_MOST], double sigma[NONLINEARITY_MOST]);

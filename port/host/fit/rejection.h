@@ -33,7 +33,7 @@ typedef struct {
 /* Looks for outliers (invcal_calibrate_judged), in turns if there are more positions than
  * INVCAL_MAX_POSITIONS; then those stay out that contradict all others, too, by a chance of 0.007 of all
  * together, and none is only suspected. The time it takes is that of a position times their number. Sets that cannot be
- * judged, because they are too few or undetermined, lose none: calibrating them tells why.
+ * judged, because they are too few or undetermined, lose none: calibrating them shows why.
  *
  * none  1: looks for none.
  *

@@ -27,8 +27,8 @@
 /* Adds rests whose temperature drifted by more than `limit`, K; where it is not known they stay. */
 void thermal_rejection_drifting(rejection *r, const positions *p, double limit);
 
-/* Adds those that contradict the others. At one temperature the library tells which; at several, but
- * without slopes, nothing does: all that are at another temperature than most would be left out. */
+/* Adds those that contradict the others. At one temperature the library finds them; at several, but
+ * without slopes, nothing can: all that are at another temperature than most would be left out. */
 void thermal_rejection_find(rejection *r, const positions *p, const fit_settings *settings,
                             const thermal_wish *wish);
 

@@ -69,8 +69,8 @@ static double row_positions(const plan_row *row)
     return INVCAL_PLAN_GROUPS * row->per_group;
 }
 
-/* Below the least program there are the known ones of fewer positions; beside a sweep that begins
- * elsewhere they have no place. */
+/* Below the least program there are the known ones of fewer positions; a sweep that begins
+ * elsewhere leaves them out. */
 static double first_of(const plot *p)
 {
     double first = row_positions(&p->rows[0]);

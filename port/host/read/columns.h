@@ -73,7 +73,7 @@ typedef enum {
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if x, y and z are not there or there twice, or
  * another name is there twice, or x, y and z are in different units, or the number of columns
- * tells nothing. A temperature in a unit that is none is no column of temperature. */
+ * is not sufficient. A temperature in an unknown unit is ignored. */
 int columns_find(table *t, columns_kind kind, columns *out);
 
 /* The first line has been left out (table_drop_cut_first), or the current one, the last, is to be: it is

@@ -46,8 +46,7 @@ void motion_add(motion *m, const sample *s);
 /* 1 if an axis has never changed. */
 int motion_is_frozen(const motion *m, unsigned axis);
 
-/* Returns 1 and the first place where it has moved; 0 if it has not, or the log is too short to
- * tell. */
+/* Returns 1 and the first place where it has moved; 0 if it has not, or the log is too short. */
 int motion_find(motion *m, motion_place *out);
 
 #endif

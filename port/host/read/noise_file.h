@@ -11,8 +11,8 @@
  * 1, rate random walk in sqrt(Hz); and the averaging times that were seen. Other members do not
  * matter. "-" is the standard input.
  *
- * Returns EXIT_GOOD; EXIT_FILE, with a message, if the file is unreadable, malformed, or does not
- * tell how long the field is. */
+ * Returns EXIT_GOOD; EXIT_FILE, with a message, if the file is unreadable, malformed, or without
+ * the length of the field. */
 int noise_file_read(const char *path, invcal_noise noise[3]);
 
 #endif

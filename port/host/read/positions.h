@@ -47,7 +47,7 @@ typedef struct {
  *
  * Returns EXIT_GOOD, with at least one position; EXIT_FILE, with a message, if the file is
  * unreadable, malformed, or holds no position or more than POSITIONS_MAX. Rows that look like the samples
- * of a log are told. To be released with positions_free in either case. */
+ * of a log give a warning. To be released with positions_free in either case. */
 int positions_read(positions *p, const char *path);
 
 /* Adds one. EXIT_GOOD; EXIT_FILE, with a message, above POSITIONS_MAX or without memory. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * read/recording.h: what is kept of a log besides its rests, in fixed memory: where in the file and
- * when each block of invcal_rests began (where samples were lost or lines skipped, counting does
- * not tell), and its outline.
+ * when each block of invcal_rests began (where samples were lost or lines skipped, counting is
+ * not enough), and its outline.
  */
 #ifndef RECORDING_H
 #define RECORDING_H

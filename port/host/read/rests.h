@@ -51,9 +51,8 @@ int rests_take(positions *p, const invcal_rest *rest, double unit, const recordi
 /* All rests are taken, and so is the log: completes the positions and the summary. */
 void rests_end(positions *p, const samples *log, rests_summary *summary);
 
-/* Finds the rests in a log ("-": standard input), in fixed memory but for the positions. Where nothing
- * tells the rate, 100 samples per second are taken for it; if that finds too few for a calibration, but 50
- * or 25 enough, these.
+/* Finds the rests in a log ("-": standard input), in fixed memory but for the positions. If the rate
+ * is unknown, 100 samples per second are assumed; or 50 or 25, if only these find enough rests for a calibration.
  *
  * rate  samples per second; 0: see samples.h.
  * clip  null, or the least and the greatest reading of the sensor, input units.

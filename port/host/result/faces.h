@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * result/faces.h: six faces determine offsets and scales. What the angles that they leave open cost, and which
- * positions would tell them.
+ * result/faces.h: six faces determine offsets and scales. The cost of the undetermined angles, and which
+ * positions would determine them.
  */
 #ifndef FACES_H
 #define FACES_H

@@ -137,8 +137,8 @@ void calibrate_spread(const calibrate_result *result, double unit, uncertainty *
 /* 0 if the noise is unknown, neither stated nor from residuals: sigma then means nothing. */
 int calibrate_knows_noise(const calibrate_result *result);
 
-/* How many times the noise of a position mean is as large as that stated, or as the scatter of the
- * samples tells; 0: that is not known. */
+/* Ratio of the noise of a position mean to the stated one, or to that from the scatter of the
+ * samples; 0: unknown. */
 double calibrate_times(const calibrate_result *result);
 
 /* The same where it is much; else 0. */

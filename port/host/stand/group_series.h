@@ -2,9 +2,9 @@
  *
  * stand/group_series.h: the paper's series of each group (series.h), from what was measured at any angles.
  *
- * Fifteen coefficients of three groups determine nine parameters: six of them twice. The offset of x is felt in
+ * Fifteen coefficients of three groups determine nine parameters: six of them twice. The offset of x shows in
  * groups 2 and 3, that of y in 1 and 3, that of z in 1 and 2; and so are the scale errors. That both groups
- * tell the same is the closure, a check that no single group has.
+ * agree is the closure, a check that no single group has.
  *
  *     parameter   one group                        the other
  *     delta_x     -b1 of group 2                   b1 of group 3

@@ -4,7 +4,7 @@
  * (invcal/expert.h, "Known directions").
  *
  * This is the one rotation that lengths never show. The stand's angles count to the first order here, so
- * what is left between readings and directions tells of the stand as well: see misset.h.
+ * the residuals between readings and directions show errors of the stand as well: see misset.h.
  */
 #ifndef MOUNTING_H
 #define MOUNTING_H
@@ -26,8 +26,7 @@ typedef struct {
     double turn[3][3];        /* a direction of the stand's frame, in that of the unit */
     double angle[3];          /* the same as a rotation vector, rad, */
     double sigma[3];          /* and its standard deviations */
-    double scatter; /* of a direction about each of two axes across it, rad; NaN: nothing is left
-                                 to tell */
+    double scatter; /* of a direction about each of two axes across it, rad; NaN: no redundancy */
     double dof;     /* behind it */
     double k[INVCAL_PACKED_SIZE(4)]; /* inverse of the system of (eta 1): see mounting_leverage */
 } mounting;

@@ -8,10 +8,10 @@
  *     eta(alpha, beta) = (sin alpha sin beta, cos alpha, sin alpha cos beta)
  *
  * so that alpha = 90, beta = 0 points z up, and alpha = 90, beta = 90 points x up. That is what Table 2 of the
- * paper demands; it draws no arrows. A stand that counts otherwise is told so: alpha = sense (reading - zero).
+ * paper demands; it draws no arrows. For a stand that counts otherwise, state it: alpha = sense (reading - zero).
  *
- * Where the axes of the stand do not meet in the unit, it moves on a circle as they turn. At rest that is
- * nothing: gravity is the same everywhere on the stand, to 3e-7 for each metre of height.
+ * Where the axes of the stand do not meet in the unit, it moves on a circle as they turn. At rest this
+ * has no effect: gravity is the same everywhere on the stand, to 3e-7 for each metre of height.
  */
 #ifndef STAND_H
 #define STAND_H

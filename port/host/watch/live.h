@@ -8,7 +8,7 @@
 #include "read/rests.h"
 #include "watch/wish.h"
 
-/* Reads a stream to its end, or until somebody interrupts it (Ctrl-C), tells what to do, and
+/* Reads a stream to its end, or until it is interrupted (Ctrl-C), says what to do, and
  * collects the positions. Malformed lines are reported and skipped. It is shown on a screen if wish.talk is
  * the standard output and can show one (screen.h), else by lines (lines.h).
  *

@@ -40,8 +40,8 @@ typedef enum {
 typedef struct {
     FILE *talk; /* where it is printed */
     told_style told;
-    int is_magnetometer; /* one is waved: positions are cells that have been passed through, and what is
-                            told of up is told of the field */
+    int is_magnetometer; /* one is waved: positions are cells that have been passed through, and up
+                            stands for the field */
     const char *disturbed; /* by what: a clause; "": by nothing */
 
     /* the log */

@@ -29,8 +29,8 @@ typedef struct {
     double need;          /* what lengths may be wrong by, over the field; 0: anything */
     double field_sigma;   /* what the field may, over itself */
     double mean_sigma;    /* of a position mean that is wanted, field units; 0: any */
-    const invcal_noise *noise; /* of three axes, over the field, instead of what the first rest
-                                  tells; null: there is none. Needs mean_sigma */
+    const invcal_noise *noise; /* of three axes, over the field, instead of the noise of the
+                                  first rest; null: none. Needs mean_sigma */
     told_style told;           /* the units of sigma */
     gyro_wish gyro;
     FILE *talk; /* where to say it */
