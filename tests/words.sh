@@ -28,13 +28,25 @@ literals() {
             }
         }'
 }
+# The comments of the tool, in the same form.
+comments() {
+    echo "$all" | grep -E '^port/host/.*\.(c|h)$' | xargs awk '
+        FNR == 1 { is_open = 0 }
+        is_open || match($0, /\/\*/) {
+            text = is_open ? $0 : substr($0, RSTART + 2)
+            is_open = !sub(/\*\/.*/, "", text)
+            gsub(/told\.h/, "", text)
+            print FILENAME ":" FNR ": " text
+        }'
+}
 said=$(literals)
+noted=$(comments)
 
 # Parts of identifiers, of printf's formats and of instruction sets.
 echo "$all" | xargs codespell -L 'rsource,ontext,shold,rcall,te,upto'
 wrong=$?
 
-[ -n "$said" ] && [ -s tests/words.txt ] || exit 1
+[ -n "$said" ] && [ -n "$noted" ] && [ -s tests/words.txt ] || exit 1
 grep -v '^#' tests/words.txt | {
     while IFS=$(printf '\t') read -r where word better; do
         case $where in
@@ -48,7 +60,8 @@ grep -v '^#' tests/words.txt | {
         # shellcheck disable=SC2086 # files
         {
             [ -n "$files" ] && LC_ALL=C.UTF-8 grep -EHIinow -- "$word" $files
-            [ "$where" != all ] && echo "$said" | LC_ALL=C.UTF-8 grep -Eiw -- "$word"
+            [ "$where" != all ] && echo "$said" | LC_ALL=C.UTF-8 grep -aEiw -- "$word"
+            [ "$where" = users ] && echo "$noted" | LC_ALL=C.UTF-8 grep -aEiw -- "$word"
         } | awk -v better="$better" '{ print $0 ": better: " better } END { exit NR > 0 }' || wrong=1
     done
     exit "$wrong"

@@ -112,20 +112,20 @@ echo '.fi
 .SH FILES
 .TP
 .I CAL.json
-A calibration: what calibrate \-\-out writes, and apply, compare and \-\-nominal read.
+A calibration, written by calibrate \-\-out, read by apply, compare and \-\-nominal.
 .TP
 .I PREFIX/share/invcal/schema.json
-The JSON that the tool prints and writes, as a JSON Schema of 2020\-12. Units stand in it.
+JSON Schema (2020\-12) of the JSON that the tool prints and writes, with units.
 .TP
 .I PREFIX/share/bash\-completion/completions/invcal
 Completion for bash; zsh reads it after bashcompinit.
 .SH ENVIRONMENT
 .TP
 .B COLUMNS
-The width that tables and texts are laid out for, 60 at least. Otherwise that of the terminal, or 80.
+Width of tables and texts, at least 60. Default: the width of the terminal, or 80.
 .TP
 .B NO_COLOR
-If it is set and not empty, nothing is coloured. Otherwise terminals get colours.
+If set and not empty, disables colours.
 .TP
 .B TERM
 A terminal named dumb, or without a name, gets no colours.

@@ -43,7 +43,7 @@ void program_visit(program *p, unsigned position, const double up[3]);
  * count   from 2 to that of the set.
  * length  of the field, input units.
  *
- * Returns 1; 0, for positions that are all one direction, or a tenth of the field beside it. */
+ * Returns 1; 0, for positions that are all one direction, within a tenth of the field. */
 int program_scale(const program *p, const double *mean, unsigned count, double zero[3],
                   double *length);
 

@@ -25,7 +25,7 @@
  * 42 mGal (1795 mGal^2 at a point, Tscherning and Rapp 1974), 1 mGal = 1e-5 m/s^2; 100 and more
  * are met in high mountains. This is 50 mGal, 51 millionths of g, as people live on land.
  *
- * Small beside it are the tides (0.2 mGal), and up to 100 m between height above the sea and above
+ * Small compared with it are the tides (0.2 mGal), and up to 100 m between height above the sea and above
  * the ellipsoid (31 mGal, part of the anomaly if h is counted from the sea). Not small is a degree
  * of latitude, 90 mGal at 45 degrees: state a tenth of it. */
 #define GRAVITY_SIGMA 5e-4

@@ -209,8 +209,8 @@ static void find_set_aside(const table *t, columns_kind kind, columns *out)
     }
 }
 
-/* x, y and z come from one family. Beside an accelerometer a magnetometer may be there, and the other way
- * round; of two of one kind nobody can guess which one is meant. */
+/* x, y and z come from one family. An accelerometer and a magnetometer may both
+ * be there; of two of one kind, the right one is unknown. */
 static int find_xyz(const table *t, columns_kind kind, columns *out)
 {
     const int is_magnetic = kind == COLUMNS_MAGNETOMETER;

@@ -13,15 +13,14 @@
 
 /* What was recognised, to be printed; the table is no longer needed. */
 typedef struct {
-    const char *separator;     /* "commas", ... */
-    unsigned long header_line; /* 0: none */
-    unsigned long preamble;    /* lines of `name, value` before it */
-    unsigned long unit_line;   /* a row of units; 0: none */
-    int is_magnetometer;       /* one was asked for */
-    char set_aside
-        [HEADING_NAME_MAX]; /* x of the accelerometer next to it; else of a magnetometer beside the
-                                         accelerometer; empty: none */
-    char gyro[3][HEADING_NAME_MAX]; /* of a gyroscope, as in the header; empty: there is none */
+    const char *separator;            /* "commas", ... */
+    unsigned long header_line;        /* 0: none */
+    unsigned long preamble;           /* lines of `name, value` before it */
+    unsigned long unit_line;          /* a row of units; 0: none */
+    int is_magnetometer;              /* one was asked for */
+    char set_aside[HEADING_NAME_MAX]; /* x of the other one, of a magnetometer or accelerometer;
+                                       * empty: none */
+    char gyro[3][HEADING_NAME_MAX];   /* of a gyroscope, as in the header; empty: there is none */
     double turn; /* rad/s in one of its units, if the headings state it; else 0 */
     char chosen[COLUMNS_CHOICE_MAX]; /* by --columns, as it was stated; empty: it was not */
     unsigned others;                 /* columns that have a heading, but are ignored */

@@ -69,7 +69,7 @@ typedef struct {
  * live  0: a malformed line is an error, but a first or last one that is cut is reported and left out. 1: a stream that goes on whatever comes; malformed lines
  *       are reported, skipped and counted as gaps, up to a hundred in a row, and if the first line was
  *       cut, the second decides about the columns.
- * rate  samples per second, or 0: from the times (the median of their steps), or 100.
+ * rate  samples per second, or 0: from the times (their mean or median step), or 100.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, if it is unreadable or malformed, holds no
  * sample, or the times give no rate within 8 ... 8000. The structure is large and must not

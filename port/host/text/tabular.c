@@ -129,8 +129,8 @@ static size_t gap(unsigned column)
     return column == 0 ? 0 : table.alignment[column] == 'l' ? NEAR : GAP;
 }
 
-/* Where the part of the table ends that begins with column `from`: so many as have room beside the first
- * column, and one at least. */
+/* Where the part of the table ends that begins with column `from`: as many as fit next to the first
+ * column, and at least one. */
 static unsigned part_end(unsigned from, size_t room)
 {
     size_t used = table.width[0];
