@@ -277,7 +277,7 @@ const char *compare_next(const compare_result *r)
                "mounting), and calibrate again soon to see if it continues.";
     }
     (void)histories(r, &is_known);
-    return is_known ? "nothing. Use the newest calibration of each device."
+    return is_known ? "nothing to do; use the newest calibration of each device."
                     : "calibrate with more positions, or state --noise, to get a ±.";
 }
 

@@ -55,7 +55,7 @@ void labour_print(FILE *file, const labour *l)
 
     wrapped_printf(file, 0,
                    "Least total time with the noise of %s; %.6g s to settle in each position, %.6g "
-                   "s between two; limits %.4g %s, %.4g %s, %.4g %s",
+                   "s between positions; limits %.4g %s, %.4g %s, %.4g %s",
                    l->noise_name, l->settle, l->move, field.scale * l->limits[0], field.unit,
                    scale.scale * l->limits[1], scale.unit, angle.scale * l->limits[2], angle.unit);
     putc('\n', file);

@@ -257,7 +257,7 @@ static void print_labour(FILE *file, const design *d, const design_cost *cost)
     if (cost->settle > 0) {
         snprintf(settle, sizeof settle, ", and %.6g s to settle in each", cost->settle);
     }
-    wrapped_printf(file, 0, "%.6g s in each position%s and %.6g s between two%s", cost->dwell,
+    wrapped_printf(file, 0, "%.6g s in each position%s and %.6g s between positions%s", cost->dwell,
                    d->has_shares ? " on average" : "", cost->move, settle);
     if (distinct < d->count) {
         fprintf(file, "%u positions in %u directions\n", d->count, distinct);

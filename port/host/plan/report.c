@@ -218,7 +218,7 @@ static void write_cost(page *p, const plan_facts *f)
 
     page_section(p, "Cost");
     page_facts_begin(p);
-    page_fact(p, "time", "%s: %s in each of %u positions, %s between two",
+    page_fact(p, "time", "%s: %s in each of %u positions, %s between positions",
               plan_time_text(design_seconds(d->count, cost), text[0]),
               plan_time_text(cost->dwell, text[1]), d->count, plan_time_text(cost->move, text[2]));
     if (cost->settle > 0) {

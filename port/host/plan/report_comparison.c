@@ -225,7 +225,7 @@ static void write_origin(page *p, const comparison *c, const char *command)
     char text[2][PLAN_WORDS_MAX];
 
     plan_report_origin(p, command);
-    page_fact(p, "time", "%s in each position, %s between two",
+    page_fact(p, "time", "%s in each position, %s between positions",
               plan_time_text(cost->dwell, text[0]), plan_time_text(cost->move, text[1]));
     page_facts_end(p);
 }

@@ -89,7 +89,7 @@ static void write_figures(page *p, const turns_plan *plan)
     }
     snprintf(text, sizeof text, "%u", plan->count);
     page_figure(p, text, "turns");
-    page_figure(p, plan_time_text(plan->seconds, text), "in all");
+    page_figure(p, plan_time_text(plan->seconds, text), "total time");
     page_figures_end(p);
 }
 

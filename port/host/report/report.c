@@ -35,10 +35,10 @@ static const char *part_of_field(const report_facts *f, char text[SUPPORT_MAX])
 
     text[0] = '\0';
     if (f->field_spread > 0) {
-        snprintf(text, SUPPORT_MAX, ", ±%s %s of it from %s itself%s",
+        snprintf(text, SUPPORT_MAX, " (±%s %s of it is from %s itself%s)",
                  figure_digits(f->field_spread, 2, spread), f->unit,
                  f->is_gravity ? "g" : "the field",
-                 f->result->is_field_stated ? "" : ", which --gravity or --latitude reduces");
+                 f->result->is_field_stated ? "" : "; --gravity or --latitude reduces it");
     }
     return text;
 }
@@ -76,8 +76,8 @@ static void say_good(const report_facts *f, char *text)
     }
     say_support(f, support);
     snprintf(text, TEXT_MAX,
-             "All nine parameters are determined, %s: the length of corrected readings%s matches "
-             "%s within ±%s %s in every direction%s, apart from their own noise.%s",
+             "All nine parameters are determined, %s. The length of corrected readings%s matches "
+             "%s within ±%s %s in every direction, apart from their noise%s.%s",
              support, where, f->is_gravity ? "gravity" : "the field", worst_spread(f, spread),
              f->unit, part_of_field(f, field), left_out);
 }
@@ -89,7 +89,7 @@ static void say_weak(const report_facts *f, char *text)
 
     snprintf(text, TEXT_MAX,
              "The positions hardly determine %s: rely on the calibration only within its ±. In the "
-             "worst direction (%s) the length of a corrected reading is uncertain by ±%s %s.",
+             "worst direction (%s), the length of a corrected reading is uncertain by ±%s %s.",
              parameters_list(f->result->quality.weak, list, sizeof list),
              f->length_spread.worst_words, worst_spread(f, spread),
              f->knows_noise ? f->unit : "times the noise of a position mean");
