@@ -60,7 +60,7 @@ static ruler value_ruler(const compare_picture *c, unsigned kind)
     return chart_ruler(least, most, TOP + PLOT, TOP, 5);
 }
 
-/* The three of a kind stand a little next to each other. */
+/* The three of a kind are drawn slightly apart. */
 static double pixel_of(const ruler *x, unsigned k, unsigned axis)
 {
     return chart_pixel(x, k + 1.0) + 5 * (axis - 1.0);

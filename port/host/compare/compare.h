@@ -13,7 +13,7 @@
 #include "result/calibration_file.h"
 
 #define COMPARE_FALSE_ALARM 0.05 /* of all nine parameters, and of all devices, together */
-#define COMPARE_FLEET_LEAST 3u   /* devices; fewer have no outlier */
+#define COMPARE_FLEET_LEAST 3u   /* devices needed to find an outlier */
 #define COMPARE_NAME_MAX 256
 #define COMPARE_TEXT_MAX 1600
 
@@ -117,7 +117,7 @@ const compare_item *compare_newest(const compare_result *r, unsigned device);
 
 /* ---- words.c ---- */
 
-/* What drifts and deviations of parameter p are printed in; and its values themselves. */
+/* Units of drifts and deviations of parameter p, and of its values themselves. */
 told_unit compare_drift_unit(const compare_result *r, unsigned p);
 told_unit compare_page_unit(const compare_result *r, unsigned p); /* the same with ° */
 told_unit compare_value_unit(const compare_result *r, unsigned p, char name[COMPARE_NAME_MAX]);

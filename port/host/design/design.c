@@ -502,7 +502,7 @@ static int scale_rows(positions *p)
     return EXIT_GOOD;
 }
 
-/* The name of a file for tables and pictures: ASCII, if too long, its end, which matters most. Returns name. */
+/* The name of a file for tables and pictures: ASCII; if it is too long, its end. Returns name. */
 static const char *plain_name(const char *path, char *name, size_t size)
 {
     const size_t length = strlen(path);

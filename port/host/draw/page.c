@@ -76,7 +76,7 @@ static const char styles[] =
     ".literal{font-family:ui-monospace,monospace}\n"
     "footer{margin-top:40px;border-top:1px solid var(--line);padding-top:8px}\n";
 
-/* What is folded is open, pictures stand two next to each other, and eighteen positions take three sheets. */
+/* What is folded is open, pictures stand in pairs, and eighteen positions take three sheets. */
 static const char on_paper[] =
     "@media print{body{padding:0;max-width:none;font-size:9.5pt;line-height:1.35}"
     ".scroll{overflow:visible;background:none}"

@@ -57,7 +57,7 @@ void page_figures_end(page *p);
 typedef void page_drawing(FILE *file, const void *data, double width);
 void page_picture(page *p, const char *caption, page_drawing *draw, const void *data);
 
-/* The same across the whole sheet: on paper others stand two next to each other. */
+/* The same across the whole sheet: on paper others stand in pairs. */
 void page_panorama(page *p, const char *caption, page_drawing *draw, const void *data);
 
 /* Parts of a picture side by side where there is room, else one below the other: draw into

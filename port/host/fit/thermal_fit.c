@@ -11,8 +11,8 @@
 #include "text/number.h"
 #include "fit/thermal_rejection.h"
 
-/* A prior was weighed with the noise of the residuals. It has told more of a
- * parameter than the positions have where these leave more than half of its variance. */
+/* A prior was weighed with the noise of the residuals. It determines a parameter more
+ * than the positions do where these leave more than half of its variance. */
 static void settle_prior(thermal_fit *fit, const invcal_quality *q)
 {
     fit->has_prior = thermal_prior(&fit->settings, &fit->wish, &fit->prior);

@@ -51,7 +51,7 @@ typedef struct {
 int report_facts_find(report_facts *f, const calibrate_result *result, const calibrate_wish *wish);
 void report_facts_release(report_facts *f);
 
-/* What offsets (0), scale errors (1) and angles (2) are printed in. */
+/* The units of offsets (0), scale errors (1) and angles (2). */
 told_unit report_unit(const report_facts *f, unsigned kind);
 
 /* The sections, in this order. */

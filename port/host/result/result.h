@@ -62,7 +62,7 @@ typedef struct {
     int is_field_stated;     /* as stated; or because it was not */
     double accuracy; /* 95 % of lengths are right within that, over the field, if the field is */
     double need;     /* what is asked of all of it, field units; 0: nothing; */
-    told_unit need_unit;   /* what that is printed in */
+    told_unit need_unit;   /* its unit */
     int is_drift_fitted;   /* the calibration holds in the middle of the session, and is freed of */
     double drift[3];       /* this: from the first position to the last, over the field, */
     double drift_sigma[3]; /* and how well that is known */
@@ -83,7 +83,7 @@ typedef struct {
     stand stand;         /* results from the angles of a stand, if requested */
     int is_stand_frame;  /* the calibration is turned to the stand, */
     case_frame frame;    /* or to the case */
-    dip_frame dip;       /* what the accelerometer next to a magnetometer told; */
+    dip_frame dip;       /* results from the accelerometer next to a magnetometer; */
     int is_dip_frame;    /* the calibration is turned to its axes */
     gyro_fit gyro;       /* the gyroscope, if there is one; */
     int is_joint;        /* its moves determine the accelerometer, which the rests alone do not */
@@ -162,7 +162,7 @@ int calibrate_is_gravity(const calibrate_result *result);
 const char *calibrate_field_unit(const calibrate_result *result);
 const char *calibrate_input_unit(const calibrate_result *result);
 
-/* What lengths, offsets and residuals over the field are printed in, apart from the report. */
+/* The unit of lengths, offsets and residuals over the field, except in the report. */
 told_unit calibrate_told_field(const calibrate_result *result);
 
 /* What limits the accuracy: a sentence. Returns text. */

@@ -13,7 +13,7 @@
 #define TEXT_MAX 512
 #define LABEL 14u /* columns before a line's text */
 
-/* What a slope is printed in. */
+/* The unit of a slope. */
 typedef struct {
     double scale;
     const char *unit;

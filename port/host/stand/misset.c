@@ -15,7 +15,7 @@
 #define TRACED 1000u /* misset positions, of which is looked for where they belong */
 #define AT_ANOTHER                                                                                 \
     0.15             /* of the way between two directions: the reading is that of the other one */
-#define SMALL 0.2    /* rad: an error that is printed in alpha and beta */
+#define SMALL 0.2    /* rad: an error that is resolved into alpha and beta */
 #define UPRIGHT 0.01 /* sine of alpha below which beta turns the unit about the vertical */
 
 /* What the scatter loses without a position: its own part, and what it draws the others along by. */

@@ -46,7 +46,7 @@ typedef enum {
 typedef struct {
     int is_known;
     double x[INVCAL_PARAMETERS];
-    double sigma[INVCAL_PARAMETERS]; /* NaN if without redundancy for the noise */
+    double sigma[INVCAL_PARAMETERS]; /* NaN without redundancy */
     double noise;                    /* of J1, over the field */
     unsigned dof;
 } stand_vertical;
@@ -66,7 +66,7 @@ typedef struct {
     group_series series;
 } stand;
 
-/* An error of an angle up to this, rad, is printed in alpha and beta. */
+/* An error of an angle up to this, rad, is resolved into alpha and beta. */
 #define STAND_SMALL 0.5
 
 /* Are there angles for these positions? Returns EXIT_GOOD; EXIT_FILE or EXIT_USAGE, with a message. */
