@@ -179,7 +179,8 @@ typedef struct {
 
 /* The result. */
 typedef struct {
-    /* raw counts to rad/s, in the axes of the accelerometer; its offset is the bias of the last rest */
+    /* raw counts to rad/s, in the axes of the accelerometer; its offset is the bias of the last rest,
+     * less the effect of acceleration there if g_is_used */
     invcal_calibration gyro;
     invcal_calibration accelerometer; /* raw counts to field; as passed if it is held */
     /* M of the gyroscope by rows, true rate = M nominal rate; then the nine of the accelerometer in the
