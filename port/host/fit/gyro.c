@@ -652,6 +652,11 @@ static void finish(gyro_fit *g, double unit)
         for (unsigned i = 0; i < 3; i++) {
             g->calibration.matrix[i][of] = sign * c->matrix[i][k] / unit;
         }
+        for (unsigned i = 0; i < 3 && g->imu.g_is_used; i++) { /* slope is of the nominal rate */
+            const double *m = &g->imu.parameter[3 * (size_t)i];
+            g->g[i][k] =
+                m[0] * g->imu.slope[0][k] + m[1] * g->imu.slope[1][k] + m[2] * g->imu.slope[2][k];
+        }
     }
     g->interval = invcal_coverage(g->imu.dof);
 }

@@ -54,7 +54,10 @@ typedef struct {
     int8_t axes[3];    /* as stated, or 1, 2, 3 */
     invcal_imu imu;    /* both, over the field; the gyroscope of counts of `unit` in those axes */
     invcal_calibration calibration; /* input units to rad/s, in the axes of imu.accelerometer */
-    double interval;                /* this many sigma to either side cover 95 % */
+    double g
+        [3]
+        [3]; /* g-sensitivity of a rate that is corrected by it, rad/s per field; 0: none is used */
+    double interval; /* this many sigma to either side cover 95 % */
     gyro_rest rest[INVCAL_MAX_MOVES];
     unsigned rests; /* the last ones */
     unsigned more;  /* rests before them, for which the moves had no room */

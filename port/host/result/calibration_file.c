@@ -292,10 +292,12 @@ static int read_gyro_member(json_reader *r, const char *name, void *into)
     g->has_offset = g->has_offset || is(name, "offset");
     g->has_matrix = g->has_matrix || is(name, "matrix");
     g->is_refused = g->is_refused || is(name, "error");
-    return is(name, "offset")   ? read_vector(r, g->file->gyro.offset)
-           : is(name, "matrix") ? read_matrix(r, g->file->gyro.matrix)
-           : is(name, "lsb")    ? json_read_number(r, &g->file->gyro_lsb)
-                                : json_skip(r);
+    g->file->has_gyro_g = g->file->has_gyro_g || is(name, "g_correction");
+    return is(name, "offset")         ? read_vector(r, g->file->gyro.offset)
+           : is(name, "matrix")       ? read_matrix(r, g->file->gyro.matrix)
+           : is(name, "lsb")          ? json_read_number(r, &g->file->gyro_lsb)
+           : is(name, "g_correction") ? read_matrix(r, g->file->gyro_g)
+                                      : json_skip(r);
 }
 
 /* One that was refused is none. */

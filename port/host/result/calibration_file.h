@@ -47,9 +47,13 @@ typedef struct {
     int is_triangular;       /* and its frame */
     int has_gyro;            /* there is a gyroscope, too: */
     invcal_calibration gyro; /* input units to rad/s, */
-    double gyro_lsb;         /* nominal: rad/s in one, */
-    int gyro_is_counts;      /* which has no name */
-    int has_nonlinear;       /* the calibration is what is left for a linear one after */
+    double
+        gyro_g[3]
+              [3]; /* of which this, rad/s per field unit, times what is felt is taken off; or 0, */
+    int has_gyro_g;
+    double gyro_lsb;    /* nominal: rad/s in one, */
+    int gyro_is_counts; /* which has no name */
+    int has_nonlinear;  /* the calibration is what is left for a linear one after */
     calibration_nonlinear nonlinear;
 } calibration_file;
 

@@ -38,6 +38,21 @@ invcal_calibration gyro_scene_truth(const gyro_model *m)
     return truth;
 }
 
+int gyro_scene_g(const gyro_model *m, double g[3][3])
+{
+    const invcal_calibration truth = gyro_scene_truth(m);
+    double most = 0;
+
+    for (unsigned i = 0; i < 9; i++) {
+        g[i / 3][i % 3] = 0;
+        for (unsigned k = 0; k < 3; k++) {
+            g[i / 3][i % 3] += truth.matrix[i / 3][k] * m->g[3 * k + i % 3] / m->lsb;
+        }
+        most = fmax(most, fabs(m->g[i]));
+    }
+    return most > 0;
+}
+
 void gyro_scene_begin(gyro_scene *s, const gyro_model *model, double rate, uint32_t seed)
 {
     *s = (gyro_scene){.model = model, .random = random_start(seed + 0x9e3779b9u), .rate = rate};

@@ -206,6 +206,18 @@ static void write_truth_positions(json_writer *w, const scene *s)
     json_list_end(w);
 }
 
+static void write_truth_g(json_writer *w, const scene_model *m)
+{
+    double g[3][3];
+
+    if (gyro_scene_g(m->gyro, g)) {
+        for (unsigned i = 0; i < 9; i++) {
+            g[i / 3][i % 3] /= m->field;
+        }
+        json_matrix(w, "g_correction", (const double(*)[3])g);
+    }
+}
+
 static void write_truth(FILE *file, const scene *s)
 {
     const scene_model *m = s->model;
@@ -228,6 +240,7 @@ static void write_truth(FILE *file, const scene *s)
         json_vector(&w, "offset", gyro.offset);
         json_matrix(&w, "matrix", gyro.matrix);
         json_number(&w, "lsb", m->gyro->lsb * UNIT_DEGREE);
+        write_truth_g(&w, m);
         json_object_end(&w);
     }
     write_truth_positions(&w, s);
