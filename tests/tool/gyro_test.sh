@@ -319,7 +319,7 @@ for log in edges.csv tour.log; do
     run watch "$work/$log" --json
     check "watch: $log ends with what calibrate tells" same "$work/stdout" "$work/as"
 done
-check "watch: it tells how exactly the gyroscope is known" matches "$work/stderr" 'gyroscope: 12 moves; scale ± 0\.0[0-9]* %, cross ± 0\.0[0-9]* degrees$'
+check "watch: it tells how exactly the gyroscope is known" matches "$work/stderr" 'gyroscope: 12 of 12 moves; scale ± 0\.0[0-9]* %, cross ± 0\.0[0-9]* degrees$'
 change '{ y = $6; $6 = -$5; $5 = y }'
 run watch "$work/changed.csv"
 check "watch: exchanged axes are told before the tenth position" test \

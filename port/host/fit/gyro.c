@@ -661,15 +661,29 @@ static void finish(gyro_fit *g, double unit)
     g->interval = invcal_coverage(g->imu.dof);
 }
 
-/* The means of the rests of g, as invcal_imu_solve wants them, and the solution. */
+/* The means of the rests of g, as invcal_imu_solve wants them. */
+static void means_of(const gyro_fit *g, const positions *p, double raw[3 * INVCAL_MAX_MOVES])
+{
+    for (unsigned i = 0; i < g->rests; i++) {
+        memcpy(&raw[3 * (size_t)i], &p->mean[3 * (size_t)g->rest[i].position], 3 * sizeof *raw);
+    }
+}
+
 static invcal_status solve(gyro_fit *g, const positions *p, const invcal_calibration *start)
 {
     double raw[3 * INVCAL_MAX_MOVES];
 
-    for (unsigned i = 0; i < g->rests; i++) {
-        memcpy(&raw[3 * (size_t)i], &p->mean[3 * (size_t)g->rest[i].position], 3 * sizeof *raw);
-    }
+    means_of(g, p, raw);
     return invcal_imu_solve(raw, g->rests, start, &moves, NULL, &g->imu);
+}
+
+int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *start,
+               invcal_turns *out)
+{
+    double raw[3 * INVCAL_MAX_MOVES];
+
+    means_of(g, p, raw);
+    return g->moves > 0 && invcal_turns_after(out, raw, g->rests, start, &moves, NULL) == INVCAL_OK;
 }
 
 /* How late readings are: only if rests are quieter then. Rests and bias are filled in accordingly. */

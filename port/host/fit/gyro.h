@@ -79,6 +79,11 @@ typedef struct {
 int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate, const double *clip,
               const positions *p, const rejection *kept, const invcal_calibration *start);
 
+/* The information in the rests and moves of the last gyro_make, whose arguments these were. Returns 1; 0: the moves were
+ * not read. */
+int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *start,
+               invcal_turns *out);
+
 /* Why a move is unusable: the library's texts for rests mean something else there. */
 const char *gyro_reason(invcal_status why);
 
