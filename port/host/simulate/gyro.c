@@ -58,21 +58,6 @@ void gyro_scene_begin(gyro_scene *s, const gyro_model *model, double rate, uint3
     *s = (gyro_scene){.model = model, .random = random_start(seed + 0x9e3779b9u), .rate = rate};
 }
 
-/* The rotation by an angle about a unit vector. */
-static void rotation_about(const double axis[3], double angle, double r[3][3])
-{
-    const double c = cos(angle);
-    const double s = sin(angle);
-
-    for (unsigned i = 0; i < 3; i++) {
-        const unsigned j = (i + 1) % 3;
-        const unsigned k = (i + 2) % 3;
-        r[i][i] = c + (1 - c) * axis[i] * axis[i];
-        r[i][j] = (1 - c) * axis[i] * axis[j] - s * axis[k];
-        r[i][k] = (1 - c) * axis[i] * axis[k] + s * axis[j];
-    }
-}
-
 /* The rotation vector that turns `up` back to `before`, after a twist about it. */
 static void turn_between(const double before[3], const double up[3], double twist, double th[3])
 {
