@@ -350,6 +350,7 @@ static const char *const brief[] = {
     "  --lsb S             and field units per input unit\n"
     "  --six-faces         each axis up and down only: offsets and scales, no angles\n"
     "  --plan SET          the positions are those of a program, in its order\n"
+    "  --magnetometer      LOG is a magnetometer that was waved, not held still\n"
     "  --need U            what lengths may be wrong by: says if they are worse\n"
     "  --out CAL.json      write the result to a file, for invcal apply and export\n"
     "  --report R.html     write a page with the verdict, figures and pictures\n"

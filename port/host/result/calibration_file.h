@@ -41,6 +41,7 @@ typedef struct {
     char verdict[CALIBRATION_FILE_WORD];
     char undetermined[CALIBRATION_FILE_NAMES]; /* names with commas between */
     int is_magnetometer;     /* of one that was waved: of two sensors in a log this is meant */
+    int is_field_measured;   /* of such a one: gravity is the mean length of its readings */
     int has_thermal;         /* the calibration is that at the reference temperature of */
     invcal_thermal thermal;  /* over the field, */
     double thermal_field;    /* of this length, */
