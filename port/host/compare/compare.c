@@ -58,7 +58,7 @@ static int check_files(const request *r)
     while (r->paths[count]) {
         count++;
     }
-    named_file *inputs = (named_file *)calloc(count, sizeof *inputs);
+    named_file *inputs = (named_file *)calloc((size_t)count + 1, sizeof *inputs);
     if (!inputs) {
         message("not enough memory for %u files", count);
         return EXIT_FILE;

@@ -104,16 +104,16 @@ static void snap(double up[3])
     }
 }
 
-int watch_gyro_next(const watch_gyro *g, const double *held, double target[3],
+int watch_gyro_next(const watch_gyro *w, const double *held, double target[3],
                     char text[TURNS_WORDS_MAX])
 {
-    watch_gyro soon = *g;
+    watch_gyro soon = *w;
     invcal_turn turn;
 
     if (held) {
         add_rest(&soon, held);
     }
-    if (!soon.has_turns || g->is_mistake) {
+    if (!soon.has_turns || w->is_mistake) {
         return 0;
     }
     snap(soon.turns.up);

@@ -27,7 +27,7 @@ typedef struct {
 /* A rest was taken: judges it again, once there are enough rests; takes some milliseconds.
  *
  * up  unit vector that points up in the last rest. */
-void watch_gyro_take(watch_gyro *g, const turns *t, const gyro_wish *wish, unsigned rate,
+void watch_gyro_take(watch_gyro *w, const turns *t, const gyro_wish *wish, unsigned rate,
                      const double *clip, const positions *p, const invcal_calibration *start,
                      const double up[3]);
 
@@ -35,7 +35,7 @@ void watch_gyro_take(watch_gyro *g, const turns *t, const gyro_wish *wish, unsig
  * an edge or a corner it is that from there.
  *
  * Returns 1; 0: nothing is known of turns, or they are no use. */
-int watch_gyro_next(const watch_gyro *g, const double *held, double target[3],
+int watch_gyro_next(const watch_gyro *w, const double *held, double target[3],
                     char text[TURNS_WORDS_MAX]);
 
 #endif
