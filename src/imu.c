@@ -546,20 +546,14 @@ static void name_open(invcal_imu_work *w)
     (void)judge_imu(w, HELD_BY_RIDGE / ridge);
 }
 
-/* The bias is that of the last rest; without the effect of acceleration there, if that is known. */
+/* The bias is that of the last rest. */
 static void deliver(invcal_imu_work *w)
 {
     invcal_imu *out = w->out;
     const invcal_moves *m = w->moves;
-    const unsigned last = m->count - 1u;
-    invcal_real up[3];
 
     memcpy(out->gyro.offset, m->bias, sizeof m->bias);
-    invcal_unpack(m->rest[last].bias, INVCAL_KAPPA_UNIT, out->gyro.offset);
-    invcal_apply(&out->accelerometer, &w->raw[3 * (size_t)(last - w->begin)], up);
-    for (unsigned i = 0; i < 3; i++) {
-        out->gyro.offset[i] -= out->g_is_used ? invcal_dot3(out->slope[i], up) : 0;
-    }
+    invcal_unpack(m->rest[m->count - 1].bias, INVCAL_KAPPA_UNIT, out->gyro.offset);
     memcpy(out->gyro.matrix, w->out->parameter, sizeof out->gyro.matrix);
     (void)invcal_behind(&m->nominal, &out->gyro);
     out->noise = INVCAL_SQRT(w->rest_variance);

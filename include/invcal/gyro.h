@@ -179,8 +179,7 @@ typedef struct {
 
 /* The result. */
 typedef struct {
-    /* raw counts to rad/s, in the axes of the accelerometer; its offset is the bias of the last rest,
-     * less the effect of acceleration there if g_is_used */
+    /* raw counts to rad/s, in the axes of the accelerometer; its offset is the bias of the last rest */
     invcal_calibration gyro;
     invcal_calibration accelerometer; /* raw counts to field; as passed if it is held */
     /* M of the gyroscope by rows, true rate = M nominal rate; then the nine of the accelerometer in the
@@ -330,7 +329,8 @@ typedef struct {
     uint16_t dof;                /* degrees of freedom of the residuals */
     uint8_t verdict;             /* of both, an invcal_verdict */
     uint8_t moves;               /* number of moves used */
-    uint8_t g_is_used;           /* 1: subtract slope from rates */
+    /* 1: from rates subtract slope times the acceleration, less that in the rest whose bias the offset is */
+    uint8_t g_is_used;
 } invcal_imu_record;
 
 /* Makes a record from the result of invcal_imu_solve. If the accelerometer was held, put its own record into

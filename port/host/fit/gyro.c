@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "maths/matrix.h"
 #include "text/number.h"
 
 #define ROOM 24       /* bits of the largest reading; others may be 128 times as large */
@@ -640,22 +641,40 @@ static void list_moves(gyro_fit *g)
     }
 }
 
+/* What acceleration does to a corrected rate: slope is of the nominal one. The bias of the last rest contains it. */
+static void take_g_off(gyro_fit *g, invcal_calibration *c)
+{
+    const double *up = g->rest[g->rests - 1].up;
+    double inverse[3][3];
+
+    for (unsigned i = 0; i < 9; i++) {
+        const double *m = &g->imu.parameter[3 * (size_t)(i / 3)];
+        for (unsigned k = 0; k < 3; k++) {
+            g->g[i / 3][i % 3] += m[k] * g->imu.slope[k][i % 3];
+        }
+    }
+    (void)matrix_inverse(c, inverse); /* near to diagonal */
+    for (unsigned i = 0; i < 9; i++) {
+        const double *row = g->g[i % 3];
+        c->offset[i / 3] -=
+            inverse[i / 3][i % 3] * (row[0] * up[0] + row[1] * up[1] + row[2] * up[2]);
+    }
+}
+
 /* In the raw axes of the gyroscope, per input unit. */
 static void finish(gyro_fit *g, double unit)
 {
-    const invcal_calibration *c = &g->imu.gyro;
+    invcal_calibration c = g->imu.gyro;
 
+    if (g->imu.g_is_used) {
+        take_g_off(g, &c);
+    }
     for (unsigned k = 0; k < 3; k++) {
         const unsigned of = (unsigned)abs(g->axes[k]) - 1;
         const double sign = g->axes[k] < 0 ? -1 : 1;
-        g->calibration.offset[of] = sign * c->offset[k] * unit;
+        g->calibration.offset[of] = sign * c.offset[k] * unit;
         for (unsigned i = 0; i < 3; i++) {
-            g->calibration.matrix[i][of] = sign * c->matrix[i][k] / unit;
-        }
-        for (unsigned i = 0; i < 3 && g->imu.g_is_used; i++) { /* slope is of the nominal rate */
-            const double *m = &g->imu.parameter[3 * (size_t)i];
-            g->g[i][k] =
-                m[0] * g->imu.slope[0][k] + m[1] * g->imu.slope[1][k] + m[2] * g->imu.slope[2][k];
+            g->calibration.matrix[i][of] = sign * c.matrix[i][k] / unit;
         }
     }
     g->interval = invcal_coverage(g->imu.dof);
@@ -736,7 +755,7 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
         say_status(g, status);
         return EXIT_GOOD;
     }
-    finish(g, unit);
     gyro_measure(g, lag, p);
+    finish(g, unit);
     return EXIT_GOOD;
 }
