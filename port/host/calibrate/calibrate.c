@@ -339,7 +339,7 @@ static const char *const brief[] = {
     "  --positions         each row of LOG is the mean of one position, not a sample\n"
     "  --gravity G[+-S]    length of the field; default 9.80665+-0.027 (m/s^2)\n"
     "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
-    "  --sensor NAME       what LOG holds counts of, as mpu6050:4g; --sensor list names them\n"
+    "  --sensor NAME       the sensor, as mpu6050:4g; --sensor list names them\n"
     "  --zero X,Y,Z        or what the data sheet says: the reading in no field,\n"
     "  --lsb S             and field units per input unit\n"
     "  --six-faces         each axis up and down only: offsets and scales, no angles\n"
