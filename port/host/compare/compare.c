@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/files.h"
 #include "cli/message.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -48,15 +49,26 @@ static int read_kinship(request *r)
                : EXIT_GOOD;
 }
 
+/* Each is named by its path. */
 static int check_files(const request *r)
 {
-    for (unsigned k = 0; r->value[REPORT] && r->paths[k]; k++) {
-        if (output_is_same(r->value[REPORT], r->paths[k])) {
-            return message_usage("compare", "--report: is %s itself, which would be lost",
-                                 r->paths[k]);
-        }
+    const named_file made = {"--report", r->value[REPORT]};
+    unsigned count = 0;
+
+    while (r->paths[count]) {
+        count++;
     }
-    return EXIT_GOOD;
+    named_file *inputs = (named_file *)calloc((size_t)count + 1, sizeof *inputs);
+    if (!inputs) {
+        message("not enough memory for %u files", count);
+        return EXIT_FILE;
+    }
+    for (unsigned k = 0; k < count; k++) {
+        inputs[k] = (named_file){r->paths[k], r->paths[k]};
+    }
+    const int failure = files_check("compare", inputs, count, &made, 1);
+    free(inputs);
+    return failure;
 }
 
 static int read_request(int argc, char **argv, request *r)

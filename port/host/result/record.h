@@ -18,6 +18,15 @@ typedef enum {
 
 #define RECORD_MAX 160 /* bytes of a text, with the mark at its end */
 
+/* The options, for help texts. */
+#define RECORD_OPTIONS                                                                             \
+    "  --device TEXT       what the calibration is filed under, in CAL.json, table and page:\n"    \
+    "                      the type of the device,\n"                                              \
+    "  --serial TEXT       its serial number, by which invcal compare knows it again,\n"           \
+    "  --operator TEXT     who made it,\n"                                                         \
+    "  --date YYYY-MM-DD   on which day,\n"                                                        \
+    "  --note TEXT         and what else there is to say\n"
+
 /* A text that is not given is "". */
 typedef struct {
     char text[RECORD_TEXTS][RECORD_MAX];
