@@ -68,6 +68,9 @@ row "where to turn next" next_orientation
 row "solve a session of 18 positions" session_solve
 row "the same, one of them wrong" session_solve_1_wrong
 row "a sample of one axis into \`allan.h\`" allan_push
+row "a sample of the gyroscope" gyro_feed
+row "both sensors, 24 rests and 23 moves" imu_solve
+row "a sample of the magnetometer, on average" magnetometer_with_looks
 row "36 positions at two temperatures, everything" 36_positions_thermal
 row "the calibration at a temperature" thermal_at
 row "flash, the core" flash.core

@@ -329,7 +329,8 @@ typedef struct {
     uint16_t dof;                /* degrees of freedom of the residuals */
     uint8_t verdict;             /* of both, an invcal_verdict */
     uint8_t moves;               /* number of moves used */
-    uint8_t g_is_used;           /* 1: subtract slope from rates */
+    /* 1: from rates subtract slope times the acceleration, less that in the rest whose bias the offset is */
+    uint8_t g_is_used;
 } invcal_imu_record;
 
 /* Makes a record from the result of invcal_imu_solve. If the accelerometer was held, put its own record into

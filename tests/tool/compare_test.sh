@@ -219,4 +219,29 @@ refuses "refused: no such file" 3 'none\.json: cannot be read' compare old.json 
 echo '{"offset": [1, 2, 3], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}' > bare.json
 refuses "refused: a file that tells no field" 3 'the field or the frame is missing' compare bare.json bare.json
 
+# ---- magnetometers -------------------------------------------------------------------------------
+
+# waved NAME SEED OFFSET_X ARGUMENTS...: hard iron about x, uT
+waved() {
+    name=$1
+    "$tool" simulate --magnetometer --seed "$2" --mag-offset "$3,-30,5" > waved.csv
+    shift 3
+    "$tool" calibrate --magnetometer waved.csv --quiet --out "$name.json" "$@"
+}
+waved first 1 12
+waved again 2 12
+waved moved 3 15
+waved known 4 12 --gravity 48
+waved there 5 12 --gravity 48.7
+waved gauss 6 12 --gravity 0.48
+accepts "magnetometers without --gravity" compare first.json again.json --report page.html
+check "magnetometers without --gravity: nothing has changed" matches "$work/stdout" '^Steady: '
+check "magnetometers: the page is one" is_page page.html
+run compare first.json moved.json
+check "magnetometers: hard iron of 3 uT more, of 48" test "$(awk '/^offset x/ { d = $5 / 6.25; print (d > 0.8 && d < 1.2), $NF; exit }' "$work/stdout")" = "1 changed"
+accepts "magnetometers: --gravity of another place" compare known.json there.json
+refuses "magnetometers: one with, one without" 1 'one of them was made with --gravity, the other without' compare first.json known.json
+refuses "magnetometers: fields of other units" 1 'their fields are 0\.48 and 48' compare known.json gauss.json
+together "a magnetometer and an accelerometer" "the readings are in" known.json
+
 finish

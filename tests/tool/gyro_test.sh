@@ -270,6 +270,47 @@ run calibrate "$work/changed.csv" --strict --quiet
 check "--strict: a gyroscope that is not calibrated" was_refused 1 "--strict: the gyroscope is not calibrated: .*y never changes"
 accepts "--strict: a good one" calibrate "$work/edges.csv" --strict
 
+# ---- g-sensitivity taken off ----------------------------------------------------------------------------
+
+# In each rest of the truth nothing turns. Large errors of the scale, so that it matters what is taken off first.
+"$tool" simulate --gyro --dwell 3 --plan per-group:8 --gyro-g 0,0.1,0,-0.2,0,0,0,0,0.15 --gyro-scale 0.1,-0.08,0.06 \
+    --gyro-noise 0.005 --gyro-lsb 0.001 --truth "$work/truth.json" > "$work/g.csv"
+at_rest() { # BOUND ARGUMENTS...: mean rates, degrees/s
+    bound=$1
+    shift
+    run apply "$@"
+    succeeded && is_small "$(awk -f "$here/gyro_rests.awk" "$work/truth.json" "$work/stdout")" "$bound"
+}
+for frame in '--frame symmetric' '--frame triangular' '--case -z' '--case .,-x'; do
+    # shellcheck disable=SC2086 # two words
+    run calibrate "$work/g.csv" --quiet --out "$work/g.json" $frame
+    check "apply, $frame: no rate in any rest" at_rest 0.003 "$work/g.json" "$work/g.csv"
+done
+run calibrate "$work/g.csv" --quiet --out "$work/g.json" --report "$work/page.html"
+check "g-sensitivity: as it was simulated, by the rate" near 1.5e-6 "$(inner "$work/g.json" g_correction | numbers)" \
+    "$(inner "$work/truth.json" g_correction | numbers)" # rad/s per m/s^2: 5 sigma; the largest is 3.9e-4
+check "apply of the truth: no rate either" at_rest 0.002 "$work/truth.json" "$work/g.csv"
+sed '/"g_correction"/,/^    \]/d' "$work/g.json" > "$work/without.json"
+run apply "$work/without.json" "$work/g.csv"
+check "without it there is one" near 0.05 "$(awk -f "$here/gyro_rests.awk" "$work/truth.json" "$work/stdout")" 0.2
+cut -d, -f1,5-7 "$work/g.csv" > "$work/gyro.csv"
+run apply "$work/g.json" "$work/gyro.csv" --gyro
+check "apply --gyro: without an accelerometer it is left in, and told" says "gyro\.csv: the gyroscope's g-sensitivity is left in"
+accepts "apply --gyro --quiet: not a word of it" apply "$work/g.json" "$work/gyro.csv" --gyro --quiet
+run export "$work/g.json" --format c --name imu
+sed -n '/^static const invcal_real imu_gyro_g/,$p' "$work/stdout" | sed '1d; /^#/d' | tr -d 'INVCALRE_()f' | numbers > "$work/nine"
+check "export --format c: the nine numbers" near 1e-15 "$(cat "$work/nine")" "$(inner "$work/g.json" g_correction | numbers)"
+check "the page has them" matches "$work/page.html" '^static const invcal_real calibration_gyro_g\[3\]\[3\] =|>static const invcal_real calibration_gyro_g'
+run export "$work/g.json" --format c-arrays
+sed -n '/^static const float calibration_gyro_g/,$p' "$work/stdout" | sed '1d; s/f//g' | numbers > "$work/nine"
+check "export --format c-arrays: the same" near 1e-10 "$(cat "$work/nine")" "$(inner "$work/g.json" g_correction | numbers)"
+for format in fusion imu_tk-gyro; do
+    run export "$work/g.json" --format $format
+    check "export --format $format: it says that it has no place" matches "$work/stdout" 'g-sensitivity has no place in this format'
+    run export "$work/cal.json" --format $format
+    check "export --format $format: not without one" lacks "$work/stdout" 'g-sensitivity'
+done
+
 # ---- watch -------------------------------------------------------------------------------------------
 
 for log in edges.csv tour.log; do
@@ -278,7 +319,7 @@ for log in edges.csv tour.log; do
     run watch "$work/$log" --json
     check "watch: $log ends with what calibrate tells" same "$work/stdout" "$work/as"
 done
-check "watch: it tells how exactly the gyroscope is known" matches "$work/stderr" 'gyroscope: 12 moves; scale ± 0\.0[0-9]* %, cross ± 0\.0[0-9]* degrees$'
+check "watch: it tells how exactly the gyroscope is known" matches "$work/stderr" 'gyroscope: 12 of 12 moves; scale ± 0\.0[0-9]* %, cross ± 0\.0[0-9]* degrees$'
 change '{ y = $6; $6 = -$5; $5 = y }'
 run watch "$work/changed.csv"
 check "watch: exchanged axes are told before the tenth position" test \

@@ -229,4 +229,49 @@ if [ -f "$recording" ]; then
         sed -n 's/.*reference_axes.*, \([0-9.]*\)};/\1/p' "$here/../reference/magnetometer.h" |
             awk '{ print atan2($1, sqrt(1 - $1 * $1)) }')"
 fi
+# ---- simulated ------------------------------------------------------------------------------------
+
+# Nine parameters and three angles of twenty logs: errors over sigma, against the options that made them.
+"$tool" simulate > "$work/still.csv"
+run calibrate "$work/still.csv" --quiet --out "$work/accel.json"
+seed=0
+while [ $((seed += 1)) -le 20 ]; do
+    "$tool" simulate --magnetometer --seed $seed > "$work/waved.csv"
+    run calibrate --magnetometer "$work/waved.csv" --gravity 48 --zero 0,0,0 --lsb 1 --json --with "$work/accel.json"
+    sed -n '/^  "sigma"/,/^  }/d; s/^  "\(offset\|dk\|gamma\)": \[\(.*\)\],*$/\2/p; s/^ *"angle": \[\(.*\)\],*$/\1/p' "$work/stdout" | tr '\n' ','
+    sed -n 's/^    "\(offset\|dk\|gamma\)": \[\(.*\)\],*$/\2/p; /"angle"/,$s/^ *"sigma": \[\(.*\)\],*$/\1/p' "$work/stdout" | tr '\n' ','
+    echo
+done | tr -d ' ' > "$work/simulated.csv"
+honest() { # FIRST LAST LEAST: columns; 95 % of the errors within 2.03 sigma or so, and their mean square LEAST ... 1.5
+    awk -F, -v first="$1" -v last="$2" -v least="$3" '
+        BEGIN { split("12 -30 5 0.03 -0.02 0.015 0.02 -0.01 0.015 0.034907 -0.017453 0.026180", truth, " ") }
+        { for (i = first; i <= last; i++) { e = ($i - truth[i]) / $(12 + i); n++; in95 += e * e < 2.03 * 2.03; squares += e * e } }
+        END { exit !(n == 20 * (last - first + 1) && in95 / n > 0.9 && squares / n > least && squares / n < 1.5) }' "$work/simulated.csv"
+}
+check "simulate --magnetometer: offsets, scales and angles are within sigma" honest 1 9 0.4
+check "simulate --magnetometer: and its axes against the accelerometer's" honest 10 12 0.1 # these are too cautious
+"$tool" simulate --magnetometer --truth "$work/truth.json" > "$work/waved.csv"
+run apply "$work/truth.json" "$work/waved.csv"
+check "simulate --magnetometer: its truth makes all lengths 48 uT" test "$(awk -F, 'NR > 1 { l = sqrt($2^2 + $3^2 + $4^2); s += l; q += (l - 48)^2; n++ }
+    END { print n, (s / n > 47.7 && s / n < 48.3), (sqrt(q / n) > 0.4 && sqrt(q / n) < 0.6) }' "$work/stdout")" = "6000 1 1"
+check "simulate --magnetometer: the dip, rad" near 1e-6 "$(sed -n 's/.*"dip": \(.*\),/\1/p' "$work/truth.json")" 1.0471976
+"$tool" simulate --magnetometer --magnet 40 > "$work/waved.csv"
+run calibrate --magnetometer "$work/waved.csv" --gravity 48 --json
+check "simulate --magnet: it is named" matches "$work/stdout" '"disturbance": "passing"'
+check "simulate --magnet: and does no harm" near 0.6 "$(vector offset)" 12,-30,5
+"$tool" simulate --magnetometer --mag-field 30,-20 --mag-offset 1,2,3 --mag-soft 0.1,0,0,0,0,0.1 --mag-turn 0,0,0 --mag-noise 0 \
+    --noise 0 --tremor 0 --offset 0,0,0 --dk 0,0,0 --gamma 0,0,0 --seconds 90 --rate 50 > "$work/waved.csv"
+run calibrate --magnetometer "$work/waved.csv" --gravity 30 --zero 0,0,0 --lsb 1 --json
+check "simulate --magnetometer: without noise, offset" near 0.002 "$(vector offset)" 1,2,3
+check "simulate --magnetometer: without noise, scales" near 1e-4 "$(vector dk)" 0.1,0,0
+check "simulate --magnetometer: without noise, angles" near 1e-4 "$(vector gamma)" 0,0,0.1
+check "simulate --magnetometer: without noise, up and the field" near 1e-3 "$(number dip)" -0.349066
+check "simulate --seconds: so many samples" test "$(wc -l < "$work/waved.csv")" -eq 4501
+for option in '--plan=edges' '--gyro' '--dwell=3' '--stand' '--outliers=1' '--temperature=1,2'; do
+    refuses "simulate --magnetometer and $option" 2 "--magnetometer: does not go together with ${option%=*}" simulate --magnetometer "$option"
+done
+refuses "simulate: a field without a magnetometer" 2 '--mag-field: needs --magnetometer' simulate --mag-field 48,60
+refuses "simulate: no length" 2 '--mag-field: a length above 0' simulate --magnetometer --mag-field 0,60
+refuses "simulate: a dip beyond the vertical" 2 '--mag-field: a length above 0' simulate --magnetometer --mag-field 48,91
+
 finish

@@ -74,6 +74,12 @@ check "the file of --truth is a truth" fits truth "$work/truth.json"
 "$tool" simulate --gyro --dwell 3 --plan edges --truth "$work/truth.json" > "$work/gyro.csv"
 prints 0 calibration calibrate "$work/gyro.csv"
 check "the file of --truth with a gyroscope is a truth" fits truth "$work/truth.json"
+"$tool" simulate --gyro --gyro-g 0,0,0,-0.15,0,0,0,0,0 --dwell 3 --plan per-group:8 --truth "$work/truth.json" > "$work/gyro.csv"
+prints 0 calibration calibrate "$work/gyro.csv"
+check "its g-sensitivity is there" grep -q '"g_correction"' "$work/stdout"
+check "the file of --truth with a g-sensitivity is a truth" fits truth "$work/truth.json"
+"$tool" simulate --magnetometer --truth "$work/truth.json" > "$work/waved.csv"
+check "the file of --truth with a magnetometer is a truth of one" fits waved_truth "$work/truth.json"
 prints 0 calibration calibrate "$work/gyro.csv" --gyro-axes y,x,z
 
 sensor() { # sensor STATIONS

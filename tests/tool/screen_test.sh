@@ -126,6 +126,16 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     check "what is refused is told" matches "$work/typed" 'NOT GOOD.*readings creep'
     check "and rung" test "$(count "$bell")" -eq "$(grep -c '^refused:' "$work/stdout")"
 
+    # With a gyroscope it tells turns, and which move does not count.
+    "$tool" simulate --gyro --plan edges --dwell 3 | awk -F, -v OFS=, '
+        NR > 1 { for (i = 5; i <= 7; i++) $i = $i > 9000 ? 9000 : $i < -9000 ? -9000 : $i } { print }' > "$work/turned.csv"
+    terminal 'invcal watch "$work/turned.csv"'
+    frames
+    check "turns: next is one" grep -qE '^X next    edge \+y \+z up: 135 degrees about x$' "$work/frames"/*
+    check "turns: the move that does not count" grep -qE \
+        'Position 5 is taken: the move from position 1 to 2 does not count: at the end' "$work/frames"/*
+    check "turns: frames are as wide as ever" test "$(wider_than 79)" -eq 0
+
     # It is no screen everywhere.
     terminal 'invcal watch "$work/edges.csv" --quiet'
     check "--quiet: nothing" is_empty "$work/typed"

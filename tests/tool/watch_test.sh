@@ -142,4 +142,33 @@ run watch - --plan faces --zero 0,0,0 --lsb 0.000598550415 --noise 0.001 --prior
 in=/dev/null
 check "faces with a prior for what they leave open" matches "$work/stdout" '^finished'
 
+# ---- turns for a gyroscope ----------------------------------------------------------------------
+
+# The turns that `plan --moves` finds before anything is measured.
+"$tool" plan --moves greedy8 --json > "$work/plan.json"
+{ echo x y z; echo 0 0 1; sed -n 's/^      "up": \[\(.*\)\],$/\1/p' "$work/plan.json" | tr -d ,; } > "$work/greedy"
+sed -n 's/^      "words": "\(.*\)",$/\1/p' "$work/plan.json" > "$work/turns"
+"$tool" simulate --gyro --gyro-range 2000 --plan directions:"$work/greedy" --dwell 3 > "$work/log.csv"
+run watch "$work/log.csv" --zero 0,0,0
+check "turns: eight are planned" test "$(wc -l < "$work/turns")" -eq 8
+check "turns: they are asked for as planned" test "$(sed -n 's/^next: //p' "$work/stdout" | sed '1d;10,$d')" = "$(cat "$work/turns")"
+check "turns: also while the device is still there" test \
+    "$(sed -n 's/^good: move on to //p' "$work/stdout" | head -n 8)" = "$(cat "$work/turns")"
+check "turns: how many count" matches "$work/stdout" '^gyroscope: 8 of 8 moves; scale ± 0\.0'
+check "turns: all do" lacks "$work/stdout" 'does not count'
+run watch "$work/log.csv" --accelerometer-only
+check "--accelerometer-only: directions, no turns" lacks "$work/stdout" ' about [xyz]$'
+in=$work/log.csv
+run watch - --plan edges
+in=/dev/null
+check "--plan: its positions, no turns" lacks "$work/stdout" ' about [xyz]$'
+
+"$tool" simulate --gyro --plan edges --dwell 3 | awk -F, -v OFS=, '
+    NR > 1 { for (i = 5; i <= 7; i++) $i = $i > 9000 ? 9000 : $i < -9000 ? -9000 : $i } { print }' > "$work/log.csv"
+run watch "$work/log.csv"
+check "turns: the move that was clipped is named" matches "$work/stdout" \
+    "^gyroscope: the move from position 1 to 2 does not count: at the end of the sensor's range$"
+check "turns: once" test "$(grep -c 'from position 1 to 2 does not count' "$work/stdout")" -eq 1
+check "turns: the others count" matches "$work/stdout" '^gyroscope: 1[0-6] of 17 moves; '
+
 finish

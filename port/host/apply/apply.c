@@ -70,8 +70,9 @@ static int write_three(FILE *spool, const table *log, const double v[3])
     return EXIT_GOOD;
 }
 
-/* What the gyroscope reads, rad/s. */
-static int write_gyro(FILE *spool, const table *log, const columns *where, const job *j)
+/* What the gyroscope reads, rad/s. felt: the calibrated acceleration; 0 if it is not known. */
+static int write_gyro(FILE *spool, const table *log, const columns *where, const job *j,
+                      const double felt[3])
 {
     double v[3];
     const int failure = columns_turn(log, where, v);
@@ -80,12 +81,15 @@ static int write_gyro(FILE *spool, const table *log, const columns *where, const
         return failure;
     }
     invcal_apply(&j->file.gyro, v, v);
+    for (unsigned i = 0; i < 9; i++) {
+        v[i / 3] -= j->file.gyro_g[i / 3][i % 3] * felt[i % 3];
+    }
     return write_three(spool, log, v);
 }
 
-static int write_accelerometer(FILE *spool, const table *log, const columns *where, job *j)
+static int write_accelerometer(FILE *spool, const table *log, const columns *where, job *j,
+                               double v[3])
 {
-    double v[3];
     double temperature = j->temperature;
     int failure = EXIT_GOOD;
 
@@ -111,17 +115,18 @@ static int has_gyro(const columns *where, const job *j)
 static int write_row(FILE *spool, const table *log, const columns *where, job *j)
 {
     int failure = EXIT_GOOD;
+    double felt[3] = {0, 0, 0};
 
     if (where->index[COLUMN_TIME] >= 0) {
         failure = copy_number(spool, log, where, COLUMN_TIME);
         putc(',', spool);
     }
     failure = failure      ? failure
-              : j->is_gyro ? write_gyro(spool, log, where, j)
-                           : write_accelerometer(spool, log, where, j);
+              : j->is_gyro ? write_gyro(spool, log, where, j, felt)
+                           : write_accelerometer(spool, log, where, j, felt);
     if (!failure && has_gyro(where, j)) {
         putc(',', spool);
-        failure = write_gyro(spool, log, where, j);
+        failure = write_gyro(spool, log, where, j, felt);
     }
     if (!failure && where->index[COLUMN_TEMPERATURE] >= 0) {
         putc(',', spool);
@@ -226,6 +231,11 @@ static int apply(table *log, job *j)
     }
     fclose(spool);
     if (!failure && !j->is_quiet) {
+        if (j->is_gyro && j->file.has_gyro_g) {
+            message("warning: %s: the gyroscope's g-sensitivity is left in, as it takes the "
+                    "accelerometer's columns in the same log to take it off",
+                    log->name);
+        }
         thermal_correction_end(&j->at, log->name);
         nonlinear_correction_end(&j->bent, log->name);
     }
@@ -290,11 +300,12 @@ static const char *const help[] = {
     "order needs a header with these names:\n",
     COLUMNS_NAMES,
     "If CAL.json holds a gyroscope, its columns in LOG (gx gy gz) are corrected too, and\n"
-    "printed in rad/s. t and temperature are copied (a time in ms, us or ns becomes seconds,\n"
-    "a temperature in K or °F becomes °C); other columns are left out. The readings must be\n"
-    "in the unit of the log that CAL.json was made from. Logs of any length are read in\n"
-    "constant memory. The result goes to a temporary file first, and is printed only if every\n"
-    "line was good.\n"
+    "printed in rad/s; its g-sensitivity, if known, is corrected with the acceleration of the\n"
+    "same line. t and temperature are copied (a time in ms, us or ns becomes seconds, a\n"
+    "temperature in K or °F becomes °C); other columns are left out. The readings must be in\n"
+    "the unit of the log that CAL.json was made from. Logs of any length are read in constant\n"
+    "memory. The result goes to a temporary file first, and is printed only if every line was\n"
+    "good.\n"
     "\n"
     "A calibration made with --thermal needs the column temperature, and corrects each\n"
     "reading at its own. Outside the calibrated range, the calibration at its edge is used,\n"

@@ -304,12 +304,8 @@ static const char *const help[] = {
     "                      1mg, 0.01m/s2, 0.1% (mg, g, ug, m/s2, %), or a number in the unit\n"
     "                      of --gravity. PASS or FAIL, with the margin and what is missing\n"
     "  --strict            exit with 1, after writing all files, unless the verdict is good\n"
-    "                      and --tolerance and --need pass\n"
-    "  --device TEXT       record for CAL.json, table and page: type of the device\n"
-    "  --serial TEXT       its serial number, by which invcal compare recognises it\n"
-    "  --operator TEXT     who calibrated it\n"
-    "  --date YYYY-MM-DD   date of the calibration\n"
-    "  --note TEXT         any remark\n"
+    "                      and --tolerance and --need pass\n",
+    RECORD_OPTIONS,
     "  --out CAL.json      write the result as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures: one\n"
     "                      self-contained file, for screen and paper; also if the data are\n"
@@ -343,6 +339,7 @@ static const char *const brief[] = {
     "  --lsb S             and field units per input unit\n"
     "  --six-faces         each axis up and down only: offsets and scales, no angles\n"
     "  --plan SET          the positions are those of a program, in its order\n"
+    "  --magnetometer      LOG is of a magnetometer that was waved, not held still\n"
     "  --need U            largest acceptable error of lengths: PASS or FAIL\n"
     "  --out CAL.json      write the result to a file, for invcal apply and export\n"
     "  --report R.html     write a page with the verdict, figures and pictures\n"

@@ -132,4 +132,10 @@ void calibrate_gyro_turn(calibrate_result *result)
     next_rotation(turn);
     multiply((const double(*)[3])turn, (const double(*)[3])g->calibration.matrix, turned);
     memcpy(g->calibration.matrix, turned, sizeof turned);
+    multiply((const double(*)[3])turn, (const double(*)[3])g->g, turned);
+    for (unsigned i = 0; i < 9; i++) { /* the acceleration is in the new axes, too */
+        const double *row = turned[i / 3];
+        const double *of = turn[i % 3];
+        g->g[i / 3][i % 3] = row[0] * of[0] + row[1] * of[1] + row[2] * of[2];
+    }
 }

@@ -301,7 +301,8 @@ int solve_waved(const request *r, const positions *data, calibrate_result *resul
     const waved *m = result->magnetometer;
     const int is_scaled = r->value[ASK_LSB] || r->value[ASK_NOMINAL];
 
-    if (!r->value[ASK_GRAVITY]) {
+    result->is_field_measured = !r->value[ASK_GRAVITY];
+    if (result->is_field_measured) {
         result->settings.field = m->found.field;
     } else if (!is_scaled) {
         result->nominal.lsb = NOMINAL_RANGE;

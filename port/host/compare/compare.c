@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/files.h"
 #include "cli/message.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -48,14 +49,26 @@ static int read_kinship(request *r)
                : EXIT_GOOD;
 }
 
+/* Each is named by its path. */
 static int check_files(const request *r)
 {
-    for (unsigned k = 0; r->value[REPORT] && r->paths[k]; k++) {
-        if (output_is_same(r->value[REPORT], r->paths[k])) {
-            return message_usage("compare", "--report: would overwrite %s", r->paths[k]);
-        }
+    const named_file made = {"--report", r->value[REPORT]};
+    unsigned count = 0;
+
+    while (r->paths[count]) {
+        count++;
     }
-    return EXIT_GOOD;
+    named_file *inputs = (named_file *)calloc((size_t)count + 1, sizeof *inputs);
+    if (!inputs) {
+        message("not enough memory for %u files", count);
+        return EXIT_FILE;
+    }
+    for (unsigned k = 0; k < count; k++) {
+        inputs[k] = (named_file){r->paths[k], r->paths[k]};
+    }
+    const int failure = files_check("compare", inputs, count, &made, 1);
+    free(inputs);
+    return failure;
 }
 
 static int read_request(int argc, char **argv, request *r)
@@ -154,9 +167,8 @@ static const char *const help[] = {
     "  --json              print the result as JSON instead of the table\n"
     "  --quiet             print neither, only errors\n"
     "\n"
-    "exit codes: 0 good; 1 the files cannot be compared; 2 usage; 3 a\n"
-    "file unreadable or malformed, or the output not writable. Drift and outliers do not change "
-    "them\n"
+    "exit codes: 0 good, whatever has changed; 1 the files cannot be compared; 2 usage; 3 a\n"
+    "file unreadable or malformed, or the output not writable\n"
     "\n"
     "example:\n"
     "  invcal simulate --seed 1 | invcal calibrate - --serial 47 --date 2026-01-05 --out old.json\n"

@@ -16,6 +16,7 @@
 
 #define REASON_MAX 600
 #define SAME 1e-6 /* what two statements of one field may differ by, over it */
+#define EARTH 4.0 /* times */
 
 /* What all files must have in common: that of the first. */
 typedef struct {
@@ -49,9 +50,14 @@ static int refuse(const reading *x, const char *path, const char *format, ...)
     return EXIT_DATA;
 }
 
-static int is_one_field(double a, double b)
+/* In one unit. The earth's magnetic field differs from place to place, by a factor of 3 at most. */
+static int is_one_field(const calibration_file *a, const calibration_file *b)
 {
-    return (unit_is_gravity(a) && unit_is_gravity(b)) || fabs(a / b - 1) <= SAME;
+    const double ratio = a->gravity / b->gravity;
+
+    return (unit_is_gravity(a->gravity) && unit_is_gravity(b->gravity)) ||
+           (a->is_magnetometer && b->is_magnetometer && ratio < EARTH && ratio > 1 / EARTH) ||
+           fabs(ratio - 1) <= SAME;
 }
 
 /* A calibration of temperature is compared with others at one and the same. */
@@ -89,7 +95,12 @@ static int check(const reading *x, const calibration_file *f, const char *path)
                       "with --unit",
                       f->unit, other->unit);
     }
-    if (!is_one_field(f->gravity, other->gravity)) {
+    if (f->is_field_measured != other->is_field_measured) {
+        return refuse(x, path,
+                      "one of them was made with --gravity, the other without, and has the length "
+                      "of its readings for that of the field; make both with it, or none");
+    }
+    if (!is_one_field(f, other)) {
         return refuse(x, path, "their fields are %.7g and %.7g; make both with the same --gravity",
                       f->gravity, other->gravity);
     }
@@ -269,14 +280,11 @@ int compare_read(compare_result *r, const char *const *paths, compare_kinship ki
 {
     static reading x;
     int failure = EXIT_GOOD;
-    unsigned inputs = 0;
 
     x = (reading){.result = r, .json = json};
-    for (r->count = 0; paths[r->count]; r->count++) {
-        inputs += (unsigned)input_is_stdin(paths[r->count]);
-    }
-    if (inputs > 1) {
-        return message_usage("compare", "only one input can be read from the standard input");
+    r->count = 0;
+    while (paths[r->count]) {
+        r->count++;
     }
     r->item = calloc((size_t)r->count + 1, sizeof *r->item);
     r->device = calloc((size_t)r->count + 1, sizeof *r->device);

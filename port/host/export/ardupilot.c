@@ -102,6 +102,7 @@ static void write_file(FILE *file, const export_job *job)
         export_comment(
             file, EXPORT_COMMENT,
             "The gyroscope's bias, rad/s; measured again at each start unless INS_GYR_CAL is 0.");
+        export_comment_no_g(file, EXPORT_COMMENT, job);
         for (unsigned i = 0; i < 3; i++) {
             fprintf(file, "%sOFFS_%c,%s\n", gyros[job->instance], (int)"XYZ"[i],
                     constant_float(bias[i], text));

@@ -13,7 +13,8 @@ static int check_range(const export_job *job)
     const invcal_calibration *g = &job->file.gyro;
 
     if (!constant_fits(c->offset, (const double(*)[3])c->matrix) ||
-        (job->file.has_gyro && !constant_fits(g->offset, (const double(*)[3])g->matrix))) {
+        (job->file.has_gyro && !constant_fits(g->offset, (const double(*)[3])g->matrix)) ||
+        (job->file.has_gyro_g && !constant_fits(g->offset, (const double(*)[3])job->file.gyro_g))) {
         message("%s: its numbers exceed the range of a float; calibrate in other units",
                 job->source);
         return EXIT_DATA;
@@ -33,6 +34,16 @@ static void begin(FILE *file, const export_job *job)
     fputs(" *\n", file);
 }
 
+static void write_use_of_g(FILE *file, const export_job *job)
+{
+    if (job->file.has_gyro_g) {
+        export_comment(file, EXPORT_COMMENT_C, "Then take off the gyroscope's g-sensitivity:");
+        export_comment(file, EXPORT_COMMENT_C,
+                       "  rate[i] -= the sum over j = 0, 1, 2 of %s_gyro_g[i][j] calibrated[j]",
+                       name_of(job));
+    }
+}
+
 /* invcal/invcal.h: calibrated = matrix (raw - offset), raw and offset in input units, matrix
  * in field units per input unit: the members of the file, as they are. */
 static void write_c(FILE *file, const export_job *job)
@@ -48,6 +59,7 @@ static void write_c(FILE *file, const export_job *job)
         export_comment(file, EXPORT_COMMENT_C, "     invcal_apply(&%s_gyro, raw, rate); in rad/s",
                        name);
     }
+    write_use_of_g(file, job);
     fprintf(file, " */\n#ifndef INVCAL_EXPORT_%s_H\n#define INVCAL_EXPORT_%s_H\n\n", name, name);
     fprintf(file, "#include \"invcal/invcal.h\"\n\n");
     constant_write(file, name, c->offset, (const double(*)[3])c->matrix);
@@ -57,19 +69,29 @@ static void write_c(FILE *file, const export_job *job)
         constant_write(file, gyro, job->file.gyro.offset,
                        (const double(*)[3])job->file.gyro.matrix);
     }
+    if (job->file.has_gyro_g) {
+        char g[NAME_MAX_OF_C];
+        snprintf(g, sizeof g, "%s_gyro_g", name);
+        constant_write_matrix(file, g, (const double(*)[3])job->file.gyro_g);
+    }
     fputs("\n#endif\n", file);
 }
 
-static void write_two(FILE *file, const char *name, const char *which, const invcal_calibration *c)
+static void write_matrix(FILE *file, const char *name, const char *which, const double (*m)[3])
 {
-    fprintf(file, "static const float %s%s_offset[3] = ", name, which);
-    constant_row(file, c->offset, 0, "", "f");
-    fprintf(file, ";\nstatic const float %s%s_matrix[3][3] = {\n", name, which);
+    fprintf(file, "static const float %s%s[3][3] = {\n", name, which);
     for (unsigned i = 0; i < 3; i++) {
         fputs("    ", file);
-        constant_row(file, c->matrix[i], 0, "", "f");
+        constant_row(file, m[i], 0, "", "f");
         fputs(i < 2 ? ",\n" : "};\n", file);
     }
+}
+
+static void write_offset(FILE *file, const char *name, const char *which, const double offset[3])
+{
+    fprintf(file, "static const float %s%s[3] = ", name, which);
+    constant_row(file, offset, 0, "", "f");
+    fputs(";\n", file);
 }
 
 /* The same without the library: two arrays of float, which any C compiler takes. */
@@ -88,10 +110,16 @@ static void write_arrays(FILE *file, const export_job *job)
         export_comment(file, EXPORT_COMMENT_C,
                        "The same with %s_gyro_offset and %s_gyro_matrix, in rad/s.", name, name);
     }
+    write_use_of_g(file, job);
     fputs(" */\n", file);
-    write_two(file, name, "", c);
+    write_offset(file, name, "_offset", c->offset);
+    write_matrix(file, name, "_matrix", (const double(*)[3])c->matrix);
     if (job->file.has_gyro) {
-        write_two(file, name, "_gyro", &job->file.gyro);
+        write_offset(file, name, "_gyro_offset", job->file.gyro.offset);
+        write_matrix(file, name, "_gyro_matrix", (const double(*)[3])job->file.gyro.matrix);
+    }
+    if (job->file.has_gyro_g) {
+        write_matrix(file, name, "_gyro_g", (const double(*)[3])job->file.gyro_g);
     }
 }
 

@@ -78,8 +78,10 @@ static void write_gyro(FILE *file, const export_job *job)
 
     fputs("/* FusionModelInertial(raw, gyroscopeMisalignment, gyroscopeSensitivity, "
           "gyroscopeOffset)\n"
-          " * raw in input units, result in degrees/s. */\n",
+          " * raw in input units, result in degrees/s.\n",
           file);
+    export_comment_no_g(file, EXPORT_COMMENT_C, job);
+    fputs(" */\n", file);
     write_values(file, "FusionMatrix", "gyroscope", "Misalignment", f.misalignment[0], 9);
     write_values(file, "FusionVector", "gyroscope", "Sensitivity", f.scale, 3);
     write_values(file, "FusionVector", "gyroscope", "Offset", job->file.gyro.offset, 3);

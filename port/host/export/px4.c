@@ -98,6 +98,7 @@ static void write_file(FILE *file, const export_job *job)
     if (export_gyro_bias(job, bias)) {
         export_comment(file, EXPORT_COMMENT,
                        "The gyroscope's bias, rad/s; PX4 has no parameter for its scale.");
+        export_comment_no_g(file, EXPORT_COMMENT, job);
         for (unsigned i = 0; i < 3; i++) {
             fprintf(file, "1\t1\tCAL_GYRO%u_%cOFF\t%s\t9\n", job->instance, (int)"XYZ"[i],
                     constant_float(bias[i], text));

@@ -116,3 +116,12 @@ int export_gyro_bias(const export_job *job, double bias[3])
     }
     return c->has_gyro && c->gyro_lsb > 0 && !c->gyro_is_counts;
 }
+
+void export_comment_no_g(FILE *file, const char *prefix, const export_job *job)
+{
+    if (job->file.has_gyro_g) {
+        export_comment(file, prefix,
+                       "The gyroscope's g-sensitivity has no place in this format; --format c "
+                       "has it.");
+    }
+}

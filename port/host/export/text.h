@@ -30,6 +30,9 @@ const char *export_field_unit(const export_job *job);
  * whether it is so. */
 int export_gyro_bias(const export_job *job, double bias[3]);
 
+/* Says that this format has no place for the gyroscope's g-sensitivity, if there is one. */
+void export_comment_no_g(FILE *file, const char *prefix, const export_job *job);
+
 /* Numbers that a format is going to write: what products of a calibration's own come to, in a double or,
  * with is_float, in a float. EXIT_GOOD; EXIT_DATA, with a message, if one is beyond the range of it. */
 int export_check_range(const export_job *job, const double *x, unsigned n, int is_float);

@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "maths/matrix.h"
 #include "text/number.h"
 
 #define ROOM 24       /* bits of the largest reading; others may be 128 times as large */
@@ -635,31 +636,68 @@ static void list_moves(gyro_fit *g)
     }
 }
 
+/* What acceleration does to a corrected rate: slope is of the nominal one. The bias of the last rest contains it. */
+static void take_g_off(gyro_fit *g, invcal_calibration *c)
+{
+    const double *up = g->rest[g->rests - 1].up;
+    double inverse[3][3];
+
+    for (unsigned i = 0; i < 9; i++) {
+        const double *m = &g->imu.parameter[3 * (size_t)(i / 3)];
+        for (unsigned k = 0; k < 3; k++) {
+            g->g[i / 3][i % 3] += m[k] * g->imu.slope[k][i % 3];
+        }
+    }
+    (void)matrix_inverse(c, inverse); /* near to diagonal */
+    for (unsigned i = 0; i < 9; i++) {
+        const double *row = g->g[i % 3];
+        c->offset[i / 3] -=
+            inverse[i / 3][i % 3] * (row[0] * up[0] + row[1] * up[1] + row[2] * up[2]);
+    }
+}
+
 /* In the raw axes of the gyroscope, per input unit. */
 static void finish(gyro_fit *g, double unit)
 {
-    const invcal_calibration *c = &g->imu.gyro;
+    invcal_calibration c = g->imu.gyro;
 
+    if (g->imu.g_is_used) {
+        take_g_off(g, &c);
+    }
     for (unsigned k = 0; k < 3; k++) {
         const unsigned of = (unsigned)abs(g->axes[k]) - 1;
         const double sign = g->axes[k] < 0 ? -1 : 1;
-        g->calibration.offset[of] = sign * c->offset[k] * unit;
+        g->calibration.offset[of] = sign * c.offset[k] * unit;
         for (unsigned i = 0; i < 3; i++) {
-            g->calibration.matrix[i][of] = sign * c->matrix[i][k] / unit;
+            g->calibration.matrix[i][of] = sign * c.matrix[i][k] / unit;
         }
     }
     g->interval = invcal_coverage(g->imu.dof);
 }
 
-/* The means of the rests of g, as invcal_imu_solve wants them, and the solution. */
+/* The means of the rests of g, as invcal_imu_solve wants them. */
+static void means_of(const gyro_fit *g, const positions *p, double raw[3 * INVCAL_MAX_MOVES])
+{
+    for (unsigned i = 0; i < g->rests; i++) {
+        memcpy(&raw[3 * (size_t)i], &p->mean[3 * (size_t)g->rest[i].position], 3 * sizeof *raw);
+    }
+}
+
 static invcal_status solve(gyro_fit *g, const positions *p, const invcal_calibration *start)
 {
     double raw[3 * INVCAL_MAX_MOVES];
 
-    for (unsigned i = 0; i < g->rests; i++) {
-        memcpy(&raw[3 * (size_t)i], &p->mean[3 * (size_t)g->rest[i].position], 3 * sizeof *raw);
-    }
+    means_of(g, p, raw);
     return invcal_imu_solve(raw, g->rests, start, &moves, NULL, &g->imu);
+}
+
+int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *start,
+               invcal_turns *out)
+{
+    double raw[3 * INVCAL_MAX_MOVES];
+
+    means_of(g, p, raw);
+    return g->moves > 0 && invcal_turns_after(out, raw, g->rests, start, &moves, NULL) == INVCAL_OK;
 }
 
 /* How late readings are: only if rests are quieter then. Rests and bias are filled in accordingly. */
@@ -712,7 +750,7 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
         say_status(g, status);
         return EXIT_GOOD;
     }
-    finish(g, unit);
     gyro_measure(g, lag, p);
+    finish(g, unit);
     return EXIT_GOOD;
 }

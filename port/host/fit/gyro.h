@@ -54,7 +54,10 @@ typedef struct {
     int8_t axes[3];    /* as stated, or 1, 2, 3 */
     invcal_imu imu;    /* both, over the field; the gyroscope of counts of `unit` in those axes */
     invcal_calibration calibration; /* input units to rad/s, in the axes of imu.accelerometer */
-    double interval;                /* this many sigma to either side cover 95 % */
+    double g
+        [3]
+        [3]; /* g-sensitivity of a rate that is corrected by it, rad/s per field; 0: none is used */
+    double interval; /* this many sigma to either side cover 95 % */
     gyro_rest rest[INVCAL_MAX_MOVES];
     unsigned rests; /* the last ones */
     unsigned more;  /* rests before them, for which the moves had no room */
@@ -75,6 +78,11 @@ typedef struct {
  * g says what is wrong. Returns EXIT_GOOD; EXIT_FILE, with a message, without memory. */
 int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate, const double *clip,
               const positions *p, const rejection *kept, const invcal_calibration *start);
+
+/* The information in the rests and moves of the last gyro_make, whose arguments these were. Returns 1; 0: the moves were
+ * not read. */
+int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *start,
+               invcal_turns *out);
 
 /* Why a move is unusable: the library's texts for rests mean something else there. */
 const char *gyro_reason(invcal_status why);

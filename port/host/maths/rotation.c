@@ -27,3 +27,17 @@ void rotation_vector(const double (*r)[3], double angle[3])
         angle[i] = sign * scale * q[1 + i];
     }
 }
+
+void rotation_about(const double axis[3], double angle, double r[3][3])
+{
+    const double c = cos(angle);
+    const double s = sin(angle);
+
+    for (unsigned i = 0; i < 3; i++) {
+        const unsigned j = (i + 1) % 3;
+        const unsigned k = (i + 2) % 3;
+        r[i][i] = c + (1 - c) * axis[i] * axis[i];
+        r[i][j] = (1 - c) * axis[i] * axis[j] - s * axis[k];
+        r[i][k] = (1 - c) * axis[i] * axis[k] + s * axis[j];
+    }
+}

@@ -9,4 +9,7 @@
  * so that half a turn is as exact as none (Shepperd's method). */
 void rotation_vector(const double (*r)[3], double angle[3]);
 
+/* The rotation by an angle, rad, about a unit vector. */
+void rotation_about(const double axis[3], double angle, double r[3][3]);
+
 #endif

@@ -9,13 +9,11 @@
 #include <stdio.h>
 
 #include "cli/told.h"
-#include "invcal/gyro.h"
+#include "design/turn_words.h"
 
 #define TURNS_MAX (INVCAL_MAX_MOVES - 1) /* a device keeps INVCAL_MAX_MOVES rests */
 #define TURNS_LONGEST 10.0               /* seconds: of longer moves the bias is not known */
 #define TURNS_LIST_MAX 1200
-#define TURNS_WORDS_MAX 160
-#define TURNS_UP_MAX 80
 
 /* The words of programs, as help names them. */
 #define TURNS_PROGRAMS "tour12|tour16|tour24|faces|greedyN|LIST"
@@ -56,14 +54,6 @@ typedef struct {
  * Returns EXIT_GOOD; EXIT_USAGE, with a message: no such program; EXIT_DATA, without one: it leaves
  * parameters undetermined, see refusal. */
 int turns_make(turns_plan *plan, const char *word, const turns_request *request);
-
-/* What to do from one rest to the next: "+x up: a quarter turn about y", or, if that does not give the sense of
- * rotation, "a full turn about +x: +z up". */
-const char *turns_words(const invcal_turn *turn, const invcal_real from[3],
-                        char text[TURNS_WORDS_MAX]);
-
-/* "+x", "edge +x -y", "corner +x -y +z", or in words as invcal_words. */
-const char *turns_up_words(const invcal_real up[3], char text[TURNS_UP_MAX]);
 
 /* "gyro scale x", "gyro angle xy", "offset x"; and those of several. */
 const char *turns_parameter(unsigned parameter);

@@ -245,15 +245,28 @@ static void write_moves(page *p, const report_facts *f)
                  draw_bias, f);
 }
 
-static void write_constant(page *p, const gyro_fit *g)
+static void write_constant(page *p, const calibrate_result *r)
 {
+    const gyro_fit *g = &r->gyro;
     const invcal_calibration *c = &g->calibration;
+    double taken[3][3];
+
+    for (unsigned i = 0; i < 9; i++) {
+        taken[i / 3][i % 3] = g->g[i / 3][i % 3] / r->settings.field;
+    }
 
     page_say(p, "As a constant, for invcal_apply(&calibration_gyro, raw, rate), rad/s; invcal "
                 "export writes both:");
     if (constant_fits(c->offset, (const double(*)[3])c->matrix)) {
         page_code_begin(p);
         constant_write(p->file, "calibration_gyro", c->offset, (const double(*)[3])c->matrix);
+        page_code_end(p);
+    }
+    if (g->imu.g_is_used) {
+        page_say(p, "Then take off its g-sensitivity: rate[i] -= the sum over j of "
+                    "calibration_gyro_g[i][j] calibrated[j].");
+        page_code_begin(p);
+        constant_write_matrix(p->file, "calibration_gyro_g", (const double(*)[3])taken);
         page_code_end(p);
     }
 }
@@ -312,5 +325,5 @@ void report_gyro(page *p, const report_facts *f)
     }
     page_fact(p, "degrees of freedom", "%u", g->imu.dof);
     page_facts_end(p);
-    write_constant(p, g);
+    write_constant(p, f->result);
 }

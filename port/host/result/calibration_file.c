@@ -292,10 +292,12 @@ static int read_gyro_member(json_reader *r, const char *name, void *into)
     g->has_offset = g->has_offset || is(name, "offset");
     g->has_matrix = g->has_matrix || is(name, "matrix");
     g->is_refused = g->is_refused || is(name, "error");
-    return is(name, "offset")   ? read_vector(r, g->file->gyro.offset)
-           : is(name, "matrix") ? read_matrix(r, g->file->gyro.matrix)
-           : is(name, "lsb")    ? json_read_number(r, &g->file->gyro_lsb)
-                                : json_skip(r);
+    g->file->has_gyro_g = g->file->has_gyro_g || is(name, "g_correction");
+    return is(name, "offset")         ? read_vector(r, g->file->gyro.offset)
+           : is(name, "matrix")       ? read_matrix(r, g->file->gyro.matrix)
+           : is(name, "lsb")          ? json_read_number(r, &g->file->gyro_lsb)
+           : is(name, "g_correction") ? read_matrix(r, g->file->gyro_g)
+                                      : json_skip(r);
 }
 
 /* One that was refused is none. */
@@ -336,6 +338,19 @@ static int read_record_member(json_reader *r, const char *name, void *into)
     return json_skip(r);
 }
 
+static int read_magnetometer_member(json_reader *r, const char *name, void *into)
+{
+    calibration_file *c = into;
+    char text[CALIBRATION_FILE_WORD];
+
+    if (!is(name, "field")) {
+        return json_skip(r);
+    }
+    const int failure = json_read_text(r, text, sizeof text);
+    c->is_field_measured = !failure && is(text, "measured");
+    return failure;
+}
+
 /* A number of its own. Returns where it goes, or null. */
 static double *number_of(const char *name, calibration_file *c)
 {
@@ -367,6 +382,7 @@ static int read_circumstance(json_reader *r, const char *name, calibration_file 
                                                               : json_read_number(r, number);
     }
     return is(name, "record")         ? read_object(r, read_record_member, &c->record)
+           : is(name, "magnetometer") ? read_object(r, read_magnetometer_member, c)
            : is(name, "frame")        ? json_read_text(r, c->frame, sizeof c->frame)
            : is(name, "unit")         ? json_read_text(r, c->unit, sizeof c->unit)
            : is(name, "verdict")      ? json_read_text(r, c->verdict, sizeof c->verdict)

@@ -41,15 +41,20 @@ typedef struct {
     char verdict[CALIBRATION_FILE_WORD];
     char undetermined[CALIBRATION_FILE_NAMES]; /* names with commas between */
     int is_magnetometer;     /* of one that was waved: of two sensors in a log this is meant */
+    int is_field_measured;   /* of such a one: gravity is the mean length of its readings */
     int has_thermal;         /* the calibration is that at the reference temperature of */
     invcal_thermal thermal;  /* over the field, */
     double thermal_field;    /* of this length, */
     int is_triangular;       /* and its frame */
     int has_gyro;            /* there is a gyroscope, too: */
     invcal_calibration gyro; /* input units to rad/s, */
-    double gyro_lsb;         /* nominal: rad/s in one, */
-    int gyro_is_counts;      /* which has no name */
-    int has_nonlinear;       /* the calibration is what is left for a linear one after */
+    double
+        gyro_g[3]
+              [3]; /* of which this, rad/s per field unit, times what is felt is taken off; or 0, */
+    int has_gyro_g;
+    double gyro_lsb;    /* nominal: rad/s in one, */
+    int gyro_is_counts; /* which has no name */
+    int has_nonlinear;  /* the calibration is what is left for a linear one after */
     calibration_nonlinear nonlinear;
 } calibration_file;
 

@@ -319,20 +319,26 @@ static void write_moves(json_writer *w, const calibrate_result *r)
     json_list_end(w);
 }
 
-static void write_g(json_writer *w, const gyro_fit *g)
+static void write_g(json_writer *w, const calibrate_result *r)
 {
+    const gyro_fit *g = &r->gyro;
     double slope[2][3][3];
+    double taken[3][3];
 
     for (unsigned i = 0; i < 9; i++) {
         const int is_known = g->imu.slope_sigma[i / 3][i % 3] > 0;
         slope[0][i / 3][i % 3] = is_known ? g->imu.slope[i / 3][i % 3] : NUMBER_UNKNOWN;
         slope[1][i / 3][i % 3] = is_known ? g->imu.slope_sigma[i / 3][i % 3] : NUMBER_UNKNOWN;
+        taken[i / 3][i % 3] = g->g[i / 3][i % 3] / r->settings.field;
     }
     json_object(w, "g_sensitivity");
     json_text(w, "used", g->imu.g_is_used ? "yes" : "no");
     json_matrix(w, "value", (const double(*)[3])slope[0]);
     json_matrix(w, "sigma", (const double(*)[3])slope[1]);
     json_object_end(w);
+    if (g->imu.g_is_used) {
+        json_matrix(w, "g_correction", (const double(*)[3])taken);
+    }
 }
 
 static const char *parameter_name(unsigned p)
@@ -372,7 +378,7 @@ void gyro_json(json_writer *w, const calibrate_result *r)
     json_number(w, "residual_rms", g->imu.move_rms);
     json_number(w, "residual_max", g->imu.move_max);
     write_moves(w, r);
-    write_g(w, g);
+    write_g(w, r);
     if (g->range > 0) {
         json_vector(w, "temperature_slope", g->thermal);
         json_vector(w, "temperature_slope_sigma", g->thermal_sigma);

@@ -18,6 +18,14 @@ typedef enum {
 
 #define RECORD_MAX 160 /* bytes of a text, with the mark at its end */
 
+/* The options, for help texts. */
+#define RECORD_OPTIONS                                                                             \
+    "  --device TEXT       record for CAL.json, table and page: type of the device\n"              \
+    "  --serial TEXT       its serial number, by which invcal compare recognises it\n"             \
+    "  --operator TEXT     who calibrated it\n"                                                    \
+    "  --date YYYY-MM-DD   date of the calibration\n"                                              \
+    "  --note TEXT         any remark\n"
+
 /* A text that is not given is "". */
 typedef struct {
     char text[RECORD_TEXTS][RECORD_MAX];

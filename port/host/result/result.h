@@ -80,16 +80,17 @@ typedef struct {
     double residual_before; /* root mean square of |nominal calibration| / field - 1 */
     calibrate_temperature temperature;
     thermal_fit fit;
-    stand stand;         /* results from the angles of a stand, if requested */
-    int is_stand_frame;  /* the calibration is turned to the stand, */
-    case_frame frame;    /* or to the case */
-    dip_frame dip;       /* results from the accelerometer next to a magnetometer; */
-    int is_dip_frame;    /* the calibration is turned to its axes */
-    gyro_fit gyro;       /* the gyroscope, if there is one; */
-    int is_joint;        /* its moves determine the accelerometer, which the rests alone do not */
-    told_style told;     /* the units of figures for people */
-    record record;       /* what it is filed under */
-    const double *place; /* latitude and height that give the field; null: it was stated */
+    stand stand;           /* results from the angles of a stand, if requested */
+    int is_stand_frame;    /* the calibration is turned to the stand, */
+    case_frame frame;      /* or to the case */
+    int is_field_measured; /* settings.field is the mean length of a magnetometer's readings */
+    dip_frame dip;         /* results from the accelerometer next to a magnetometer; */
+    int is_dip_frame;      /* the calibration is turned to its axes */
+    gyro_fit gyro;         /* the gyroscope, if there is one; */
+    int is_joint;          /* its moves determine the accelerometer, which the rests alone do not */
+    told_style told;       /* the units of figures for people */
+    record record;         /* what it is filed under */
+    const double *place;   /* latitude and height that give the field; null: it was stated */
 } calibrate_result;
 
 /* Slopes were asked for, and are wanting over a range that needs some: other positions at the same

@@ -142,6 +142,7 @@ void calibrate_waved_json(json_writer *w, const calibrate_result *result)
     const invcal_magnetometer_found *f = &result->magnetometer->found;
 
     json_object(w, "magnetometer");
+    json_text(w, "field", result->is_field_measured ? "measured" : "stated");
     json_number(w, "samples", f->samples);
     json_number(w, "left_out", f->left_out);
     json_number(w, "covered", f->covered);

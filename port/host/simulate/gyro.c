@@ -38,24 +38,24 @@ invcal_calibration gyro_scene_truth(const gyro_model *m)
     return truth;
 }
 
+int gyro_scene_g(const gyro_model *m, double g[3][3])
+{
+    const invcal_calibration truth = gyro_scene_truth(m);
+    double most = 0;
+
+    for (unsigned i = 0; i < 9; i++) {
+        g[i / 3][i % 3] = 0;
+        for (unsigned k = 0; k < 3; k++) {
+            g[i / 3][i % 3] += truth.matrix[i / 3][k] * m->g[3 * k + i % 3] / m->lsb;
+        }
+        most = fmax(most, fabs(m->g[i]));
+    }
+    return most > 0;
+}
+
 void gyro_scene_begin(gyro_scene *s, const gyro_model *model, double rate, uint32_t seed)
 {
     *s = (gyro_scene){.model = model, .random = random_start(seed + 0x9e3779b9u), .rate = rate};
-}
-
-/* The rotation by an angle about a unit vector. */
-static void rotation_about(const double axis[3], double angle, double r[3][3])
-{
-    const double c = cos(angle);
-    const double s = sin(angle);
-
-    for (unsigned i = 0; i < 3; i++) {
-        const unsigned j = (i + 1) % 3;
-        const unsigned k = (i + 2) % 3;
-        r[i][i] = c + (1 - c) * axis[i] * axis[i];
-        r[i][j] = (1 - c) * axis[i] * axis[j] - s * axis[k];
-        r[i][k] = (1 - c) * axis[i] * axis[k] + s * axis[j];
-    }
 }
 
 /* The rotation vector that turns `up` back to `before`, after a twist about it. */

@@ -39,8 +39,10 @@ void gyro_scene_begin(gyro_scene *s, const gyro_model *model, double rate, uint3
 void gyro_scene_next(gyro_scene *s, const double up[3], const double felt[3], double twist,
                      int32_t raw[3]);
 
-/* The calibration that corrects all errors except noise and g-sensitivity: counts to rad/s. And the same for an
- * ideal sensor. */
+/* The calibration that corrects all errors except noise and g-sensitivity: counts to rad/s. */
 invcal_calibration gyro_scene_truth(const gyro_model *model);
+
+/* What is then left of the g-sensitivity: rad/s per field. Returns 1 if there is any. */
+int gyro_scene_g(const gyro_model *model, double g[3][3]);
 
 #endif

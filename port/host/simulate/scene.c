@@ -80,7 +80,6 @@ void scene_begin(scene *s, const scene_model *model, const design *route, uint32
     s->route = route;
     s->random = random_start(seed);
     s->leg = -1;
-    set_response(model, s->response);
     scene_interval(s, route->count - 1, &begin, &s->total);
     choose_outliers(s);
     if (model->gyro) {
@@ -200,10 +199,24 @@ static int32_t quantise(const scene_model *m, double u, double zero)
     return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, counts));
 }
 
+void scene_read(const scene_model *m, random_source *random, const double felt[3],
+                const double extra[3], int32_t raw[3])
+{
+    double response[3][3];
+
+    set_response(m, response);
+    for (unsigned i = 0; i < 3; i++) {
+        const double u =
+            dot(response[i], felt) + m->delta[i] + extra[i] + m->noise * random_normal(random);
+        raw[i] = quantise(m, u, m->zero[i]);
+    }
+}
+
 int scene_next(scene *s, scene_sample *out)
 {
     const scene_model *m = s->model;
     double v[3];
+    double extra[3];
 
     if (s->index == s->total) {
         return 0;
@@ -214,11 +227,9 @@ int scene_next(scene *s, scene_sample *out)
     feel(s, out, v);
     drift_on(s, s->walk, 1 / WALK_MEMORY, m->instability);
     for (unsigned i = 0; i < 3; i++) {
-        const double u = dot(s->response[i], v) + m->delta[i] + s->walk[i] +
-                         m->drift * (out->temperature - REFERENCE) +
-                         m->noise * random_normal(&s->random);
-        out->raw[i] = quantise(m, u, m->zero[i]);
+        extra[i] = s->walk[i] + m->drift * (out->temperature - REFERENCE);
     }
+    scene_read(m, &s->random, v, extra, out->raw);
     if (m->gyro) {
         const double legs = (double)(leg_samples(s) - dwell_samples(s));
         gyro_scene_next(&s->gyro, s->up, v, out->position < 0 ? s->twist / legs : 0, out->gyro);

@@ -49,7 +49,6 @@ typedef struct {
     random_source random;
     uint64_t index; /* of the next sample */
     uint64_t total; /* samples in all */
-    double response[3][3];
     double walk[3]; /* of the offsets */
     double tremor[3];
     double aside[3]; /* where the hand goes on this way, and how it shakes */
@@ -67,6 +66,10 @@ void scene_begin(scene *s, const scene_model *model, const design *route, uint32
 
 /* The next sample. Returns 0 after the last. */
 int scene_next(scene *s, scene_sample *out);
+
+/* What the triad reads, counts, of an acceleration over the field, with offsets that are off by `extra`. */
+void scene_read(const scene_model *model, random_source *random, const double felt[3],
+                const double extra[3], int32_t raw[3]);
 
 /* First sample of position i, and the one after its last. */
 void scene_interval(const scene *s, unsigned i, uint64_t *begin, uint64_t *end);

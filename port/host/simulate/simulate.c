@@ -15,6 +15,8 @@
 #include "cli/output.h"
 #include "simulate/gyro.h"
 #include "simulate/scene.h"
+#include "simulate/wave_write.h"
+#include "text/number.h"
 #include "text/unit.h"
 
 enum {
@@ -46,6 +48,14 @@ enum {
     GYRO_NOISE,
     GYRO_LSB,
     GYRO_RANGE,
+    MAGNETOMETER,
+    MAG_FIELD,
+    MAG_OFFSET,
+    MAG_SOFT,
+    MAG_TURN,
+    MAG_NOISE,
+    MAGNET,
+    SECONDS,
     TRUTH,
     OPTIONS
 };
@@ -79,8 +89,17 @@ static const option options[OPTIONS] = {
     [GYRO_NOISE] = {"--gyro-noise", 1},
     [GYRO_LSB] = {"--gyro-lsb", 1},
     [GYRO_RANGE] = {"--gyro-range", 1},
+    [MAGNETOMETER] = {"--magnetometer", 0},
+    [MAG_FIELD] = {"--mag-field", 1},
+    [MAG_OFFSET] = {"--mag-offset", 1},
+    [MAG_SOFT] = {"--mag-soft", 1},
+    [MAG_TURN] = {"--mag-turn", 1},
+    [MAG_NOISE] = {"--mag-noise", 1},
+    [MAGNET] = {"--magnet", 1},
+    [SECONDS] = {"--seconds", 1},
     [TRUTH] = {"--truth", 1},
 };
+#define WAVED_TREMOR 0.02 /* over the field */
 static const option_syntax syntax = {"simulate", options, OPTIONS, NULL, 0, 0};
 
 /* One option that is one number or some numbers between two bounds. */
@@ -128,6 +147,22 @@ static scene_model defaults(void)
     };
 }
 
+/* Options that make sense with another only. */
+static int read_options_of(const char *const *value, unsigned with, const number_option *numbers,
+                           unsigned count)
+{
+    int failure = EXIT_GOOD;
+
+    for (unsigned i = 0; i < count && !failure; i++) {
+        if (value[numbers[i].which] && !value[with]) {
+            return message_usage(syntax.command, "%s: needs %s", options[numbers[i].which].name,
+                                 options[with].name);
+        }
+        failure = read_option(value, &numbers[i]);
+    }
+    return failure;
+}
+
 static int read_gyro(const char *const *value, gyro_model *g)
 {
     const number_option numbers[] = {
@@ -136,14 +171,49 @@ static int read_gyro(const char *const *value, gyro_model *g)
         {GYRO_NOISE, 1, &g->noise, 0, 100},   {GYRO_LSB, 1, &g->lsb, 1e-9, 100},
         {GYRO_RANGE, 1, &g->range, 1, 1e5},
     };
-    int failure = EXIT_GOOD;
 
-    for (unsigned i = 0; i < sizeof numbers / sizeof numbers[0] && !failure; i++) {
-        if (value[numbers[i].which] && !value[GYRO]) {
-            return message_usage(syntax.command, "%s: needs --gyro",
-                                 options[numbers[i].which].name);
+    return read_options_of(value, GYRO, numbers, sizeof numbers / sizeof numbers[0]);
+}
+
+static wave_model wave_defaults(void)
+{
+    return (wave_model){
+        .field = {48, 60},
+        .hard = {12, -30, 5},
+        .soft = {0.03, -0.02, 0.015, 0.02, -0.01, 0.015},
+        .turn = {2, -1, 1.5},
+        .noise = 0.48,
+        .seconds = 60,
+        .magnet = NUMBER_UNKNOWN,
+    };
+}
+
+static int read_wave(const char *const *value, wave_model *m, scene_model *accelerometer)
+{
+    static const unsigned at_rest[] = {PLAN,  DWELL,    MOVE,         INSTABILITY, TEMPERATURE,
+                                       DRIFT, OUTLIERS, OUTLIER_SIZE, STAND,       GYRO};
+    const number_option numbers[] = {
+        {MAG_FIELD, 2, m->field, -90, 1e6}, {MAG_OFFSET, 3, m->hard, -1e6, 1e6},
+        {MAG_SOFT, 6, m->soft, -0.3, 0.3},  {MAG_TURN, 3, m->turn, -180, 180},
+        {MAG_NOISE, 1, &m->noise, 0, 1e6},  {MAGNET, 1, &m->magnet, 0, 1e5},
+        {SECONDS, 1, &m->seconds, 1, 1e5},
+    };
+    int failure = read_options_of(value, MAGNETOMETER, numbers, sizeof numbers / sizeof numbers[0]);
+
+    for (unsigned i = 0; i < sizeof at_rest / sizeof at_rest[0] && !failure; i++) {
+        if (value[MAGNETOMETER] && value[at_rest[i]]) {
+            failure = message_usage(syntax.command,
+                                    "--magnetometer: does not go together with %s, as it is waved "
+                                    "without a rest",
+                                    options[at_rest[i]].name);
         }
-        failure = read_option(value, &numbers[i]);
+    }
+    if (!failure && !(m->field[0] > 0 && m->field[1] <= 90)) {
+        failure = message_usage(syntax.command, "--mag-field: a length above 0, uT, and a dip "
+                                                "within -90 ... 90 degrees");
+    }
+    if (value[MAGNETOMETER] && !value[TREMOR]) {
+        accelerometer->tremor = WAVED_TREMOR;
     }
     return failure;
 }
@@ -206,6 +276,18 @@ static void write_truth_positions(json_writer *w, const scene *s)
     json_list_end(w);
 }
 
+static void write_truth_g(json_writer *w, const scene_model *m)
+{
+    double g[3][3];
+
+    if (gyro_scene_g(m->gyro, g)) {
+        for (unsigned i = 0; i < 9; i++) {
+            g[i / 3][i % 3] /= m->field;
+        }
+        json_matrix(w, "g_correction", (const double(*)[3])g);
+    }
+}
+
 static void write_truth(FILE *file, const scene *s)
 {
     const scene_model *m = s->model;
@@ -228,6 +310,7 @@ static void write_truth(FILE *file, const scene *s)
         json_vector(&w, "offset", gyro.offset);
         json_matrix(&w, "matrix", gyro.matrix);
         json_number(&w, "lsb", m->gyro->lsb * UNIT_DEGREE);
+        write_truth_g(&w, m);
         json_object_end(&w);
     }
     write_truth_positions(&w, s);
@@ -259,20 +342,28 @@ static int write_log(scene *s, int has_temperature, int has_angles)
     return output_flush();
 }
 
-static int deliver(scene *s, const char *const *value)
+/* One of the two is there. */
+static int print_log(scene *s, wave *w, const char *const *value)
+{
+    return w ? wave_write_log(w) : write_log(s, value[TEMPERATURE] != NULL, value[STAND] != NULL);
+}
+
+static int deliver(scene *s, wave *w, const char *const *value)
 {
     output out;
     int failure = EXIT_GOOD;
 
     if (!value[TRUTH]) {
-        return write_log(s, value[TEMPERATURE] != NULL, value[STAND] != NULL);
+        return print_log(s, w, value);
     }
     failure = output_begin(&out, value[TRUTH]);
-    if (!failure) {
+    if (!failure && w) {
+        wave_write_truth(out.file, w);
+    } else if (!failure) {
         write_truth(out.file, s);
-        failure = output_finish(&out);
     }
-    failure = failure ? failure : write_log(s, value[TEMPERATURE] != NULL, value[STAND] != NULL);
+    failure = failure ? failure : output_finish(&out);
+    failure = failure ? failure : print_log(s, w, value);
     return output_end(&out, 1, failure);
 }
 
@@ -296,15 +387,22 @@ static int run(int argc, char **argv)
                        .noise = 0.05,
                        .lsb = 1 / 131.0,
                        .range = 250};
+    wave_model waved = wave_defaults();
     uint32_t seed;
     int failure = options_parse(&syntax, argc, argv, value, NULL);
 
     failure = failure ? failure : read_model(value, &model, &seed);
     failure = failure ? failure : read_gyro(value, &gyro);
     model.gyro = !failure && value[GYRO] ? &gyro : NULL;
+    failure = failure ? failure : read_wave(value, &waved, &model);
     failure = failure ? failure : check_files(value);
     if (failure) {
         return failure;
+    }
+    if (value[MAGNETOMETER]) {
+        wave w;
+        wave_begin(&w, &waved, &model, seed);
+        return deliver(NULL, &w, value);
     }
     failure = design_make(&route, syntax.command, value[PLAN] ? value[PLAN] : "per-group:6");
     if (failure == EXIT_DATA && route.count == 0) {
@@ -314,7 +412,7 @@ static int run(int argc, char **argv)
         return failure;
     }
     scene_begin(&s, &model, &route, seed);
-    return deliver(&s, value);
+    return deliver(&s, NULL, value);
 }
 
 static const char *const help[] = {
@@ -359,6 +457,21 @@ static const char *const help[] = {
     "  --gyro-noise S      standard deviation of a sample, degrees/s; default 0.05\n"
     "  --gyro-lsb S        degrees/s per count; default 1/131\n"
     "  --gyro-range R      clip at +-R degrees/s; default 250\n"
+    "  --magnetometer      instead of rests: a device that a hand turns to all sides, with an\n"
+    "                      accelerometer and a magnetometer: columns t ax ay az, counts, and\n"
+    "                      mx my mz, uT\n"
+    "  --mag-field B,DIP   field of the earth: length, uT, and degrees below the horizon;\n"
+    "                      default 48,60\n"
+    "  --mag-offset X,Y,Z  hard iron, uT; default 12,-30,5\n"
+    "  --mag-soft X,Y,Z,XY,XZ,ZY\n"
+    "                      soft iron: scale errors, and angles, rad; default\n"
+    "                      0.03,-0.02,0.015,0.02,-0.01,0.015\n"
+    "  --mag-turn X,Y,Z    rotation of its axes relative to the accelerometer's, as a\n"
+    "                      rotation vector, degrees; default 2,-1,1.5\n"
+    "  --mag-noise S       standard deviation of the noise, correlated over half a second,\n"
+    "                      uT; default 0.48\n"
+    "  --magnet T          a magnet passes by at T seconds\n"
+    "  --seconds T         duration; default 60\n"
     "  --truth FILE        write the true parameters as JSON; invcal apply reads it\n"
     "\n"
     "exit codes: 0 good; 1 the set of positions is refused; 2 usage; 3 the output not\n"
@@ -384,6 +497,7 @@ static const char *const brief[] = {
     "  --outliers N        number of outliers\n"
     "  --seed N            seed of the random numbers\n"
     "  --gyro              add a gyroscope\n"
+    "  --magnetometer      a waved magnetometer and accelerometer, instead of rests\n"
     "  --truth FILE        write the true parameters as JSON; invcal apply reads it\n"
     "\n"
     "example:\n"

@@ -68,14 +68,28 @@ void constant_row(FILE *file, const double x[3], int is_double, const char *befo
 /* INVCAL_REAL gives each number the suffix of the build, so that all digits count in double, and none is a double in
  * float. A suffix needs a point or an exponent in front of it. The initialiser is positional for C++, which has no
  * designated one before 2020. */
-void constant_write(FILE *file, const char *name, const double offset[3], const double (*matrix)[3])
+static void write_rows(FILE *file, const double (*matrix)[3])
 {
-    fprintf(file, "static const invcal_calibration %s = {\n    ", name);
-    constant_row(file, offset, 1, "INVCAL_REAL(", ")");
-    fputs(",\n    {", file);
+    putc('{', file);
     for (unsigned i = 0; i < 3; i++) {
         fputs(i == 0 ? "" : ",\n     ", file);
         constant_row(file, matrix[i], 1, "INVCAL_REAL(", ")");
     }
-    fputs("}};\n", file);
+    putc('}', file);
+}
+
+void constant_write_matrix(FILE *file, const char *name, const double (*matrix)[3])
+{
+    fprintf(file, "static const invcal_real %s[3][3] =\n    ", name);
+    write_rows(file, matrix);
+    fputs(";\n", file);
+}
+
+void constant_write(FILE *file, const char *name, const double offset[3], const double (*matrix)[3])
+{
+    fprintf(file, "static const invcal_calibration %s = {\n    ", name);
+    constant_row(file, offset, 1, "INVCAL_REAL(", ")");
+    fputs(",\n    ", file);
+    write_rows(file, matrix);
+    fputs("};\n", file);
 }

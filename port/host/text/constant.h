@@ -26,6 +26,9 @@ int constant_fits(const double offset[3], const double (*matrix)[3]);
 void constant_row(FILE *file, const double x[3], int is_double, const char *before,
                   const char *after);
 
+/* "static const invcal_real NAME[3][3] = {...};" and the end of its line. */
+void constant_write_matrix(FILE *file, const char *name, const double (*matrix)[3]);
+
 /* "static const invcal_calibration NAME = {...};" and the end of its line. It has no character that means anything
  * in HTML. */
 void constant_write(FILE *file, const char *name, const double offset[3],

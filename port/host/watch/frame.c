@@ -146,10 +146,11 @@ static void draw_last(canvas *c, const watch_state *now)
         snprintf(text, sizeof text, "Last rest refused: %s.", now->refusal);
         canvas_wrapped(c, LAST, 2, 0, PAINT_RED, text);
     } else if (now->last == WATCH_TAKEN) {
-        snprintf(text, sizeof text, "Position %u taken%s%s.%s%s", now->taken,
-                 now->astray > 0 ? ": " : "", now->astray > 0 ? now->wrong : "",
-                 *now->gyro ? " " : "", now->gyro);
-        canvas_wrapped(c, LAST, 2, 0, now->astray > 0 ? PAINT_YELLOW : CANVAS_PLAIN, text);
+        const int is_odd = now->astray > 0 || *now->gyro.refused;
+        snprintf(text, sizeof text, "Position %u taken%s%s.%s%s", now->taken, is_odd ? ": " : "",
+                 now->astray > 0 ? now->wrong : now->gyro.refused, *now->gyro.text ? " " : "",
+                 now->gyro.text);
+        canvas_wrapped(c, LAST, 2, 0, is_odd ? PAINT_YELLOW : CANVAS_PLAIN, text);
     }
 }
 

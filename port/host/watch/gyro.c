@@ -4,9 +4,10 @@
 #include <math.h>
 #include <string.h>
 
-#define LEAST 5u /* rests: with fewer, neither unit nor axes can be found */
-#define SURE 12u /* from this many on an error is certain */
-#define SPARE 6u /* equations that confirm it */
+#define LEAST 5u  /* rests: with fewer, neither unit nor axes can be found */
+#define SURE 12u  /* from this many on an error is certain */
+#define SPARE 6u  /* equations that confirm it */
+#define NEAR 0.97 /* cosine of 14 degrees */
 
 /* More moves do not help: it is reported at once. */
 static int is_mistake(const char *word)
@@ -25,28 +26,144 @@ static double worst(const gyro_fit *g, int is_scale)
     return g->interval * most;
 }
 
-int watch_gyro(const turns *t, const gyro_wish *wish, unsigned rate, const double *clip,
-               const positions *p, const invcal_calibration *start, char text[WATCH_GYRO_MAX])
+/* ---- moves ------------------------------------------------------------------------------------- */
+
+static unsigned count_moves(const gyro_fit *g)
+{
+    unsigned count = 0;
+
+    for (unsigned i = 0; i < g->moves; i++) {
+        count += g->move[i].why == INVCAL_OK;
+    }
+    return count;
+}
+
+static int is_known(const watch_gyro *w, unsigned position)
+{
+    for (unsigned i = 0; w->known[i] != 0; i++) {
+        if (w->known[i] == position) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Moves that do not count, if that has not been told. */
+static void find_refused(watch_gyro *w, const gyro_fit *g)
+{
+    unsigned now[INVCAL_MAX_MOVES + 1] = {0};
+    unsigned count = 0;
+
+    w->refused[0] = '\0';
+    for (unsigned i = 0; i < g->moves; i++) {
+        const gyro_rest *rest = &g->rest[g->move[i].to];
+        const size_t length = strlen(w->refused);
+        if (g->move[i].why == INVCAL_OK) {
+            continue;
+        }
+        now[count++] = rest->position + 1;
+        if (!is_known(w, rest->position + 1)) {
+            snprintf(w->refused + length, sizeof w->refused - length,
+                     "%sthe move from position %u to %u does not count: %s", length > 0 ? "; " : "",
+                     rest[-1].position + 1, rest->position + 1, gyro_reason(g->move[i].why));
+        }
+    }
+    memcpy(w->known, now, sizeof now);
+}
+
+/* ---- turns ------------------------------------------------------------------------------------- */
+
+/* One more rest, and the shortest turn to it. From the opposite side there is none: what was before is lost. */
+static void add_rest(watch_gyro *w, const double up[3])
+{
+    invcal_turn turn;
+
+    if (!w->has_turns || invcal_turn_to(w->turns.up, up, &turn) != INVCAL_OK ||
+        invcal_turns_add(&w->turns, &turn) != INVCAL_OK) {
+        w->has_turns = invcal_turns_begin(&w->turns, up, NULL) == INVCAL_OK;
+    }
+}
+
+/* To the nearest of the faces, edges and corners of a cube, if it is near. */
+static void snap(double up[3])
+{
+    double best[3] = {0, 0, 0};
+    double most = NEAR;
+
+    for (int i = 0; i < 27; i++) {
+        const int v[3] = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+        const double length = sqrt((double)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+        const double cosine = (v[0] * up[0] + v[1] * up[1] + v[2] * up[2]) / length;
+        for (unsigned k = 0; k < 3 && cosine > most; k++) { /* NaN is not */
+            best[k] = v[k] / length;
+        }
+        most = cosine > most ? cosine : most;
+    }
+    if (most > NEAR) {
+        memcpy(up, best, sizeof best);
+    }
+}
+
+int watch_gyro_next(const watch_gyro *w, const double *held, double target[3],
+                    char text[TURNS_WORDS_MAX])
+{
+    watch_gyro soon = *w;
+    invcal_turn turn;
+
+    if (held) {
+        add_rest(&soon, held);
+    }
+    if (!soon.has_turns || w->is_mistake) {
+        return 0;
+    }
+    snap(soon.turns.up);
+    invcal_turns_next(&soon.turns, &turn);
+    memcpy(target, turn.up, sizeof turn.up);
+    (void)turns_words(&turn, soon.turns.up, text);
+    return 1;
+}
+
+/* ---- the verdict so far ------------------------------------------------------------------------ */
+
+static void judge(watch_gyro *w, const gyro_fit *g, unsigned rests)
+{
+    char known[80];
+
+    w->is_mistake = g->word && (rests >= SURE || is_mistake(g->word));
+    snprintf(known, sizeof known, "gyroscope: %u of %u moves", count_moves(g), g->moves);
+    if (w->is_mistake) {
+        snprintf(w->text, sizeof w->text, "gyroscope: %.*s", WATCH_GYRO_MAX - 20, g->reason);
+    } else if (g->word) {
+        snprintf(w->text, sizeof w->text, "%s, too few so far; turn about all three axes",
+                 g->moves > 0 ? known : "gyroscope: no moves");
+    } else {
+        snprintf(w->text, sizeof w->text, "%s; scale ± %.2g %%, cross ± %.2g degrees%s", known,
+                 100 * worst(g, 1), worst(g, 0) / UNIT_DEGREE,
+                 g->imu.open ? "; go on about other axes" : "");
+        w->is_good = g->imu.verdict == INVCAL_GOOD && g->imu.dof >= SPARE;
+    }
+}
+
+void watch_gyro_take(watch_gyro *w, const turns *t, const gyro_wish *wish, unsigned rate,
+                     const double *clip, const positions *p, const invcal_calibration *start,
+                     const double up[3])
 {
     static gyro_fit g; /* large */
     const rejection none = {0};
 
-    text[0] = '\0';
+    w->text[0] = '\0';
+    w->refused[0] = '\0';
+    w->is_good = 0;
     if (t->readings == 0 || p->count < LEAST ||
         gyro_make(&g, t, wish, rate, clip, p, &none, start) || !g.is_there) {
-        return 0;
+        add_rest(w, up);
+        return;
     }
-    if (g.word && p->count < SURE && !is_mistake(g.word)) {
-        snprintf(text, WATCH_GYRO_MAX,
-                 "gyroscope: too few moves so far; turn about all three axes");
-        return 0;
+    find_refused(w, &g);
+    judge(w, &g, p->count);
+    if (gyro_turns(&g, p, start, &w->turns)) {
+        w->has_turns = 1;
+    } else {
+        add_rest(w, up);
     }
-    if (g.word) {
-        snprintf(text, WATCH_GYRO_MAX, "gyroscope: %.*s", WATCH_GYRO_MAX - 20, g.reason);
-        return 0;
-    }
-    snprintf(text, WATCH_GYRO_MAX, "gyroscope: %u moves; scale ± %.2g %%, cross ± %.2g degrees%s",
-             g.imu.moves, 100 * worst(&g, 1), worst(&g, 0) / UNIT_DEGREE,
-             g.imu.open ? "; turn about other axes, too" : "");
-    return g.imu.verdict == INVCAL_GOOD && g.imu.dof >= SPARE;
 }

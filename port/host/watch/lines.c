@@ -116,8 +116,12 @@ static void say_taken(const watch_state *now)
         wrapped_printf(now->talk, 2, "position %u taken%s", now->taken, sigma_text(now, text));
     }
     say_wrong(now);
-    if (*now->gyro) {
-        wrapped_line(now->talk, 0, 2, now->gyro);
+    if (*now->gyro.text) {
+        wrapped_line(now->talk, 0, 2, now->gyro.text);
+    }
+    if (*now->gyro.refused) {
+        wrapped_printf(now->talk, 2, "%sgyroscope:%s %s", paint_on(now->talk, PAINT_YELLOW),
+                       paint_off(now->talk), now->gyro.refused);
     }
     if (now->outcome == WATCH_ENOUGH) {
         say_end(now,

@@ -84,9 +84,12 @@ static void tell_time(stage *s, const sample *latest)
 static void aim(const stage *s, int is_ready)
 {
     if (!s->wish->set) {
-        invcal_session_next(&session, now.target);
+        const double *held = is_ready && s->gyro && now.has_up ? now.up : NULL;
+        if (!watch_gyro_next(&now.gyro, held, now.target, now.next)) {
+            invcal_session_next(&session, now.target);
+            (void)invcal_words(now.target, now.next);
+        }
         now.has_target = 1;
-        (void)invcal_words(now.target, now.next);
         snprintf(now.good, sizeof now.good, "good: move on to %s", now.next);
         return;
     }
@@ -214,12 +217,14 @@ static int is_good(stage *s)
         start.offset[i % 3] = s->known.offset[i % 3] * live_log.unit;
         start.matrix[i / 3][i % 3] /= live_log.unit;
     }
-    const int is_both =
-        s->gyro && watch_gyro(s->gyro, &s->wish->gyro, samples_whole_rate(&live_log), s->wish->clip,
-                              s->p, &start, now.gyro);
-
-    return is_both ||
-           (invcal_session_is_good(&session) && strncmp(now.gyro, "gyroscope: ", 11) != 0);
+    if (s->gyro && s->p->count > 0) {
+        double up[3];
+        const double *last = &s->p->mean[3 * (size_t)(s->p->count - 1)];
+        (void)find_up(&start, last, up);
+        watch_gyro_take(&now.gyro, s->gyro, &s->wish->gyro, samples_whole_rate(&live_log),
+                        s->wish->clip, s->p, &start, up);
+    }
+    return now.gyro.is_good || (invcal_session_is_good(&session) && *now.gyro.text == '\0');
 }
 
 static watch_outcome judge_outcome(stage *s, int is_complete)

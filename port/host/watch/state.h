@@ -67,13 +67,13 @@ typedef struct {
     /* where to go */
     int has_target;
     double target[3];
-    char next[PROGRAM_TEXT_MAX]; /* the same in words; "": nowhere */
+    char next[PROGRAM_TEXT_MAX]; /* the same in words, or the turn to it; "": nowhere */
     char good
         [WATCH_GOOD_MAX]; /* of a rest that is READY: that it is good, and where to move on to */
 
     /* what there is */
-    unsigned taken;            /* positions, */
-    char gyro[WATCH_GYRO_MAX]; /* what the moves determine of a gyroscope; "": nothing */
+    unsigned taken;  /* positions, */
+    watch_gyro gyro; /* what the moves determine of a gyroscope */
     unsigned covered;
     double direction[INVCAL_MAX_POSITIONS][3]; /* and where the last of them point */
     unsigned astray;                           /* rests in a row that were not those asked for, */

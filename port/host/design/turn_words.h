@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * design/turn_words.h: turns (invcal/gyro.h) in words.
+ */
+#ifndef TURN_WORDS_H
+#define TURN_WORDS_H
+
+#include "invcal/gyro.h"
+
+#define TURNS_WORDS_MAX 160
+#define TURNS_UP_MAX 80
+
+/* What to do from one rest to the next: "+x up: a quarter turn about y", or, if that does not give the sense of
+ * rotation, "a full turn about +x: +z up". */
+const char *turns_words(const invcal_turn *turn, const invcal_real from[3],
+                        char text[TURNS_WORDS_MAX]);
+
+/* "+x", "edge +x -y", "corner +x -y +z", or in words as invcal_words. */
+const char *turns_up_words(const invcal_real up[3], char text[TURNS_UP_MAX]);
+
+#endif
