@@ -306,7 +306,7 @@ sed -n '/^static const float calibration_gyro_g/,$p' "$work/stdout" | sed '1d; s
 check "export --format c-arrays: the same" near 1e-10 "$(cat "$work/nine")" "$(inner "$work/g.json" g_correction | numbers)"
 for format in fusion imu_tk-gyro; do
     run export "$work/g.json" --format $format
-    check "export --format $format: it says that it has no place" matches "$work/stdout" 'g-sensitivity has no place in this format'
+    check "export --format $format: it says that it has no place" matches "$work/stdout" 'cannot store the gyroscope.s g-sensitivity'
     run export "$work/cal.json" --format $format
     check "export --format $format: not without one" lacks "$work/stdout" 'g-sensitivity'
 done

@@ -271,7 +271,7 @@ for option in '--plan=edges' '--gyro' '--dwell=3' '--stand' '--outliers=1' '--te
     refuses "simulate --magnetometer and $option" 2 "--magnetometer: does not go together with ${option%=*}" simulate --magnetometer "$option"
 done
 refuses "simulate: a field without a magnetometer" 2 '--mag-field: needs --magnetometer' simulate --mag-field 48,60
-refuses "simulate: no length" 2 '--mag-field: a length above 0' simulate --magnetometer --mag-field 0,60
-refuses "simulate: a dip beyond the vertical" 2 '--mag-field: a length above 0' simulate --magnetometer --mag-field 48,91
+refuses "simulate: no length" 2 '--mag-field: must be a length above 0' simulate --magnetometer --mag-field 0,60
+refuses "simulate: a dip beyond the vertical" 2 '--mag-field: must be a length above 0' simulate --magnetometer --mag-field 48,91
 
 finish

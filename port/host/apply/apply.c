@@ -232,8 +232,8 @@ static int apply(table *log, job *j)
     fclose(spool);
     if (!failure && !j->is_quiet) {
         if (j->is_gyro && j->file.has_gyro_g) {
-            message("warning: %s: the gyroscope's g-sensitivity is left in, as it takes the "
-                    "accelerometer's columns in the same log to take it off",
+            message("warning: %s: the gyroscope's g-sensitivity is not corrected: that needs the "
+                    "accelerometer's columns in the same log",
                     log->name);
         }
         thermal_correction_end(&j->at, log->name);

@@ -97,8 +97,8 @@ static int check(const reading *x, const calibration_file *f, const char *path)
     }
     if (f->is_field_measured != other->is_field_measured) {
         return refuse(x, path,
-                      "one of them was made with --gravity, the other without, and has the length "
-                      "of its readings for that of the field; make both with it, or none");
+                      "only one of them was made with --gravity; the field of the other is the "
+                      "length of its readings; make both with --gravity, or neither");
     }
     if (!is_one_field(f, other)) {
         return refuse(x, path, "their fields are %.7g and %.7g; make both with the same --gravity",

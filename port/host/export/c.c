@@ -37,7 +37,7 @@ static void begin(FILE *file, const export_job *job)
 static void write_use_of_g(FILE *file, const export_job *job)
 {
     if (job->file.has_gyro_g) {
-        export_comment(file, EXPORT_COMMENT_C, "Then take off the gyroscope's g-sensitivity:");
+        export_comment(file, EXPORT_COMMENT_C, "Then subtract the gyroscope's g-sensitivity:");
         export_comment(file, EXPORT_COMMENT_C,
                        "  rate[i] -= the sum over j = 0, 1, 2 of %s_gyro_g[i][j] calibrated[j]",
                        name_of(job));

@@ -121,7 +121,6 @@ void export_comment_no_g(FILE *file, const char *prefix, const export_job *job)
 {
     if (job->file.has_gyro_g) {
         export_comment(file, prefix,
-                       "The gyroscope's g-sensitivity has no place in this format; --format c "
-                       "has it.");
+                       "This format cannot store the gyroscope's g-sensitivity; --format c can.");
     }
 }

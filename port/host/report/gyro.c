@@ -263,7 +263,7 @@ static void write_constant(page *p, const calibrate_result *r)
         page_code_end(p);
     }
     if (g->imu.g_is_used) {
-        page_say(p, "Then take off its g-sensitivity: rate[i] -= the sum over j of "
+        page_say(p, "Then subtract its g-sensitivity: rate[i] -= the sum over j of "
                     "calibration_gyro_g[i][j] calibrated[j].");
         page_code_begin(p);
         constant_write_matrix(p->file, "calibration_gyro_g", (const double(*)[3])taken);

@@ -202,15 +202,16 @@ static int read_wave(const char *const *value, wave_model *m, scene_model *accel
 
     for (unsigned i = 0; i < sizeof at_rest / sizeof at_rest[0] && !failure; i++) {
         if (value[MAGNETOMETER] && value[at_rest[i]]) {
-            failure = message_usage(syntax.command,
-                                    "--magnetometer: does not go together with %s, as it is waved "
-                                    "without a rest",
-                                    options[at_rest[i]].name);
+            failure = message_usage(
+                syntax.command,
+                "--magnetometer: cannot be combined with %s: it is waved, without rests",
+                options[at_rest[i]].name);
         }
     }
     if (!failure && !(m->field[0] > 0 && m->field[1] <= 90)) {
-        failure = message_usage(syntax.command, "--mag-field: a length above 0, uT, and a dip "
-                                                "within -90 ... 90 degrees");
+        failure = message_usage(
+            syntax.command,
+            "--mag-field: must be a length above 0, uT, and a dip within -90 ... 90 degrees");
     }
     if (value[MAGNETOMETER] && !value[TREMOR]) {
         accelerometer->tremor = WAVED_TREMOR;

@@ -64,7 +64,7 @@ static void find_refused(watch_gyro *w, const gyro_fit *g)
         now[count++] = rest->position + 1;
         if (!is_known(w, rest->position + 1)) {
             snprintf(w->refused + length, sizeof w->refused - length,
-                     "%sthe move from position %u to %u does not count: %s", length > 0 ? "; " : "",
+                     "%smove from position %u to %u refused: %s", length > 0 ? "; " : "",
                      rest[-1].position + 1, rest->position + 1, gyro_reason(g->move[i].why));
         }
     }
@@ -139,7 +139,7 @@ static void judge(watch_gyro *w, const gyro_fit *g, unsigned rests)
     } else {
         snprintf(w->text, sizeof w->text, "%s; scale ± %.2g %%, cross ± %.2g degrees%s", known,
                  100 * worst(g, 1), worst(g, 0) / UNIT_DEGREE,
-                 g->imu.open ? "; go on about other axes" : "");
+                 g->imu.open ? "; turn about other axes, too" : "");
         w->is_good = g->imu.verdict == INVCAL_GOOD && g->imu.dof >= SPARE;
     }
 }
