@@ -240,7 +240,7 @@ check "magnetometers: the page is one" is_page page.html
 run compare first.json moved.json
 check "magnetometers: hard iron of 3 uT more, of 48" test "$(awk '/^offset x/ { d = $5 / 6.25; print (d > 0.8 && d < 1.2), $NF; exit }' "$work/stdout")" = "1 changed"
 accepts "magnetometers: --gravity of another place" compare known.json there.json
-refuses "magnetometers: one with, one without" 1 'one of them was made with --gravity, the other without' compare first.json known.json
+refuses "magnetometers: one with, one without" 1 'only one of them was made with --gravity' compare first.json known.json
 refuses "magnetometers: fields of other units" 1 'their fields are 0\.48 and 48' compare known.json gauss.json
 together "a magnetometer and an accelerometer" "the readings are in" known.json
 

@@ -295,7 +295,7 @@ run apply "$work/without.json" "$work/g.csv"
 check "without it there is one" near 0.05 "$(awk -f "$here/gyro_rests.awk" "$work/truth.json" "$work/stdout")" 0.2
 cut -d, -f1,5-7 "$work/g.csv" > "$work/gyro.csv"
 run apply "$work/g.json" "$work/gyro.csv" --gyro
-check "apply --gyro: without an accelerometer it is left in, and told" says "gyro\.csv: the gyroscope's g-sensitivity is left in"
+check "apply --gyro: without an accelerometer it is left in, and told" says "gyro\.csv: the gyroscope's g-sensitivity is not corrected"
 accepts "apply --gyro --quiet: not a word of it" apply "$work/g.json" "$work/gyro.csv" --gyro --quiet
 run export "$work/g.json" --format c --name imu
 sed -n '/^static const invcal_real imu_gyro_g/,$p' "$work/stdout" | sed '1d; /^#/d' | tr -d 'INVCALRE_()f' | numbers > "$work/nine"

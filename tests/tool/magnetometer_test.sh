@@ -268,7 +268,7 @@ check "simulate --magnetometer: without noise, angles" near 1e-4 "$(vector gamma
 check "simulate --magnetometer: without noise, up and the field" near 1e-3 "$(number dip)" -0.349066
 check "simulate --seconds: so many samples" test "$(wc -l < "$work/waved.csv")" -eq 4501
 for option in '--plan=edges' '--gyro' '--dwell=3' '--stand' '--outliers=1' '--temperature=1,2'; do
-    refuses "simulate --magnetometer and $option" 2 "--magnetometer: does not go together with ${option%=*}" simulate --magnetometer "$option"
+    refuses "simulate --magnetometer and $option" 2 "--magnetometer: cannot be combined with ${option%=*}" simulate --magnetometer "$option"
 done
 refuses "simulate: a field without a magnetometer" 2 '--mag-field: needs --magnetometer' simulate --mag-field 48,60
 refuses "simulate: no length" 2 '--mag-field: must be a length above 0' simulate --magnetometer --mag-field 0,60

@@ -133,7 +133,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     frames
     check "turns: next is one" grep -qE '^X next    edge \+y \+z up: 135 degrees about x$' "$work/frames"/*
     check "turns: the move that does not count" grep -qE \
-        'Position 5 taken: move from position 1 to 2 refused: at the end' "$work/frames"/*
+        'Position 5 taken: the move from position 1 to 2 is refused: at the end' "$work/frames"/*
     check "turns: frames are as wide as ever" test "$(wider_than 79)" -eq 0
 
     # It is no screen everywhere.

@@ -64,7 +64,7 @@ static void find_refused(watch_gyro *w, const gyro_fit *g)
         now[count++] = rest->position + 1;
         if (!is_known(w, rest->position + 1)) {
             snprintf(w->refused + length, sizeof w->refused - length,
-                     "%smove from position %u to %u refused: %s", length > 0 ? "; " : "",
+                     "%sthe move from position %u to %u is refused: %s", length > 0 ? "; " : "",
                      rest[-1].position + 1, rest->position + 1, gyro_reason(g->move[i].why));
         }
     }
