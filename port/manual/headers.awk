@@ -49,7 +49,8 @@ function has_parameters(i,    text) {
 function linked(text,    out, name) {
     while (match(text, /(invcal|INVCAL)_[A-Za-z0-9_]+/)) {
         name = substr(text, RSTART, RLENGTH)
-        out = out substr(text, 1, RSTART - 1) (name ~ /_$/ ? "" : "#") name
+        out = out substr(text, 1, RSTART - 1)
+        out = out (name ~ /_$/ || out ~ /[A-Za-z0-9_]$/ ? "" : "#") name
         text = substr(text, RSTART + RLENGTH)
     }
     return out text

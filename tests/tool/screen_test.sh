@@ -89,20 +89,14 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     check "what stood there is scrolled up, not drawn upon" test \
         "$(awk '/waiting for samples/ { on = 1; next } index($0, "25l") { exit } on' "$work/typed" | wc -l)" -eq 24
 
-    # As the tutorial shows it.
-    sed -n '/^```screen$/,/^```$/p' "$here/../../port/manual/tutorial.md" | sed '1d;$d' > "$work/shown"
+    # The tutorial's picture; with DRAW=1 it is drawn again.
     "$tool" simulate --plan edges --seed 7 > "$work/board.csv"
     terminal 'cd "$work" && invcal watch board.csv'
-    frames
-    is_shown() {
-        for frame in "$work/frames"/*; do
-            if cmp -s "$frame" "$work/shown"; then
-                return 0
-            fi
-        done
-        return 1
-    }
-    check "the screen of the tutorial is one of them" is_shown
+    if command -v python3 > /dev/null; then
+        python3 "$here/screen_svg.py" 'or go on: 57 degrees to go' < "$work/typed" > "$work/watch.svg"
+        [ -z "$DRAW" ] || cp "$work/watch.svg" "$here/../../port/host/watch.svg"
+        check "the tutorial shows a frame of it" cmp "$work/watch.svg" "$here/../../port/host/watch.svg"
+    fi
 
     terminal 'NO_COLOR=1 invcal watch "$work/edges.csv"'
     check "NO_COLOR: no colours" lacks "$work/typed" "$escape\[[0-9;]*m"
