@@ -80,7 +80,7 @@ function behind(i,    last, at, text, code, type, names, n, k) {
 # A comment that begins line i. Returns its last line.
 function comment(i,    last, of, k, text, mode, is_file) {
     last = end_of(i)
-    is_file = i == 1 || (line[last + 1] ~ /^(#if.*)?$/ && last > i)
+    is_file = i == 1 || (last > i && (line[last + 1] == "" || (line[i] ~ /^\/\* ---/ && line[last + 1] ~ /^#if/)))
     if (line[last + 1] == "" && !is_file) {
         print line[i]
         return last
