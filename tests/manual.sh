@@ -30,7 +30,7 @@ version=$(awk '/^#define INVCAL_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $3; do
 pages() {
     rm -rf "$build/manual" && mkdir -p "$build/manual" && doxygen -l "$build/manual/default.xml" &&
         awk -f port/manual/layout.awk port/manual/README.md "$build/manual/default.xml" > "$build/manual/layout.xml" &&
-        BUILD=$build VERSION=$version doxygen port/manual/Doxyfile
+        BUILD=$build VERSION=$version doxygen port/manual/Doxyfile && cat port/manual/style.css >> "$html/search/search.css"
 }
 
 # Doxygen does not miss the comment of an enumerator.
