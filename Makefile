@@ -76,8 +76,8 @@ CHOICES = $(filter -DINVCAL_%,$(CFLAGS) $(DEGREE_FLAGS))
 .PHONY: pkg-config
 pkg-config:
 	@mkdir -p $(BUILD)
-	$(Q)version=$$(sh port/version.sh) && for name in invcal invcal-double; do \
-	    sed -e 's|@PREFIX@|$(PREFIX)|' -e "s|@VERSION@|$$version|" -e 's|@CHOICES@|$(CHOICES)|' \
+	$(Q)version=$$(sh port/version.sh) && address=$$(sh port/address.sh) && for name in invcal invcal-double; do \
+	    sed -e 's|@PREFIX@|$(PREFIX)|' -e "s|@VERSION@|$$version|" -e "s|@ADDRESS@|$$address|" -e 's|@CHOICES@|$(CHOICES)|' \
 	        -e 's/ *$$//' port/pkg-config/$$name.pc.in > $(BUILD)/$$name.pc || exit; \
 	done
 

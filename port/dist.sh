@@ -27,6 +27,9 @@ changed=$(git status --porcelain | head -n 1)
 [ -z "$changed" ] || fail "a tarball is made of the last commit, which lacks this: $changed"
 version=$(sh port/version.sh) || exit 1
 name=invcal-$version
+case $(sh port/address.sh) in
+*//example.org/*) echo "dist.sh: the project's address is not set yet: port/address.sh" >&2 ;;
+esac
 
 export GIT_ATTR_NOSYSTEM=1 GIT_CONFIG_NOSYSTEM=1 GIT_CONFIG_GLOBAL=/dev/null LC_ALL=C TZ=UTC
 unset GZIP ZIPOPT

@@ -12,7 +12,7 @@
 #     # ...          a comment
 #
 # In files of the package itself, under port/PACKAGE, @VERSION@, @MAJOR@, @MINOR@ and @PATCH@
-# become those of include/invcal/invcal.h.
+# become those of include/invcal/invcal.h, @ADDRESS@ what address.sh prints.
 #
 # DEST may hold other things. DEST/.invcal-PACKAGE lists what was laid out, with checksums: the next time it is
 # replaced, and what is no longer part of the package goes. Nothing else is touched: where a file of
@@ -42,6 +42,7 @@ esac || fail "unknown package '$package': there are $(printf '%s\n' port/*/files
     sed 's|^port/\(.*\)/files$|\1|' | paste -s -d ' ' -)"
 [ ! -e "$dest" ] || [ -d "$dest" ] || fail "$dest is no folder"
 version=$(sh port/version.sh) || exit 2
+address=$(sh port/address.sh) || exit 2
 major=${version%%.*}
 minor=${version#*.}
 minor=${minor%.*}
@@ -60,7 +61,7 @@ copy() { # FROM TO: one file
     case $1 in
     port/"$package"/*)
         sed -e "s/@VERSION@/$version/g" -e "s/@MAJOR@/$major/g" -e "s/@MINOR@/$minor/g" \
-            -e "s/@PATCH@/${version##*.}/g" "$1" > "$target" || fail "$list:$number: cannot read $1"
+            -e "s/@PATCH@/${version##*.}/g" -e "s|@ADDRESS@|$address|g" "$1" > "$target" || fail "$list:$number: cannot read $1"
         ;;
     esac
 }

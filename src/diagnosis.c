@@ -10,7 +10,7 @@
 #define SIGNIFICANT INVCAL_REAL(0.002)
 #define UNSTATED INVCAL_REAL(0.004) /* the same, if no noise is stated */
 #define NAMEABLE INVCAL_REAL(0.02)  /* of the residuals alone */
-#define FAVOUR INVCAL_REAL(7.4)     /* min ratio of likelihoods for an outlier */
+#define FAVOUR INVCAL_REAL(7.4)     /* by which outliers may be less likely, and yet win */
 #define AMBIGUOUS INVCAL_REAL(0.3)
 #define SHOWN INVCAL_REAL(0.44444) /* sigma grows to 1.5 of itself at most */
 

@@ -60,6 +60,7 @@ if [ -f "$recording" ]; then
     gate "magnetometer.h is what its script prints" magnetometer
 fi
 gate "what releases wrote means what values.py reads" releases
+gate "the tool writes every key that its last release wrote" python3 tests/reference/releases/tool.py "$build/invcal" --check
 gate "nothing else stands at the top level" top_level
 gate "shellcheck has nothing against the shell scripts" scripts
 gate "text and comments have no word misspelt, and none of tests/words.txt" sh tests/words.sh

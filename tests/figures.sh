@@ -1,28 +1,45 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# The figures of the manual: mathematics.md names the command that draws each, build/invcal ... --svg
-# NAME.svg.
+# The figures of the manual. The pages mathematics*.md name the commands that draw them, in blocks of `sh`: with --svg
+# NAME.svg, or with --report NAME.html, a page in which the figure is the picture of that title:
+#
+#     ![TITLE: what it shows](NAME.svg)
 #
 #     sh tests/figures.sh path/to/invcal             draws them again in port/manual
 #     sh tests/figures.sh path/to/invcal --check     they are what stands there, and below 60 kB
-manual=$(dirname "$0")/../port/manual
-tool=$1
+manual=$(cd "$(dirname "$0")/../port/manual" && pwd) || exit 2
+tool=$(cd "$(dirname "$1")" && pwd) || exit 2
 drawn=$(mktemp -d) || exit 2
 trap 'rm -rf "$drawn"' EXIT
+PATH=$tool:$PATH
 
-sed -n 's,^    build/invcal \(plan .*--svg [a-z]*\.svg\)$,\1,p' "$manual/mathematics.md" > "$drawn/commands"
-while read -r command; do
-    name=${command##* }
-    # shellcheck disable=SC2086 # words
-    "$tool" ${command% *} "$drawn/$name" --quiet || exit 1
+# With the style of its own page's pictures: the second.
+part() { # TITLE < PAGE
+    awk -v title="<title>$1</title>" '
+        /^<style>/ { styles++ }
+        styles == 2 && !styled { style = style $0 "\n" }
+        /^<\/style>/ && styles == 2 { styled = 1 }
+        /^<svg/ { part = ""; wanted = 0; inside = 1 }
+        inside { part = part $0 "\n" }
+        inside && $0 == title { wanted = 1; part = part style "<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n" }
+        inside && /^<\/svg>/ { inside = 0; if (wanted) { printf "%s", part; exit } }'
+}
+
+cat "$manual"/mathematics*.md |
+    awk '/^```sh$/ { on = 1; next } /^```/ { on = 0 } on' > "$drawn/commands"
+(cd "$drawn" && sh -e commands > said 2>&1) || { cat "$drawn/said"; exit 1; }
+
+sed -n 's/^!\[\([^]:]*\).*](\([a-z]*\)\.svg)$/\2 \1/p' "$manual"/mathematics*.md > "$drawn/figures"
+while read -r name title; do
+    [ -f "$drawn/$name.svg" ] || part "$title" < "$drawn/$name.html" > "$drawn/$name.svg" || exit 1
     if [ "$2" = --check ]; then
-        cmp "$drawn/$name" "$manual/$name" || exit 1
-        test "$(wc -c < "$drawn/$name")" -lt 60000 || exit 1
+        cmp "$drawn/$name.svg" "$manual/$name.svg" || exit 1
+        test "$(wc -c < "$drawn/$name.svg")" -lt 60000 || exit 1
     else
-        cp "$drawn/$name" "$manual/$name"
+        cp "$drawn/$name.svg" "$manual/$name.svg"
     fi
-done < "$drawn/commands"
+done < "$drawn/figures"
 
-# Every figure has its command.
-test "$(grep -c . "$drawn/commands")" -eq "$(find "$manual" -name '*.svg' | grep -c .)"
+# No other figure stands there.
+test "$(grep -c . "$drawn/figures")" -eq "$(find "$manual" -name '*.svg' | grep -c .)"

@@ -28,8 +28,9 @@ version=$(awk '/^#define INVCAL_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $3; do
     include/invcal/invcal.h)
 
 pages() {
-    rm -rf "$build/manual" && mkdir -p "$build/manual" &&
-        BUILD=$build VERSION=$version doxygen port/manual/Doxyfile
+    rm -rf "$build/manual" && mkdir -p "$build/manual" && doxygen -l "$build/manual/default.xml" &&
+        awk -f port/manual/layout.awk port/manual/README.md "$build/manual/default.xml" > "$build/manual/layout.xml" &&
+        BUILD=$build VERSION=$version doxygen port/manual/Doxyfile && cat port/manual/style.css >> "$html/search/search.css"
 }
 
 # Doxygen does not miss the comment of an enumerator.
@@ -73,6 +74,14 @@ links() {
     ls >> "$build/manual.labels"
     test "$(wc -l < "$build/manual.links")" -gt 100 &&
         ! sed 's,^\./,,' "$build/manual.links" | grep -vxF -f "$build/manual.labels"
+}
+
+# Doxygen leaves the path of a picture that it does not find.
+pictures() {
+    (cd "$html" && cat md_*.html index.html | grep -oE '<(img|object)[^>]*(src|data)="[^"]*"' | sed 's/.*="//; s/"$//' | sort -u) > "$build/manual.pictures"
+    test "$(wc -l < "$build/manual.pictures")" -gt 5 && while read -r picture; do
+        test -f "$html/$picture" || { echo "no picture $picture"; return 1; }
+    done < "$build/manual.pictures"
 }
 
 # The same in the Markdown itself, as GitHub shows it: files, and headings in them.
@@ -124,6 +133,7 @@ gate "every enumerator has a comment" enumerators
 gate "every comment of a member ends there" members
 gate "no Markdown is left in the HTML" leftovers
 gate "every link of the HTML leads somewhere" links
+gate "every picture of the HTML is there" pictures
 
 echo "$html/index.html"
 echo "$passed passed, $failed failed"

@@ -216,7 +216,7 @@ typedef struct {
  * sigma  the target, counts. (Any unit common to noise and sigma will do.)
  *
  * sigma is adev(T): the standard deviation of a mean in white noise. Over a session slow noise adds
- * more (mathematics.md, "How long to stay").
+ * more (mathematics_programs.md, "How long to stay").
  *
  * Returns INVCAL_OK; INVCAL_BAD_NOISE if sigma is not positive, a coefficient negative or not
  * finite, all are 0, or N and shortest are; or if the time exceeds the number type. */

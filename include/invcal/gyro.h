@@ -34,7 +34,7 @@
  * memory is written: the device is in motion then. Let the sensor keep them for a second (FIFO), or an
  * interrupt; otherwise call invcal_moves_gap, and make the move again.
  *
- * invcal.h states the rules and units; mathematics.md, "The gyroscope", derives this.
+ * invcal.h states the rules and units; mathematics_imu.md derives this.
  */
 #ifndef INVCAL_GYRO_H
 #define INVCAL_GYRO_H

@@ -353,7 +353,7 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality);
 
-/* The same, but also tests what the nine parameters do not explain (mathematics.md, "Judgement").
+/* The same, but also tests what the nine parameters do not explain (mathematics_judgement.md).
  * Leaves out positions that contradict the others; reports a systematic error - drift, nonlinearity,
  * hysteresis - with its axis and size. Directions within 5 degrees count once.
  *
@@ -522,7 +522,7 @@ invcal_status invcal_session_reason(const invcal_session *session);
 const char *invcal_session_why(const invcal_session *session);
 
 /* Which orientation to take next: of 26 directions - the faces, edges and corners of a cube - the
- * one that adds the most information (mathematics.md, "Guidance"); of equals, the nearest to the
+ * one that adds the most information (mathematics_programs.md, "Guidance"); of equals, the nearest to the
  * current orientation. A position that is READY and still held counts as taken. There is no need to
  * be exact: the table holds what was measured, and the next direction allows for it.
  *

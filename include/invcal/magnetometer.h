@@ -5,7 +5,7 @@
  * Nobody holds a compass still in twelve orientations: it is waved for a minute. Its samples lie on the same
  * ellipsoid as positions (invcal.h), but neighbours have a common error, and the hand prefers some directions.
  * So they are spread evenly: 18 cells of equal size around the faces and edges of a cube each hold the mean of
- * their rows (mathematics.md, "A magnetometer in motion"), and the cells are the positions.
+ * their rows (mathematics_magnetometer.md), and the cells are the positions.
  *
  *     invcal_magnetometer_init(&magnetometer, &nominal);
  *     for every sample:

@@ -15,7 +15,7 @@
  *     2       -90                          start 2 + 360 (l - 1)/N
  *     3       start 3 + 360 (l - 1)/N      90                           l = 1 ... N
  *
- * The information of a program does not depend on the start angles (mathematics.md, "Programs"; the
+ * The information of a program does not depend on the start angles (mathematics_programs.md; the
  * host tool computes it for any directions). They decide which axes are exactly along gravity.
  *
  * Positions are computed one at a time, so a device that follows a program stores no table:

@@ -49,7 +49,8 @@ function has_parameters(i,    text) {
 function linked(text,    out, name) {
     while (match(text, /(invcal|INVCAL)_[A-Za-z0-9_]+/)) {
         name = substr(text, RSTART, RLENGTH)
-        out = out substr(text, 1, RSTART - 1) (name ~ /_$/ ? "" : "#") name
+        out = out substr(text, 1, RSTART - 1)
+        out = out (name ~ /_$/ || out ~ /[A-Za-z0-9_]$/ ? "" : "#") name
         text = substr(text, RSTART + RLENGTH)
     }
     return out text
@@ -79,7 +80,7 @@ function behind(i,    last, at, text, code, type, names, n, k) {
 # A comment that begins line i. Returns its last line.
 function comment(i,    last, of, k, text, mode, is_file) {
     last = end_of(i)
-    is_file = i == 1 || (line[last + 1] == "" && last > i)
+    is_file = i == 1 || (last > i && (line[last + 1] == "" || (line[i] ~ /^\/\* ---/ && line[last + 1] ~ /^#if/)))
     if (line[last + 1] == "" && !is_file) {
         print line[i]
         return last

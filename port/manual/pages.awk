@@ -85,6 +85,10 @@ function links(text,    out, link, words, target, hash, is_picture) {
         hash = index(link, "](")
         words = substr(link, 2, hash - 2)
         target = substr(link, hash + 2, length(link) - hash - 2)
+        if (is_picture) { # IMAGE_PATH has the folder
+            sub(/.*\//, "", target)
+            link = "[" words "](" target ")"
+        }
         out = out (is_picture || target ~ /^https?:/ ? link : resolved(words, target))
     }
     return out text

@@ -23,7 +23,7 @@ stage_library() {
 
 # https://docs.arduino.cc/arduino-cli/library-specification
 properties() {
-    awk -F = -v version="$(sh port/version.sh)" '
+    awk -F = -v version="$(sh port/version.sh)" -v address="$(sh port/address.sh)" '
         /^#/ { next }
         { value[$1] = substr($0, length($1) + 2) }
         END {
@@ -31,6 +31,7 @@ properties() {
             for (i in all) if (value[all[i]] == "") { print "no " all[i]; bad++ }
             if (value["name"] !~ /^[A-Za-z0-9][A-Za-z0-9_. -]*$/) { print value["name"]; bad++ }
             if (value["version"] != version) { print value["version"]; bad++ }
+            if (value["url"] != address) { print value["url"]; bad++ }
             if (value["category"] !~ /^(Display|Communication|Signal Input\/Output|Sensors|Device Control|Timing|Data Storage|Data Processing|Other)$/) {
                 print value["category"]
                 bad++

@@ -20,13 +20,14 @@ stage_component() { # its folder is its name
 
 # https://docs.espressif.com/projects/idf-component-manager/en/latest/reference/manifest_file.html
 manifest() {
-    /usr/bin/python3 - "$component" "$(sh port/version.sh)" <<'EOF'
+    /usr/bin/python3 - "$component" "$(sh port/version.sh)" "$(sh port/address.sh)" <<'EOF'
 import os, sys, yaml
 
-component, version = sys.argv[1:]
+component, version, address = sys.argv[1:]
 manifest = yaml.safe_load(open(f"{component}/idf_component.yml"))
-assert set(manifest) == {"version", "description", "license", "tags", "dependencies"}, manifest
+assert set(manifest) == {"version", "description", "license", "url", "tags", "dependencies"}, manifest
 assert manifest["version"] == version, manifest["version"]
+assert manifest["url"] == address, manifest["url"]
 assert manifest["license"] == "MIT" and os.path.isfile(f"{component}/LICENSE")
 assert all(isinstance(tag, str) and 3 <= len(tag) <= 32 for tag in manifest["tags"])
 assert manifest["dependencies"] == {"idf": ">=5.0"}

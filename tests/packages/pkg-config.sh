@@ -21,7 +21,8 @@ tool_runs() {
 }
 
 version() { # NAME
-    [ "$(pkg-config --modversion "$1")" = "$(sh port/version.sh)" ]
+    [ "$(pkg-config --modversion "$1")" = "$(sh port/version.sh)" ] &&
+        grep -qxF "URL: $(sh port/address.sh)" "$prefix/lib/pkgconfig/$1.pc"
 }
 
 runs_example() { # NAME

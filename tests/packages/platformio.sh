@@ -11,15 +11,16 @@ library=$out/platformio
 
 # https://docs.platformio.org/en/latest/manifests/library-json/
 manifest() {
-    /usr/bin/python3 - "$library" "$(sh port/version.sh)" <<'EOF'
+    /usr/bin/python3 - "$library" "$(sh port/version.sh)" "$(sh port/address.sh)" <<'EOF'
 import json, os, re, sys
 
-library, version = sys.argv[1:]
+library, version, address = sys.argv[1:]
 manifest = json.load(open(f"{library}/library.json"))
-assert set(manifest) == {"$schema", "name", "version", "description", "keywords", "license",
+assert set(manifest) == {"$schema", "name", "version", "description", "homepage", "keywords", "license",
                          "authors", "frameworks", "platforms", "headers", "examples", "build"}
 assert re.fullmatch("[a-z0-9]+(-[a-z0-9]+)*", manifest["name"]) and len(manifest["name"]) <= 50
 assert manifest["version"] == version
+assert manifest["homepage"] == address
 assert len(manifest["description"]) <= 255
 assert all(re.fullmatch("[a-z0-9]+(-[a-z0-9]+)*", word) for word in manifest["keywords"])
 assert manifest["license"] == "MIT" and os.path.isfile(f"{library}/LICENSE")

@@ -10,8 +10,9 @@ dest="$out/a folder/laid out"
 
 mkdir -p "$tree/port/toy" "$tree/src" "$tree/include/invcal"
 cp port/stage.sh port/version.sh "$tree/port/"
+echo "echo https://a.invalid/b" > "$tree/port/address.sh"
 printf '#define INVCAL_VERSION_%s\n' 'MAJOR 12' 'MINOR 0' 'PATCH 345' > "$tree/include/invcal/invcal.h"
-echo 'version @VERSION@, @MAJOR@-@MINOR@-@PATCH@' > "$tree/port/toy/manifest"
+echo 'version @VERSION@, @MAJOR@-@MINOR@-@PATCH@, @ADDRESS@' > "$tree/port/toy/manifest"
 echo 'echo made > "$1/made.txt"' > "$tree/port/toy/make.sh"
 echo 'exit 3' > "$tree/port/toy/fail.sh"
 echo 'not @VERSION@' > "$tree/src/one.c"
@@ -34,7 +35,7 @@ lays_out() {
 }
 
 substitutes() { # in its own files only
-    [ "$(cat "$dest/renamed")" = 'version 12.0.345, 12-0-345' ] &&
+    [ "$(cat "$dest/renamed")" = 'version 12.0.345, 12-0-345, https://a.invalid/b' ] &&
         [ "$(cat "$dest/one.c")" = 'not @VERSION@' ]
 }
 

@@ -1397,7 +1397,7 @@ def steep_slopes(etas):
 
 
 def manual(etas):
-    """Figures and formulas of port/manual/mathematics.md and errors.md that no other test holds."""
+    """Figures and formulas of port/manual/mathematics*.md and errors.md that no other test holds."""
     factor_of_two(etas)
     misset_angle(etas)
     stand_troubles()

@@ -89,6 +89,15 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     check "what stood there is scrolled up, not drawn upon" test \
         "$(awk '/waiting for samples/ { on = 1; next } index($0, "25l") { exit } on' "$work/typed" | wc -l)" -eq 24
 
+    # The tutorial's picture; with DRAW=1 it is drawn again.
+    "$tool" simulate --plan edges --seed 7 > "$work/board.csv"
+    terminal 'cd "$work" && invcal watch board.csv'
+    if command -v python3 > /dev/null; then
+        python3 "$here/screen_svg.py" 'or go on: 57 degrees to go' < "$work/typed" > "$work/watch.svg"
+        [ -z "$DRAW" ] || cp "$work/watch.svg" "$here/../../port/host/watch.svg"
+        check "the tutorial shows a frame of it" cmp "$work/watch.svg" "$here/../../port/host/watch.svg"
+    fi
+
     terminal 'NO_COLOR=1 invcal watch "$work/edges.csv"'
     check "NO_COLOR: no colours" lacks "$work/typed" "$escape\[[0-9;]*m"
     check "NO_COLOR: but frames" matches "$work/typed" "$home"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Both sensors in one solution: against closed form, and against a simulated hand. The numbers are those of
- * the design (mathematics.md, "The gyroscope").
+ * the design (mathematics_imu.md).
  */
 #include <math.h>
 #include <string.h>

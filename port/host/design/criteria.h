@@ -35,7 +35,7 @@ void criteria_add_weighted(invcal_sums *design, const double vertical[3], double
 void criteria_information(const invcal_sums *design,
                           double hth[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]);
 
-/* Judges a design (mathematics.md, "Programs").
+/* Judges a design (mathematics_programs.md).
  *
  * Returns 1; 0 if H'H is singular to rounding, or its condition exceeds 1 / INVCAL_FLOOR:
  * invcal_undetermined names the parameters that stay open. Relative error for the programs of

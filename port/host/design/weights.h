@@ -4,7 +4,7 @@
  *
  * With shares p_i of the dwell, which add up to 1, M = sum p_i h_i'h_i. The D-optimal shares make det M
  * the largest. They are those with which d_i = h_i M^-1 h_i' is 9 wherever there is a share, and nowhere
- * more (Kiefer and Wolfowitz); mathematics.md, "Programs".
+ * more (Kiefer and Wolfowitz); mathematics_programs.md.
  */
 #ifndef WEIGHTS_H
 #define WEIGHTS_H
