@@ -117,6 +117,12 @@ dress "xacc yacc zacc, and a gyro" "$mg" mg size \
 dress "w and g columns are a gyro's" "$g" g size \
     'CSV with commas, header in line 1; t (s), a_x a_y a_z in g (by their size); gyroscope: g_x g_y g_z; ignored: 3 other columns' \
     't,g_x,g_y,g_z,a_x,a_y,a_z,wx,wy,wz' "t \",9,9,9,\" $ax \",8,8,8\""
+dress "kalibr_bagextractor" $ms2 'm/s^2' header \
+    'CSV with commas, header in line 1; timestamp (ns), alpha_x alpha_y alpha_z in m/s²; gyroscope: omega_x omega_y omega_z in rad/s' \
+    'timestamp,omega_x,omega_y,omega_z,alpha_x,alpha_y,alpha_z' "t * 1e9 \",.1,.2,.3,\" $ax"
+dress "a column called #" 1 counts size \
+    'CSV with semicolons, header in line 1; AccX AccY AccZ in counts (by their size); ignored: 1 other column' \
+    '#;Mode;AccZ;AccY;AccX' 'n ";RUN;" z ";" y ";" x'
 dress "two clocks: the one that states its unit" 1 counts size \
     'CSV with commas, header in line 1; seconds_elapsed (s), x y z in counts (by their size); ignored: 1 other column' \
     'time,seconds_elapsed,z,y,x' '1.7e18 "," t "," z "," y "," x'
@@ -310,6 +316,8 @@ in=$work/bad.csv
 refuses "UTF-16 from the standard input" 3 '^invcal: standard input: this is UTF-16' calibrate -
 in=/dev/null
 
+bad_line "alpha of nobody knows what" 'bad\.csv:1: the header names no columns x, y, z' \
+    'timestamp,omega_x,omega_y,omega_z,w,alpha_x,alpha_y,alpha_z\n1,2,3,4,5,6,7,8\n'
 bad_line "decimal commas between semicolons" \
     "bad\.csv:2: column 1 \(x\): '1,5' is not .* has a decimal comma: save with decimal points$" \
     'x;y;z\n1,5;2,5;3,5\n'

@@ -53,6 +53,20 @@ static int has_key(const table *t, const char *key)
     return 0;
 }
 
+/* The table of kalibr_bagextractor. Elsewhere alpha is more often an angular acceleration, so that only the whole
+ * header tells. */
+static int is_of_kalibr(const table *t)
+{
+    static const char *const names[] = {"omega_x", "omega_y", "omega_z",
+                                        "alpha_x", "alpha_y", "alpha_z"};
+    int is_same = t->columns == 7 && strncmp(t->field[0], "timestamp", strlen("timestamp")) == 0;
+
+    for (unsigned i = 0; is_same && i < 6; i++) {
+        is_same = strcmp(t->field[i + 1], names[i]) == 0;
+    }
+    return is_same;
+}
+
 /* Takes all headings apart. What ROS calls linear acceleration holds gravity; flat tables of its
  * sensor_msgs/Imu are known by the angular velocity beside it. */
 static void read_headings(const table *t)
@@ -65,6 +79,11 @@ static void read_headings(const table *t)
             0) {
             snprintf(headings[i].key, sizeof headings[i].key, "fieldlinearacceleration");
         }
+    }
+    for (unsigned i = 1; i < t->columns && is_of_kalibr(t); i++) {
+        snprintf(headings[i].key, sizeof headings[i].key, "%s",
+                 i < 4 ? "fieldangularvelocity"
+                       : "fieldlinearacceleration"); /* of a bag: its units */
     }
 }
 
@@ -491,7 +510,7 @@ static void find_short_temperature(const table *t, columns *out)
     }
 }
 
-/* PX4 and Betaflight's explorer count microseconds, and do not say so; ROS counts nanoseconds. */
+/* PX4 and Betaflight's explorer count microseconds, and do not say so; ROS and Kalibr count nanoseconds. */
 static void find_time_unit(const table *t, columns *out)
 {
     const int at = out->index[COLUMN_TIME];
@@ -502,7 +521,8 @@ static void find_time_unit(const table *t, columns *out)
     out->per_second = 1;
     if (at >= 0) {
         const double stated = headings[at].per_second;
-        out->per_second = stated > 0 ? stated : t->field[at][0] == '%' ? 1e9 : is_micro ? 1e6 : 1;
+        const int is_nano = t->field[at][0] == '%' || is_of_kalibr(t);
+        out->per_second = stated > 0 ? stated : is_nano ? 1e9 : is_micro ? 1e6 : 1;
     }
 }
 
