@@ -403,4 +403,42 @@ check "a heading of 300 letters is ignored" matches "$work/stdout" 'ignored: 1 o
 printf 'x(,y),z[],((,)),[,]\n1,2,3,4,5,6,7\n' > "$work/bad.csv"
 refuses "brackets that do not match do no harm" 3 "'x\(' and 'z\[\]' are in different units" calibrate "$work/bad.csv"
 
+# ---- what the manual has for other logs ---------------------------------------------------------
+
+manual=$here/../../port/manual/tool.md
+# remedied SENTENCE FILE OPTIONS: the manual's command for such a log, run beside it, makes the plain one of it again
+remedied() {
+    remedy=$(sed -n "/^| $1/s/[^\`]*[\`]\([^\`]*> [^\`]*\)[\`].*/\1/p" "$manual")
+    check "$1: the manual has a command" test -n "$remedy"
+    (cd "$work" && eval "$remedy") || complain
+    shift
+    file=$1
+    shift
+    run calibrate "$work/$file" "$@" --json
+    check "$remedy: the same offset" near 0.2 "$(field offset)" "$plain_offset" # a gap moves the ends of rests
+}
+# log.csv from the plain log; HEADER and ROW as of write_dress
+copy() { # HEADER ROW
+    write_dress 1 "$1" "$2"
+    cp "$work/dress.csv" "$work/log.csv"
+}
+copy 't;ax;ay;az' 't ";" x ";" y ";" z'
+tr . , < "$work/dress.csv" > "$work/log.csv"
+remedied "decimal commas" point.csv
+copy 'Zeit [ms];Beschl. 1 [counts];Beschl. 2 [counts];Beschl. 3 [counts]\r' 't * 1000 ";" x ";" y ";" z "\r"'
+run calibrate "$work/log.csv" --columns t=1,x=2,y=3,z=4 --json
+check "headings in another language: the manual's option" near 0.05 "$(field offset)" "$plain_offset"
+copy 'Zeit;Beschl. 1;Beschl. 2;Beschl. 3;Drehrate 1;Drehrate 2;Drehrate 3\r' \
+    't * 1000 ";" x ";" y ";" z ";" n % 2 ";0;0\r"'
+remedied "the same, and a gyroscope" own.csv --accelerometer-only
+copy 'time,ax,ay,az' '"12:00:0" t "," x "," y "," z'
+remedied "times of the day" short.csv --rate 100
+copy '' '"X: " x "\tY: [" y "] Z: " z'
+cp "$work/dress.csv" "$work/log.txt"
+remedied "words or brackets around" log.csv
+# cut in a move, from 61 s to 63 s
+head -n 6200 "$work/plain.csv" > "$work/one.csv"
+sed -n '1p; 6201,$p' "$work/plain.csv" | awk -F, -v OFS=, 'NR > 1 { $1 -= 55 } { print }' > "$work/two.csv"
+remedied "its positions in two files" both.csv
+
 finish
