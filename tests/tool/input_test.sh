@@ -123,6 +123,14 @@ dress "kalibr_bagextractor" $ms2 'm/s^2' header \
 dress "a column called #" 1 counts size \
     'CSV with semicolons, header in line 1; AccX AccY AccZ in counts (by their size); ignored: 1 other column' \
     '#;Mode;AccZ;AccY;AccX' 'n ";RUN;" z ";" y ";" x'
+clock='sprintf("%02d:%02d:%05.2f", int(t / 3600 + 22), int(t / 60) % 60, t % 60)'
+dress "times of the day" 1 counts size \
+    'CSV with commas, header in line 1; time (s), ax ay az in counts (by their size)' 'time,ax,ay,az' "$clock \",\" $ax"
+dress "times of the day, without a header" 1 counts size \
+    'CSV with semicolons, no header; t (s), x y z in counts (by their size)' '' "\"2026-11-24T\" $clock \"Z;\" x \";\" y \";\" z"
+dress "date and time, in a heading of milliseconds" 1 counts size \
+    'CSV with commas, header in line 1; t_ms (ms), ax ay az in counts (by their size)' 't_ms,ax,ay,az' \
+    "\"2026-11-24 \" $clock \",\" $ax"
 dress "two clocks: the one that states its unit" 1 counts size \
     'CSV with commas, header in line 1; seconds_elapsed (s), x y z in counts (by their size); ignored: 1 other column' \
     'time,seconds_elapsed,z,y,x' '1.7e18 "," t "," z "," y "," x'
@@ -352,9 +360,9 @@ bad_line "phyphox with decimal commas" \
     '"Time (s)";"Acceleration x (m/s^2)";"Acceleration y (m/s^2)";"Acceleration z (m/s^2)"\n1,01E-01;1,01E+01;2,0E-01;3\n'
 bad "LabVIEW" 'bad\.csv: this is a LabVIEW measurement file: delete the lines above' \
     'LabVIEW Measurement\t\nWriter_Version\t2\t\n'
-printf 't,x,y,z\n2026-05-01T10:00:00Z,1,2,3\n' > "$work/bad.csv"
-refuses "a date is no time, and what to do is told" 3 \
-    "column 1 \(t\): '2026-05-01T10:00:00Z' is not a decimal number: convert it to seconds" \
+printf 't,x,y,z\n01.05.2026 10:00:00,1,2,3\n' > "$work/bad.csv"
+refuses "a date in another form is no time, and what to do is told" 3 \
+    "column 1 \(t\): '01.05.2026 10:00:00' is not a decimal number: convert it to seconds" \
     calibrate "$work/bad.csv"
 bad "two accelerometers" \
     "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): state which with --columns, or leave one set" \
@@ -431,8 +439,8 @@ check "headings in another language: the manual's option" near 0.05 "$(field off
 copy 'Zeit;Beschl. 1;Beschl. 2;Beschl. 3;Drehrate 1;Drehrate 2;Drehrate 3\r' \
     't * 1000 ";" x ";" y ";" z ";" n % 2 ";0;0\r"'
 remedied "the same, and a gyroscope" own.csv --accelerometer-only
-copy 'time,ax,ay,az' '"12:00:0" t "," x "," y "," z'
-remedied "times of the day" short.csv --rate 100
+copy 'time,ax,ay,az' '"24.11.2026 12:00:" t "," x "," y "," z'
+remedied "times in another form" short.csv --rate 100
 copy '' '"X: " x "\tY: [" y "] Z: " z'
 cp "$work/dress.csv" "$work/log.txt"
 remedied "words or brackets around" log.csv

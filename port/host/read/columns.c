@@ -9,6 +9,7 @@
 #include "cli/message.h"
 #include "read/chosen.h"
 #include "text/append.h"
+#include "text/clock.h"
 #include "text/number.h"
 #include "text/plain.h"
 
@@ -779,6 +780,9 @@ int columns_number(const table *t, const columns *where, column which, double *o
     const number_status status = number_parse(t->field[index], out);
     char excerpt[TABLE_EXCERPT_MAX];
 
+    if (which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL && clock_parse(t->field[index], out)) {
+        return EXIT_GOOD; /* in seconds, whatever the heading says */
+    }
     if (status == NUMBER_EMPTY) {
         message("%s:%lu: column %d (%s) is empty%s", t->name, t->line, index + 1,
                 column_name(which), remedy(t, which, status));
