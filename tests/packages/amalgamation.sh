@@ -36,6 +36,14 @@ runs_as_cpp() { # COMPILER FLAG...
         prints_as_expected "$out/example"
 }
 
+# As port/README.md has it: what is not called goes, beside the example's own and the C library's.
+links_what_is_called() { # COMPILER
+    "$1" -O1 -ffunction-sections -fdata-sections -c "$files/invcal.c" -o "$out/invcal.o" &&
+        sed '/^#include "invcal\/[^i]/d' "$example" > "$out/example.c" &&
+        "$1" -I"$out/amalgamation" "$out/example.c" "$out/invcal.o" -lm -Wl,--gc-sections -o "$out/example" &&
+        ! nm "$out/example" | grep -q 'invcal_allan' && nm "$out/invcal.o" | grep -q ' T invcal_allan'
+}
+
 takes_config() { # a header of choices reaches library and user
     echo '#define INVCAL_MAX_POSITIONS 17' > "$out/choices.h"
     printf '%s\n' '#include "invcal/invcal.h"' \
@@ -76,6 +84,7 @@ for compiler in gcc clang-19; do
         -DINVCAL_MAX_POSITIONS=64
     check "$compiler, no thermal polynomial" compiles $compiler -DINVCAL_THERMAL_DEGREE=0
 done
+check "only what is called is linked" links_what_is_called gcc
 check "gcc as C++: the example prints what it has to" runs_as_cpp g++
 check "clang as C++: the example prints what it has to" runs_as_cpp clang++-19
 check "INVCAL_CONFIG_HEADER is included" takes_config

@@ -117,6 +117,20 @@ dress "xacc yacc zacc, and a gyro" "$mg" mg size \
 dress "w and g columns are a gyro's" "$g" g size \
     'CSV with commas, header in line 1; t (s), a_x a_y a_z in g (by their size); gyroscope: g_x g_y g_z; ignored: 3 other columns' \
     't,g_x,g_y,g_z,a_x,a_y,a_z,wx,wy,wz' "t \",9,9,9,\" $ax \",8,8,8\""
+dress "kalibr_bagextractor" $ms2 'm/s^2' header \
+    'CSV with commas, header in line 1; timestamp (ns), alpha_x alpha_y alpha_z in m/s²; gyroscope: omega_x omega_y omega_z in rad/s' \
+    'timestamp,omega_x,omega_y,omega_z,alpha_x,alpha_y,alpha_z' "t * 1e9 \",.1,.2,.3,\" $ax"
+dress "a column called #" 1 counts size \
+    'CSV with semicolons, header in line 1; AccX AccY AccZ in counts (by their size); ignored: 1 other column' \
+    '#;Mode;AccZ;AccY;AccX' 'n ";RUN;" z ";" y ";" x'
+clock='sprintf("%02d:%02d:%05.2f", int(t / 3600 + 22), int(t / 60) % 60, t % 60)'
+dress "times of the day" 1 counts size \
+    'CSV with commas, header in line 1; time (s), ax ay az in counts (by their size)' 'time,ax,ay,az' "$clock \",\" $ax"
+dress "times of the day, without a header" 1 counts size \
+    'CSV with semicolons, no header; t (s), x y z in counts (by their size)' '' "\"2026-11-24T\" $clock \"Z;\" x \";\" y \";\" z"
+dress "date and time, in a heading of milliseconds" 1 counts size \
+    'CSV with commas, header in line 1; t_ms (ms), ax ay az in counts (by their size)' 't_ms,ax,ay,az' \
+    "\"2026-11-24 \" $clock \",\" $ax"
 dress "two clocks: the one that states its unit" 1 counts size \
     'CSV with commas, header in line 1; seconds_elapsed (s), x y z in counts (by their size); ignored: 1 other column' \
     'time,seconds_elapsed,z,y,x' '1.7e18 "," t "," z "," y "," x'
@@ -310,6 +324,8 @@ in=$work/bad.csv
 refuses "UTF-16 from the standard input" 3 '^invcal: standard input: this is UTF-16' calibrate -
 in=/dev/null
 
+bad_line "alpha of nobody knows what" 'bad\.csv:1: the header names no columns x, y, z' \
+    'timestamp,omega_x,omega_y,omega_z,w,alpha_x,alpha_y,alpha_z\n1,2,3,4,5,6,7,8\n'
 bad_line "decimal commas between semicolons" \
     "bad\.csv:2: column 1 \(x\): '1,5' has a decimal comma: save with decimal points$" \
     'x;y;z\n1,5;2,5;3,5\n'
@@ -344,9 +360,9 @@ bad_line "phyphox with decimal commas" \
     '"Time (s)";"Acceleration x (m/s^2)";"Acceleration y (m/s^2)";"Acceleration z (m/s^2)"\n1,01E-01;1,01E+01;2,0E-01;3\n'
 bad "LabVIEW" 'bad\.csv: this is a LabVIEW measurement file: delete the lines before' \
     'LabVIEW Measurement\t\nWriter_Version\t2\t\n'
-printf 't,x,y,z\n2026-05-01T10:00:00Z,1,2,3\n' > "$work/bad.csv"
-refuses "a date is no time, and what to do is told" 3 \
-    "column 1 \(t\): '2026-05-01T10:00:00Z' is not a decimal number: convert it to seconds" \
+printf 't,x,y,z\n01.05.2026 10:00:00,1,2,3\n' > "$work/bad.csv"
+refuses "a date in another form is no time, and what to do is told" 3 \
+    "column 1 \(t\): '01.05.2026 10:00:00' is not a decimal number: convert it to seconds" \
     calibrate "$work/bad.csv"
 bad "two accelerometers" \
     "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): choose one set with --columns, or delete" \
@@ -394,5 +410,43 @@ in=/dev/null
 check "a heading of 300 letters is ignored" matches "$work/stdout" 'ignored: 1 other column$'
 printf 'x(,y),z[],((,)),[,]\n1,2,3,4,5,6,7\n' > "$work/bad.csv"
 refuses "brackets that do not match do no harm" 3 "'x\(' and 'z\[\]' are in different units" calibrate "$work/bad.csv"
+
+# ---- what the manual has for other logs ---------------------------------------------------------
+
+manual=$here/../../port/manual/tool.md
+# remedied SENTENCE FILE OPTIONS: the manual's command for such a log, run beside it, makes the plain one of it again
+remedied() {
+    remedy=$(sed -n "/^| $1/s/[^\`]*[\`]\([^\`]*> [^\`]*\)[\`].*/\1/p" "$manual")
+    check "$1: the manual has a command" test -n "$remedy"
+    (cd "$work" && eval "$remedy") || complain
+    shift
+    file=$1
+    shift
+    run calibrate "$work/$file" "$@" --json
+    check "$remedy: the same offset" near 0.2 "$(field offset)" "$plain_offset" # a gap moves the ends of rests
+}
+# log.csv from the plain log; HEADER and ROW as of write_dress
+copy() { # HEADER ROW
+    write_dress 1 "$1" "$2"
+    cp "$work/dress.csv" "$work/log.csv"
+}
+copy 't;ax;ay;az' 't ";" x ";" y ";" z'
+tr . , < "$work/dress.csv" > "$work/log.csv"
+remedied "decimal commas" point.csv
+copy 'Zeit [ms];Beschl. 1 [counts];Beschl. 2 [counts];Beschl. 3 [counts]\r' 't * 1000 ";" x ";" y ";" z "\r"'
+run calibrate "$work/log.csv" --columns t=1,x=2,y=3,z=4 --json
+check "headings in another language: the manual's option" near 0.05 "$(field offset)" "$plain_offset"
+copy 'Zeit;Beschl. 1;Beschl. 2;Beschl. 3;Drehrate 1;Drehrate 2;Drehrate 3\r' \
+    't * 1000 ";" x ";" y ";" z ";" n % 2 ";0;0\r"'
+remedied "the same, and a gyroscope" own.csv --accelerometer-only
+copy 'time,ax,ay,az' '"24.11.2026 12:00:" t "," x "," y "," z'
+remedied "times in another form" short.csv --rate 100
+copy '' '"X: " x "\tY: [" y "] Z: " z'
+cp "$work/dress.csv" "$work/log.txt"
+remedied "words or brackets around" log.csv
+# cut in a move, from 61 s to 63 s
+head -n 6200 "$work/plain.csv" > "$work/one.csv"
+sed -n '1p; 6201,$p' "$work/plain.csv" | awk -F, -v OFS=, 'NR > 1 { $1 -= 55 } { print }' > "$work/two.csv"
+remedied "its positions in two files" both.csv
 
 finish

@@ -9,6 +9,7 @@
 #include "cli/message.h"
 #include "read/chosen.h"
 #include "text/append.h"
+#include "text/clock.h"
 #include "text/number.h"
 #include "text/plain.h"
 
@@ -53,6 +54,20 @@ static int has_key(const table *t, const char *key)
     return 0;
 }
 
+/* The table of kalibr_bagextractor. Elsewhere alpha is more often an angular acceleration, so that only the whole
+ * header tells. */
+static int is_of_kalibr(const table *t)
+{
+    static const char *const names[] = {"omega_x", "omega_y", "omega_z",
+                                        "alpha_x", "alpha_y", "alpha_z"};
+    int is_same = t->columns == 7 && strncmp(t->field[0], "timestamp", strlen("timestamp")) == 0;
+
+    for (unsigned i = 0; is_same && i < 6; i++) {
+        is_same = strcmp(t->field[i + 1], names[i]) == 0;
+    }
+    return is_same;
+}
+
 /* Takes all headings apart. What ROS calls linear acceleration holds gravity; flat tables of its
  * sensor_msgs/Imu are known by the angular velocity next to it. */
 static void read_headings(const table *t)
@@ -65,6 +80,11 @@ static void read_headings(const table *t)
             0) {
             snprintf(headings[i].key, sizeof headings[i].key, "fieldlinearacceleration");
         }
+    }
+    for (unsigned i = 1; i < t->columns && is_of_kalibr(t); i++) {
+        snprintf(headings[i].key, sizeof headings[i].key, "%s",
+                 i < 4 ? "fieldangularvelocity"
+                       : "fieldlinearacceleration"); /* of a bag: its units */
     }
 }
 
@@ -490,7 +510,7 @@ static void find_short_temperature(const table *t, columns *out)
     }
 }
 
-/* PX4 and Betaflight's explorer count microseconds, and do not say so; ROS counts nanoseconds. */
+/* PX4 and Betaflight's explorer count microseconds, and do not say so; ROS and Kalibr count nanoseconds. */
 static void find_time_unit(const table *t, columns *out)
 {
     const int at = out->index[COLUMN_TIME];
@@ -501,7 +521,8 @@ static void find_time_unit(const table *t, columns *out)
     out->per_second = 1;
     if (at >= 0) {
         const double stated = headings[at].per_second;
-        out->per_second = stated > 0 ? stated : t->field[at][0] == '%' ? 1e9 : is_micro ? 1e6 : 1;
+        const int is_nano = t->field[at][0] == '%' || is_of_kalibr(t);
+        out->per_second = stated > 0 ? stated : is_nano ? 1e9 : is_micro ? 1e6 : 1;
     }
 }
 
@@ -758,6 +779,9 @@ int columns_number(const table *t, const columns *where, column which, double *o
     const number_status status = number_parse(t->field[index], out);
     char excerpt[TABLE_EXCERPT_MAX];
 
+    if (which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL && clock_parse(t->field[index], out)) {
+        return EXIT_GOOD; /* in seconds, whatever the heading says */
+    }
     if (status == NUMBER_EMPTY) {
         message("%s:%lu: column %d (%s) is empty%s", t->name, t->line, index + 1,
                 column_name(which), remedy(t, which, status));

@@ -80,7 +80,7 @@ int columns_find(table *t, columns_kind kind, columns *out);
 void columns_say_cut(const table *t, const char *which, unsigned long line);
 int columns_is_cut(const table *t, const columns *where);
 
-/* Reads a number from the current row; the column must be there. A time is in seconds, a
+/* Reads a number from the current row; the column must be there. A time, also one as of clock.h, is in seconds, a
  * temperature in degrees C.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message that names line and column. */

@@ -142,7 +142,9 @@ static int is_comment(const table *t, const char *start)
 /* The last comment above the table, without its mark. */
 static void keep_comment(table *t, const char *start)
 {
-    start += strspn(start, "#%/; \t");
+    start += strspn(
+        start, (const char[]){*start, '\0'}); /* only its own mark: "#;t;x" has a column called # */
+    start += strspn(start, " \t");
     if (t->first_line == 0 && strlen(start) < sizeof t->comment) {
         memcpy(t->comment, start, strlen(start) + 1);
         t->comment_line = t->line;
