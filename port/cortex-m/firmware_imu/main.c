@@ -13,7 +13,6 @@
  */
 #include "flash.h"
 #include "imu.h"
-#include "invcal/expert.h"
 #include "invcal/gyro.h"
 #include "print.h"
 #include "tell.h"
@@ -54,22 +53,11 @@ static void find_turn(unsigned rest)
     }
 }
 
-/* Is it there already, as after a rest that was not stored? Told so again, it would stay. */
-static int is_there(void)
-{
-    invcal_real a[3];
-
-    if (!invcal_rests_mean(&both.session.rests, a)) {
-        return 0;
-    }
-    invcal_apply(&both.session.nominal, a, a);
-    return a[0] * turn.up[0] + a[1] * turn.up[1] + a[2] * turn.up[2] > 0.9f;
-}
-
+/* Skips a place where it already is, as after a rest that was not stored. */
 static void tell_rest(unsigned rest)
 {
     find_turn(rest);
-    if (is_there()) {
+    if (invcal_session_is_at(&both.session, turn.up)) {
         find_turn(rest + 1);
     }
     tell_turn();

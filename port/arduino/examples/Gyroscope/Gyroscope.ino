@@ -11,7 +11,6 @@
  * invcal_save_imu_session after INVCAL_TAKEN, and invcal_load_imu_session in begin_session.
  */
 #include <invcal.h>
-#include <invcal/expert.h>
 #include <invcal/gyro.h>
 
 #include "imu.h"
@@ -62,25 +61,14 @@ static void find_next(invcal_turn *turn)
     invcal_tour((at + INVCAL_TOUR - 1) % INVCAL_TOUR, turn);
 }
 
-/* Does that face point up already? */
-static bool is_there(const float up[3])
-{
-    float a[3];
-
-    if (!invcal_rests_mean(&both.session.rests, a)) {
-        return false;
-    }
-    invcal_apply(&both.session.nominal, a, a);
-    return a[0] * up[0] + a[1] * up[1] + a[2] * up[2] > 0.9f;
-}
-
+/* Skips a face that already points up. */
 static void show_next()
 {
     char words[INVCAL_WORDS];
     invcal_turn turn;
 
     find_next(&turn);
-    if (is_there(turn.up)) {
+    if (invcal_session_is_at(&both.session, turn.up)) {
         at++;
         find_next(&turn);
     }
