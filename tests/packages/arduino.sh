@@ -80,7 +80,8 @@ takes_options() {
 }
 
 builds_simulation() {
-    gcc -O2 -std=c99 -Wall -Wextra -Wconversion -Wshadow -Werror -Iinclude tests/packages/arduino/board.c \
+    gcc -O2 -std=c99 -Wall -Wextra -Wconversion -Wshadow -Werror -Iinclude -Itests/hand \
+        tests/packages/arduino/board.c tests/hand/hand.c \
         "$build/float/libinvcal.a" -lsimavr -lm -o "$out/board"
 }
 

@@ -22,13 +22,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "hand.h"
 #include "invcal/gyro.h"
 
-enum { CLOCK = 16000000 };                                        /* of the processor */
-enum { RATE = 100, SAMPLE_US = 1000000 / RATE };                  /* of the sensor */
-enum { PATIENCE = 200 * RATE };                                   /* in samples, as the next two */
-enum { THINK = RATE / 2, MOVE = 6 * RATE / 5, HURRY = RATE / 4 }; /* of the hand */
-enum { READINGS = 10 };                                           /* calibrated ones, at the end */
+enum { CLOCK = 16000000 };                             /* of the processor */
+enum { RATE = HAND_RATE, SAMPLE_US = 1000000 / RATE }; /* of the sensor */
+enum { PATIENCE = 200 * RATE };                        /* samples */
+enum { READINGS = 10 };                                /* calibrated ones, at the end */
 /* What happens when so many positions have been taken: */
 enum { RESET_AT = 4, PULLED_AT = 7, CUT_AT = 10 }; /* to Calibrate */
 enum { CUT_AFTER = 100 };                          /* bytes written to the EEPROM since then */
@@ -57,126 +57,24 @@ static const double gyro_offset[3] = {-280.6, 133.2, 43};
 static const double gyro_gain[3][3] = {
     {0.975, 0.012, -0.004}, {-0.015, 1.018, 0.007}, {0.003, -0.009, 1.009}};
 
-static double up[3] = {0.1, -0.05, 1};
-static double way[3], wobble[3]; /* the rotation vector of the turn; rad/s on the way */
-static unsigned there = THINK, turned, turn_time; /* samples since the words, and of the turn */
-static unsigned samples;                          /* in all */
-static int is_pulled; /* somebody pulls at the cable: all readings are 50 mg wrong */
+static unsigned samples; /* in all, */
+static unsigned moving;  /* and since the device was taken up; 0: it is held */
+static int is_pulled;    /* somebody pulls at the cable: all readings are 50 mg wrong */
 
-/* Nearly normal, standard deviation 1: the sum of twelve uniform numbers. */
-static double noise(void)
-{
-    static uint32_t state = 1;
-    double sum = -6;
-
-    for (int i = 0; i < 12; i++) {
-        state = state * UINT32_C(1664525) + UINT32_C(1013904223);
-        sum += (state >> 8) / 16777216.0;
-    }
-    return sum;
-}
-
-static double length_of(const double v[3])
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-static void to_unit(double v[3])
-{
-    const double length = length_of(v);
-
-    for (int i = 0; i < 3; i++) {
-        v[i] /= length;
-    }
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    for (int i = 0; i < 3; i++) {
-        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-    }
-}
-
-/* The rate of a sample; what was up turns the other way round, in fine steps. */
-static void turn(double rate[3])
-{
-    const double tau = (turned + 0.5) / turn_time;
-    const double window = 16 * tau * tau * (1 - tau) * (1 - tau);
-
-    for (int i = 0; i < 3; i++) {
-        rate[i] = window * (30.0 / 16 * way[i] * RATE / turn_time + wobble[i] * sin(15 * tau + i));
-    }
-    for (int n = 0; n < 200; n++) {
-        double change[3];
-        cross(up, rate, change);
-        for (int i = 0; i < 3; i++) {
-            up[i] += change[i] / (200 * RATE);
-        }
-    }
-    to_unit(up);
-    turned++;
-}
-
-/* A moment to understand the words; then on the way, shaking; then at rest. */
 static void feel(double force[3], double rate[3])
 {
-    const int is_moving = there >= THINK && turned < turn_time;
-
-    memset(rate, 0, 3 * sizeof *rate);
-    if (is_moving) {
-        turn(rate);
-    }
-    for (int i = 0; i < 3; i++) {
-        force[i] = (up[i] + (is_moving ? 0.1 * noise() : 0)) * (!is_moving && is_pulled ? 1.05 : 1);
+    moving = hand_moves(rate, force) ? moving + 1 : 0;
+    for (int i = 0; i < 3 && moving == 0 && is_pulled; i++) {
+        force[i] *= 1.05;
     }
 }
 
-/* A direction, if these are words for one: of all that a cube has the one with the same words. */
-static int is_direction(const char *text, double direction[3])
-{
-    char words[INVCAL_WORDS];
-
-    for (int n = 0; n < 27; n++) {
-        invcal_real v[3];
-        const int sign[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
-        if (n == 13) {
-            continue;
-        }
-        for (int i = 0; i < 3; i++) {
-            direction[i] = sign[i];
-        }
-        to_unit(direction);
-        for (int i = 0; i < 3; i++) {
-            v[i] = (invcal_real)direction[i];
-        }
-        if (strcmp(invcal_words(v, words), text) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-/* Sets out by the shortest way, and places the sensor only roughly. */
 static void set_out(const char *words)
 {
-    double to[3], dot = 0;
-
-    if (!is_direction(words, to)) {
+    if (!hand_reads(words, with_gyro && taken == HURRY_AT ? HAND_HURRY : HAND_TURN)) {
         printf("world: no direction: %s\n", words);
         exit(1);
     }
-    for (int i = 0; i < 3; i++) {
-        to[i] += 0.07 * noise();
-        dot += to[i] * up[i];
-        wobble[i] = 0.3 * noise();
-    }
-    cross(to, up, way);
-    const double sine = length_of(way);
-    for (int i = 0; i < 3; i++) {
-        way[i] *= atan2(sine, dot) / sine;
-    }
-    there = turned = 0;
-    turn_time = with_gyro && taken == HURRY_AT ? HURRY : MOVE;
 }
 
 /* ---- the chip ----------------------------------------------------------------------------------- */
@@ -278,9 +176,9 @@ static void convert(void)
             degrees += gyro_gain[i][k] * rate[k] * 180 / PI;
         }
         convert_axis((uint8_t)(ACCEL_XOUT_H + 2 * i),
-                     (offset[i] + NOISE * noise() + COUNTS * g) / (1 << range));
+                     (offset[i] + NOISE * hand_noise() + COUNTS * g) / (1 << range));
         convert_axis((uint8_t)(GYRO_XOUT_H + 2 * i),
-                     (gyro_offset[i] + GYRO_NOISE * noise() + GYRO_COUNTS * degrees) /
+                     (gyro_offset[i] + GYRO_NOISE * hand_noise() + GYRO_COUNTS * degrees) /
                          (1 << gyro_range));
     }
     lost += registers[INT_STATUS] & 1;
@@ -292,7 +190,6 @@ static void convert(void)
 
 static void pass(void)
 {
-    there++;
     samples++;
     if (is_set_up()) {
         convert();
@@ -307,7 +204,7 @@ static avr_cycle_count_t sample(avr_t *of, avr_cycle_count_t when, void *context
     (void)of;
     (void)context;
     pass();
-    if (with_gyro && taken == STALL_AT && turned == MOVE / 4 && !has_stalled) {
+    if (with_gyro && taken == STALL_AT && moving == HAND_TURN / 4 && !has_stalled) {
         has_stalled = 1;
         puts("world: the processor stands still for a second");
         for (unsigned i = 0; i < STALL; i++) {
@@ -593,10 +490,13 @@ static double worst_error(const invcal_calibration *c)
     double worst = 0;
 
     for (unsigned n = 0; n < 1000; n++) {
-        double eta[3] = {noise(), noise(), noise()};
+        double eta[3] = {hand_noise(), hand_noise(), hand_noise()};
         double square = 0;
         double u[3];
-        to_unit(eta);
+        const double length = sqrt(eta[0] * eta[0] + eta[1] * eta[1] + eta[2] * eta[2]);
+        for (int i = 0; i < 3; i++) {
+            eta[i] /= length;
+        }
         for (int i = 0; i < 3; i++) {
             u[i] = offset[i] - (double)c->offset[i];
             for (int k = 0; k < 3; k++) {
@@ -657,7 +557,8 @@ static void tell(void)
         tell_accelerometer(&stored);
     }
     look_how_deep();
-    printf("world: up, mg: %.1f %.1f %.1f\n", 1000 * up[0], 1000 * up[1], 1000 * up[2]);
+    printf("world: up, mg: %.1f %.1f %.1f\n", 1000 * hand_up()[0], 1000 * hand_up()[1],
+           1000 * hand_up()[2]);
     printf("world: samples that nobody has read: %u\n", lost);
     printf("world: RAM %u, stack %u\n", image.datasize + image.bsssize, deepest);
 }
