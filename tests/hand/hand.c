@@ -71,15 +71,12 @@ static int is_direction(const char *text, double direction[3])
     return 0;
 }
 
-int hand_reads(const char *text, unsigned steps)
+void hand_turns(const double direction[3], unsigned steps)
 {
     double to[3];
 
-    if (!is_direction(text, to)) {
-        return 0;
-    }
     for (int i = 0; i < 3; i++) {
-        to[i] += 0.07 * hand_noise();
+        to[i] = direction[i] + 0.07 * hand_noise();
         wobble[i] = 0.3 * hand_noise();
     }
     cross(to, up, vector);
@@ -89,7 +86,17 @@ int hand_reads(const char *text, unsigned steps)
     }
     thinking = turned = 0;
     turn_steps = steps;
-    return 1;
+}
+
+int hand_reads(const char *text, unsigned steps)
+{
+    double direction[3];
+    const int is_read = is_direction(text, direction);
+
+    if (is_read) {
+        hand_turns(direction, steps);
+    }
+    return is_read;
 }
 
 /* In the axes of the device what is up turns the other way round. */

@@ -12,8 +12,11 @@ enum { HAND_THINK = HAND_RATE / 2, HAND_TURN = 6 * HAND_RATE / 5, HAND_HURRY = H
 /* Nearly normal, standard deviation 1. */
 double hand_noise(void);
 
-/* If this text names a direction, in words of the library: after HAND_THINK steps it is turned there by the shortest
- * way, roughly, within so many steps. Returns 1; 0 for any other text. */
+/* After HAND_THINK steps turns the device so that this unit vector points up, roughly: by the shortest way, within
+ * so many steps. */
+void hand_turns(const double direction[3], unsigned steps);
+
+/* The same for a direction in words of the library. Returns 1; 0 for any other text. */
 int hand_reads(const char *text, unsigned steps);
 
 /* The next step: what the device turns, rad/s about its axes; and the specific force at its end, in g. Returns 1 on

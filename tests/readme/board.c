@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * A board for the programs of README.md and of port/manual/gyroscope_firmware.md: a sensor with errors of some
- * percent, 16384 counts per g and 65.5 per degree/s, a memory that is the file named by BOARD_MEMORY, and a hand
- * that does what it is told in words and nothing else. Prints what is shown. BOARD_RESET=N: ends with 3 in the
- * middle of the move after so many. Else it ends after some seconds of calibrated samples, with 0 if they are
- * those of a perfect sensor, or with 2 where the hand has lost patience.
+ * A board for the programs of README.md and of the manual: sensors with errors of some percent, 16384 counts per g
+ * and 65.5 per degree/s, a memory that is the file named by BOARD_MEMORY, and a hand that does what it is told in
+ * words and nothing else. Prints what is shown. BOARD_RESET=N: ends with 3 in the middle of move N. Else it ends
+ * after some seconds of calibrated samples, with 0 if they are right, or with 2 where the hand has lost patience.
  */
 #include "board.h"
 
@@ -135,6 +134,44 @@ void board_use_both(const invcal_real g[3], const invcal_real w[3])
         up[i] = (double)g[i];
     }
     board_use(g);
+}
+
+/* ---- a watch ------------------------------------------------------------------------------------ */
+
+static double worst_of_day;
+
+void board_count_steps(const invcal_real g[3])
+{
+    const double length = sqrt((double)g[0] * g[0] + (double)g[1] * g[1] + (double)g[2] * g[2]);
+
+    if (moving == 0) {
+        worst_of_day = fmax(worst_of_day, fabs(length - 1));
+    }
+}
+
+/* Of 20 s. Every 5 s it is put down in another way. */
+int board_has_a_day_passed(void)
+{
+    static unsigned steps;
+    const unsigned day = ++steps / (20 * HAND_RATE);
+
+    if (steps % (5 * HAND_RATE) == 0) {
+        double any[3] = {hand_noise(), hand_noise(), hand_noise()};
+        const double length = sqrt(any[0] * any[0] + any[1] * any[1] + any[2] * any[2]);
+        for (int i = 0; i < 3; i++) {
+            any[i] /= length;
+        }
+        hand_turns(any, HAND_TURN);
+    }
+    if (steps % (20 * HAND_RATE) != 0) {
+        return 0;
+    }
+    printf("day %u: |a| is 1 g within %.1f mg\n", day, 1000 * worst_of_day);
+    if (day == 30) {
+        exit(worst_of_day < 0.003 ? 0 : 1);
+    }
+    worst_of_day = 0;
+    return 1;
 }
 
 /* ---- the memory: four slots in a file ------------------------------------------------------------ */

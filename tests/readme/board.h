@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the programs of README.md and of port/manual/gyroscope_firmware.md ask of a board.
+ * What the programs of README.md, port/manual/gyroscope_firmware.md and port/manual/wearable.md ask of a board.
  */
 #ifndef BOARD_H
 #define BOARD_H
@@ -12,7 +12,9 @@ void board_show(const char *text);      /* to the person */
 void board_use(const invcal_real g[3]); /* what the device is for */
 const int32_t *board_gyro(void); /* of the gyroscope, which is read first; and in g and rad/s */
 void board_use_both(const invcal_real g[3], const invcal_real rate[3]);
-extern const invcal_store board_result;   /* two slots for the calibration, */
-extern const invcal_store board_progress; /* and two for the session */
+void board_count_steps(const invcal_real g[3]); /* of a watch, */
+int board_has_a_day_passed(void);               /* which ends after a month */
+extern const invcal_store board_result;         /* two slots for the calibration, */
+extern const invcal_store board_progress;       /* and two for the session */
 
 #endif
