@@ -31,7 +31,7 @@ suites() {
     [ "$BRIEF" ] && return
     echo "tutorial sh $tests/tutorial.sh $build tutorial"
     echo "waved sh $tests/tutorial.sh $build magnetometer"
-    for page in porting drone inclinometer arduino production; do
+    for page in porting drone inclinometer production; do
         echo "$page sh $tests/tutorial.sh $build $page"
     done
 }

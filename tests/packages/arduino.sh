@@ -213,6 +213,13 @@ EOF
         awk 'NR == 2 { exit $1 + $2 > 9000 || $2 + $3 > 300 }'
 }
 
+# The sketch of port/manual/arduino.md, with the files of the example.
+builds_page() {
+    mkdir "$out/Page" && cp "$library"/examples/Calibrate/*.cpp "$library"/examples/Calibrate/*.h "$out/Page/" &&
+        awk '/^```cpp$/ { on = 1; next } /^```/ { on = 0 } on' port/manual/arduino.md > "$out/Page/Page.ino" &&
+        [ "$(grep -c . "$out/Page/Page.ino")" -gt 10 ] && builds uno Page
+}
+
 # The other example: built for the board; and run here, with what the page sends on its serial port.
 builds_browser() {
     mkdir "$out/Browser" && cp "$library"/examples/Browser/* "$out/Browser/" && builds "$fqbn" Browser &&
@@ -274,6 +281,7 @@ check "after the last power-on it finds and applies what was stored" readings
 check "README.md says what it takes" costs
 [ "$board" = mega ] || check "it leaves an Uno 4 KB of flash and 400 bytes of RAM" fits_uno
 check "an Uno stores, finds and applies a calibration" applies_on_uno
+check "the sketch of port/manual/arduino.md builds, without a warning" builds_page
 check "the example for the page in a browser builds, without a warning" builds_browser
 check "it prints readings, stores what the page sends, and refuses what is damaged" browser_stores
 check "the example for both sensors builds for a Mega, without a warning" builds_gyroscope
