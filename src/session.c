@@ -254,8 +254,11 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
     invcal_row row;
 
     INVCAL_ASSERT(session && up);
-    return read_last(session, &row) &&
-           invcal_dot3(row.h, up) >= CLOSE * INVCAL_SQRT(invcal_dot3(row.h, row.h));
+    int is_known = read_rest(session, &row) == INVCAL_OK;
+    if (!is_known) {
+        is_known = read_last(session, &row);
+    }
+    return is_known && invcal_dot3(row.h, up) >= CLOSE * INVCAL_SQRT(invcal_dot3(row.h, row.h));
 }
 
 /* ---- the result ------------------------------------------------------------------------------- */

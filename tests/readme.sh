@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Compiles the program of README.md and runs it on the board of tests/readme, with the float library of
-# the build folder $1: it must calibrate, and after a reset find what it has stored. CC and CFLAGS as for
-# the library.
+# Compiles the programs of README.md and of two pages of the manual, and runs them on the board of tests/readme, with
+# the float library of the build folder $1: each must calibrate, go on after a reset, and after another one find what
+# it has stored. CC and CFLAGS as for the library.
 build=$1
 here=$(dirname "$0")
 root=$here/..
@@ -23,24 +23,54 @@ result() { # name, status
     fi
 }
 
-awk '/^```c$/ { on = 1; next } /^```$/ { on = 0 } on' "$root/README.md" > "$out/program.c"
-lines=$(grep -c . "$out/program.c")
-echo "$lines lines" > "$out/log"
-[ "$lines" -gt 10 ] && [ "$lines" -le 25 ]
-result 'the program has at most 25 lines' $?
+# With the memory as it is; what is shown stands in $out/log.
+runs() {
+    BOARD_MEMORY=$out/memory "$out/program" > "$out/log" 2>&1
+}
 
-# shellcheck disable=SC2086 # flags
-${CC:-cc} $CFLAGS -std=c99 -Wall -Wextra -pedantic -Werror -I"$root/include" -I"$here/readme" \
-    "$out/program.c" "$here/readme/board.c" "$build/float/libinvcal.a" -lm -o "$out/program" \
-    > "$out/log" 2>&1
-result 'it compiles' $?
+# builds PAGE LINES: its first block of C, of at most so many lines; with an empty memory.
+builds() {
+    awk '/^```c$/ { on = 1; next } on && /^```$/ { exit } on' "$root/$1" > "$out/program.c"
+    lines=$(grep -c . "$out/program.c")
+    echo "$lines lines" > "$out/log"
+    [ "$lines" -gt 10 ] && [ "$lines" -le "$2" ]
+    result "$1: the program has at most $2 lines" $?
 
-head -c 4096 /dev/zero > "$out/memory"
-BOARD_MEMORY=$out/memory "$out/program" > "$out/log" 2>&1
-result 'a hand that follows its words gets calibrated readings' $?
+    # shellcheck disable=SC2086 # flags
+    ${CC:-cc} $CFLAGS -std=c99 -Wall -Wextra -pedantic -Werror -I"$root/include" -I"$here/readme" -I"$here/hand" \
+        "$out/program.c" "$here/readme/board.c" "$here/hand/hand.c" "$build/float/libinvcal.a" -lm \
+        -o "$out/program" > "$out/log" 2>&1
+    result "$1: it compiles" $?
+    head -c 16384 /dev/zero > "$out/memory"
+}
 
-BOARD_MEMORY=$out/memory "$out/program" > "$out/log" 2>&1 && [ "$(grep -c . "$out/log")" -eq 1 ]
-result 'after a reset it finds the calibration' $?
+# is_guided PAGE: a program that shows where to turn.
+is_guided() {
+    BOARD_RESET=6 runs
+    [ $? -eq 3 ] && runs
+    result "$1: a hand that follows its words, through a reset, gets calibrated readings" $?
+
+    places=$(grep -c ' up' "$out/log")
+    echo "after a reset in move 6 it shows $places places" > "$out/log"
+    [ "$places" -le 11 ]
+    result "$1: after the reset it goes on" $?
+
+    runs && [ "$(grep -c . "$out/log")" -eq 1 ]
+    result "$1: once more switched on it finds the calibration" $?
+}
+
+builds README.md 25
+is_guided README.md
+builds port/manual/gyroscope_firmware.md 75
+is_guided port/manual/gyroscope_firmware.md
+
+builds port/manual/wearable.md 45
+BOARD_RESET=12 runs
+[ $? -eq 3 ] && runs
+result 'port/manual/wearable.md: lying around for a month, through a reset, it gets calibrated readings' $?
+BOARD_RESET=9 runs
+[ $? -eq 3 ] && grep -q '^day 1: |a| is 1 g within [0-2]\.' "$out/log"
+result 'port/manual/wearable.md: once more switched on it finds the calibration' $?
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -31,11 +31,9 @@ suites() {
     [ "$BRIEF" ] && return
     echo "tutorial sh $tests/tutorial.sh $build tutorial"
     echo "waved sh $tests/tutorial.sh $build magnetometer"
-    for page in porting drone wearable inclinometer production mathematics_judgement mathematics_imu; do
+    for page in porting drone inclinometer production mathematics_judgement mathematics_imu; do
         echo "$page sh $tests/tutorial.sh $build $page"
     done
-    # Nothing but C++ is on that page.
-    ! { command -v c++ || command -v clang++-19; } > /dev/null || echo "arduino sh $tests/tutorial.sh $build arduino"
 }
 
 # (Not by `&`, which would take SIGINT away from what is run.)

@@ -46,7 +46,14 @@ extern "C" {
 #endif
 
 /* Segments of all moves together, 64 to 1000, 14 bytes each; a quarter turn takes five or six, and 24 are kept
- * free for the current move. If memory is short, 100 segments and 14 rests hold twelve quarter turns in 1.7 kB. */
+ * free for the current move. If memory is short, 100 segments and 14 rests hold twelve quarter turns in 1.7 kB.
+ * Default 192; on AVR 120, and 16 rests as of the session, so that 8 KB of RAM suffice for the solution. */
+#if defined(__AVR__) && !defined(INVCAL_MAX_SEGMENTS)
+#define INVCAL_MAX_SEGMENTS 120
+#endif
+#if defined(__AVR__) && !defined(INVCAL_MAX_MOVES)
+#define INVCAL_MAX_MOVES 16
+#endif
 #ifndef INVCAL_MAX_SEGMENTS
 #define INVCAL_MAX_SEGMENTS 192
 #endif

@@ -543,8 +543,8 @@ const char *invcal_session_next_words(const invcal_session *session, char words[
  * up  unit vector. Returns words. */
 const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS]);
 
-/* Is the last position within 20 degrees of a direction, such as that of a program (plan.h)?
- * Returns 1 or 0; 0 if none was taken.
+/* Is the position that is READY, or else the last one, within 20 degrees of a direction, such as that of a
+ * program (plan.h)? Returns 1 or 0; 0 if there is neither.
  *
  * up  unit vector. */
 int invcal_session_is_at(const invcal_session *session, const invcal_real up[3]);

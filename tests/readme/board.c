@@ -1,141 +1,182 @@
 /* SPDX-License-Identifier: MIT
  *
- * A board for the program of README.md: a sensor of 16384 counts per g and 100 Hz with errors of some
- * percent, a memory that is the file named by BOARD_MEMORY, and a hand that does what it is told in
- * words and nothing else. Prints what is shown; ends after a second of calibrated samples, with 0 if
- * their length is that of the field, or with 2 where the hand has lost patience.
+ * A board for the programs of README.md and of the manual: sensors with errors of some percent, 16384 counts per g
+ * and 65.5 per degree/s, a memory that is the file named by BOARD_MEMORY, and a hand that does what it is told in
+ * words and nothing else. Prints what is shown. BOARD_RESET=N: ends with 3 in the middle of move N. Else it ends
+ * after some seconds of calibrated samples, with 0 if they are right, or with 2 where the hand has lost patience.
  */
+#include "board.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "board.h"
+#include "hand.h"
 
-enum { RATE = 100, MOVE = RATE / 2, HELD = 3 * RATE, PATIENCE = 600 * RATE };
-static const double COUNTS = 16384;
-static const double PI = 3.14159265358979323846;
+enum { PATIENCE = 600 * HAND_RATE };
+#define COUNTS 16384.0                                    /* for 1 g */
+#define RATE_COUNTS (65.5 * 180 / 3.14159265358979323846) /* for 1 rad/s */
 
-/* ---- the sensor, and the hand that turns it ----------------------------------------------------- */
+/* ---- the sensors, and the hand that turns them --------------------------------------------------- */
 
-static double from[3] = {0, 0, 1};
-static double up[3] = {0.05, -0.04, 1};
-static unsigned time_there; /* samples since the hand set out */
-static uint32_t random_state = 1;
+enum { ACCELEROMETER = 1, GYRO = 2 };
+static double rate[3], force[3]; /* of this step */
+static int is_read = ACCELEROMETER | GYRO;
+static unsigned moving; /* steps of the present move; 0: at rest */
 
-/* Nearly normal: the sum of four uniform numbers. */
-static double noise(void)
+static void step(void)
 {
-    double sum = 0;
+    static unsigned steps, moves;
+    const char *reset = getenv("BOARD_RESET");
 
-    for (int i = 0; i < 4; i++) {
-        random_state = random_state * UINT32_C(1664525) + UINT32_C(1013904223);
-        sum += (double)(random_state >> 8) / (1 << 24) - 0.5;
-    }
-    return sum * sqrt(3);
-}
-
-static void read_sensor(const double eta[3], int32_t raw[3])
-{
-    static const double S[3][3] = {
-        {1.02, 0.004, -0.006}, {0.004, 0.985, 0.01}, {-0.006, 0.01, 1.01}};
-    static const double offset[3] = {0.03, -0.05, 0.02};
-
-    for (int i = 0; i < 3; i++) {
-        const double g = S[i][0] * eta[0] + S[i][1] * eta[1] + S[i][2] * eta[2] + offset[i];
-        raw[i] = (int32_t)lround(COUNTS * (g + 0.0005 * noise()));
-    }
-}
-
-/* Half a second from one direction to the next, and then at rest. */
-const int32_t *board_sample(void)
-{
-    static int32_t raw[3];
-    static unsigned samples;
-    double eta[3];
-    double square = 0;
-
-    if (++samples > PATIENCE) {
+    if (++steps > PATIENCE) {
         exit(2);
     }
-    const double way = ++time_there < MOVE ? (1 - cos(PI * time_there / MOVE)) / 2 : 1;
-    const double swing = time_there < MOVE ? 0.3 * sin(PI * time_there / MOVE) : 0;
-    for (int i = 0; i < 3; i++) {
-        eta[i] = from[i] + way * (up[i] - from[i]) + swing * (0.3 + 0.4 * i);
-        square += eta[i] * eta[i];
+    moving = hand_moves(rate, force) ? moving + 1 : 0;
+    moves += moving == 1;
+    if (reset && moves == strtoul(reset, NULL, 10) && moving == HAND_TURN / 2) {
+        exit(3);
     }
-    for (int i = 0; i < 3; i++) {
-        eta[i] /= sqrt(square);
+}
+
+/* Both have the same rate. A step passes when one is read again. */
+static const int32_t *read_sensor(int which, const double v[3], const double gain[3][3],
+                                  const double offset[3], double noise)
+{
+    static int32_t raw[3];
+
+    if (is_read & which) {
+        is_read = 0;
+        step();
     }
-    read_sensor(eta, raw);
+    is_read |= which;
+    for (int i = 0; i < 3; i++) {
+        const double x = gain[i][0] * v[0] + gain[i][1] * v[1] + gain[i][2] * v[2];
+        raw[i] = (int32_t)lround(x + offset[i] + noise * hand_noise());
+    }
     return raw;
 }
 
-/* A direction, if these are words for one: of all that a cube has the one with the same words. */
-static int is_direction(const char *text, double direction[3])
+const int32_t *board_sample(void)
 {
-    char words[INVCAL_WORDS];
+    static const double gain[3][3] = {{1.02 * COUNTS, 0.004 * COUNTS, -0.006 * COUNTS},
+                                      {0.004 * COUNTS, 0.985 * COUNTS, 0.01 * COUNTS},
+                                      {-0.006 * COUNTS, 0.01 * COUNTS, 1.01 * COUNTS}};
+    static const double offset[3] = {490, -820, 330};
 
-    for (int n = 0; n < 27; n++) {
-        const int sign[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
-        const double length = sqrt(sign[0] * sign[0] + sign[1] * sign[1] + sign[2] * sign[2]);
-        if (length > 0) {
-            invcal_real v[3];
-            for (int i = 0; i < 3; i++) {
-                direction[i] = sign[i] / length;
-                v[i] = (invcal_real)direction[i];
-            }
-            if (strcmp(invcal_words(v, words), text) == 0) {
-                return 1;
-            }
-        }
-    }
-    return 0;
+    return read_sensor(ACCELEROMETER, force, gain, offset, 8);
 }
 
-/* It holds on for a moment, and places the device only roughly. */
+const int32_t *board_gyro(void)
+{
+    static const double gain[3][3] = {
+        {0.975 * RATE_COUNTS, 0.012 * RATE_COUNTS, -0.004 * RATE_COUNTS},
+        {-0.015 * RATE_COUNTS, 1.018 * RATE_COUNTS, 0.007 * RATE_COUNTS},
+        {0.003 * RATE_COUNTS, -0.009 * RATE_COUNTS, 1.009 * RATE_COUNTS}};
+    static const double offset[3] = {85, -131, 24.5};
+
+    return read_sensor(GYRO, rate, gain, offset, 3.3);
+}
+
 void board_show(const char *text)
 {
-    double direction[3];
-
     puts(text);
-    if (is_direction(text, direction)) {
-        memcpy(from, up, sizeof from);
-        for (int i = 0; i < 3; i++) {
-            up[i] = direction[i] + 0.1 * noise();
-        }
-        time_there = 0;
-    }
+    (void)hand_reads(text, HAND_TURN);
 }
 
-/* Where the device is, and then along each axis. */
+/* ---- what the device is for: it checks itself ----------------------------------------------------- */
+
+/* Where it is, and then along each axis. */
 void board_use(const invcal_real g[3])
 {
-    static unsigned samples;
+    static const char *const axes[] = {"+x up", "+y up", "+z up", NULL};
+    static unsigned steps, axis;
     static double worst;
-    const double error = sqrt((double)g[0] * g[0] + (double)g[1] * g[1] + (double)g[2] * g[2]) - 1;
+    const double length = sqrt((double)g[0] * g[0] + (double)g[1] * g[1] + (double)g[2] * g[2]);
 
-    if (time_there >= MOVE) {
-        worst = fabs(error) > worst ? fabs(error) : worst;
+    if (moving == 0) {
+        worst = fmax(worst, fabs(length - 1));
     }
-    if (++samples % RATE != 0) {
+    if (++steps % (3 * HAND_RATE) != 0) {
         return;
     }
-    if (samples == 4 * RATE) {
+    if (!axes[axis]) {
         printf("calibrated: at rest |a| is 1 g within %s\n",
                worst < 0.003 ? "3 mg" : "more than 3 mg");
         exit(worst < 0.003 ? 0 : 1);
     }
-    for (unsigned i = 0; i < 3; i++) {
-        from[i] = up[i];
-        up[i] = i == samples / RATE - 1;
+    (void)hand_reads(axes[axis++], HAND_TURN);
+}
+
+/* What points up before a turn is turned by the gyroscope alone; after it the accelerometer must agree. */
+void board_use_both(const invcal_real g[3], const invcal_real w[3])
+{
+    static double up[3];
+    static unsigned still;
+
+    for (int n = 0; n < 200; n++) { /* parts of a step */
+        const double was[3] = {up[0], up[1], up[2]};
+        for (int i = 0; i < 3; i++) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            up[i] += (was[j] * (double)w[k] - was[k] * (double)w[j]) / (200 * HAND_RATE);
+        }
     }
-    time_there = 0;
+    still = moving == 0 ? still + 1 : 0;
+    for (int i = 0; i < 3 && still == 1; i++) {
+        if (fabs(up[i] - (double)g[i]) > 0.005 && (up[0] != 0 || up[1] != 0 || up[2] != 0)) {
+            printf("axis %d: %.4f by the gyroscope, %.4f by the accelerometer\n", i, up[i],
+                   (double)g[i]);
+            exit(1);
+        }
+    }
+    for (int i = 0; i < 3 && moving == 0; i++) {
+        up[i] = (double)g[i];
+    }
+    board_use(g);
+}
+
+/* ---- a watch ------------------------------------------------------------------------------------ */
+
+static double worst_of_day;
+
+void board_count_steps(const invcal_real g[3])
+{
+    const double length = sqrt((double)g[0] * g[0] + (double)g[1] * g[1] + (double)g[2] * g[2]);
+
+    if (moving == 0) {
+        worst_of_day = fmax(worst_of_day, fabs(length - 1));
+    }
+}
+
+/* Of 20 s. Every 5 s it is put down in another way. */
+int board_has_a_day_passed(void)
+{
+    static unsigned steps;
+    const unsigned day = ++steps / (20 * HAND_RATE);
+
+    if (steps % (5 * HAND_RATE) == 0) {
+        double any[3] = {hand_noise(), hand_noise(), hand_noise()};
+        const double length = sqrt(any[0] * any[0] + any[1] * any[1] + any[2] * any[2]);
+        for (int i = 0; i < 3; i++) {
+            any[i] /= length;
+        }
+        hand_turns(any, HAND_TURN);
+    }
+    if (steps % (20 * HAND_RATE) != 0) {
+        return 0;
+    }
+    printf("day %u: |a| is 1 g within %.1f mg\n", day, 1000 * worst_of_day);
+    if (day == 30) {
+        exit(worst_of_day < 0.003 ? 0 : 1);
+    }
+    worst_of_day = 0;
+    return 1;
 }
 
 /* ---- the memory: four slots in a file ------------------------------------------------------------ */
 
-enum { SLOT = 1024 };
+enum { SLOT = 4096 };
 static unsigned first[2] = {0, 2};
 
 static FILE *open_at(const void *context, unsigned slot, uint32_t offset)

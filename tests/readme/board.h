@@ -1,16 +1,20 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the program of README.md asks of a board.
+ * What the programs of README.md, port/manual/gyroscope_firmware.md and port/manual/wearable.md ask of a board.
  */
 #ifndef BOARD_H
 #define BOARD_H
 
 #include "invcal/store.h"
 
-const int32_t *board_sample(void);        /* waits for it: x y z in raw counts */
-void board_show(const char *text);        /* to the person */
-void board_use(const invcal_real g[3]);   /* what the device is for */
-extern const invcal_store board_result;   /* two slots for the calibration, */
-extern const invcal_store board_progress; /* and two for the session */
+const int32_t *board_sample(void);      /* waits for it: x y z in raw counts */
+void board_show(const char *text);      /* to the person */
+void board_use(const invcal_real g[3]); /* what the device is for */
+const int32_t *board_gyro(void); /* of the gyroscope, which is read first; and in g and rad/s */
+void board_use_both(const invcal_real g[3], const invcal_real rate[3]);
+void board_count_steps(const invcal_real g[3]); /* of a watch, */
+int board_has_a_day_passed(void);               /* which ends after a month */
+extern const invcal_store board_result;         /* two slots for the calibration, */
+extern const invcal_store board_progress;       /* and two for the session */
 
 #endif

@@ -3,6 +3,8 @@
  * The smallest tables that hold twelve quarter turns, as gyro.h says for devices with little memory: compiled
  * here with that choice.
  */
+#undef INVCAL_MAX_SEGMENTS
+#undef INVCAL_MAX_MOVES
 #define INVCAL_MAX_SEGMENTS 100
 #define INVCAL_MAX_MOVES 14
 /* Beside those of the library. */

@@ -523,6 +523,26 @@ static void a_position_is_at_a_direction_within_twenty_degrees(void)
     TEST_ASSERT_TRUE(invcal_session_is_at(b.s, up));
 }
 
+static void a_position_that_is_ready_is_where_it_is(void)
+{
+    const double z[3] = {0, 0, 1};
+    const double x[3] = {1, 0, 0};
+    const invcal_real up_z[3] = {0, 0, 1};
+    const invcal_real up_x[3] = {1, 0, 0};
+
+    begin(0, 17);
+    visit(z);
+    turn(x);
+    hold(0.4);
+    TEST_ASSERT_TRUE(invcal_session_is_at(b.s, up_z)); /* not yet */
+    hold(2.5);
+    TEST_ASSERT_TRUE(invcal_session_is_at(b.s, up_x));
+    TEST_ASSERT_FALSE(invcal_session_is_at(b.s, up_z));
+    TEST_ASSERT_EQUAL_UINT(1, b.s->count);
+    leave();
+    TEST_ASSERT_TRUE(invcal_session_is_at(b.s, up_x));
+}
+
 /* ---- is it enough? ---------------------------------------------------------------------------- */
 
 static void it_is_good_from_twelve_positions_on(void)
@@ -891,6 +911,7 @@ int main(void)
     RUN_TEST(a_position_that_is_ready_counts_as_taken);
     RUN_TEST(the_next_direction_has_its_words);
     RUN_TEST(a_position_is_at_a_direction_within_twenty_degrees);
+    RUN_TEST(a_position_that_is_ready_is_where_it_is);
     RUN_TEST(it_is_good_from_twelve_positions_on);
     RUN_TEST(with_a_stated_noise_one_position_to_spare_is_enough);
     RUN_SLOW_TEST(a_rest_that_is_wrong_does_not_keep_the_end_away);

@@ -1,34 +1,20 @@
 # SPDX-License-Identifier: MIT
 #
 # The example firmware:  make -f port/build.mk TARGET=port/cortex-m/m4f firmware
-# and that of both sensors, which shares what is not of the sensor:     firmware_imu
+# and that of both sensors, which is another main.c:                    firmware_imu
 
-FIRMWARE         := port/cortex-m/firmware
-FIRMWARE_SOURCES := $(wildcard $(FIRMWARE)/*.c $(FIRMWARE)/sim/*.c)
+FIRMWARE := port/cortex-m/firmware
+PARTS    := $(filter-out %/main.c %/accelerometer.c %/both.c, $(wildcard $(FIRMWARE)/*.c $(FIRMWARE)/sim/*.c))
 
-.PHONY: firmware
+.PHONY: firmware firmware_imu
 firmware: $(OUT)/firmware.elf
-
-$(OUT)/$(FIRMWARE)/%.o: FLAGS += -I$(FIRMWARE) -Wconversion -pedantic
-
-# The simulated hand reads what the firmware prints: sim/hand.c wraps uart_put.
-$(OUT)/firmware.elf: $(FIRMWARE_SOURCES:%.c=$(OUT)/%.o) $(COMMON) $(LIBRARY)
-	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections -Wl,--wrap=uart_put $(LINK) -o $@
-
-FIRMWARE_IMU := $(FIRMWARE)_imu
-SHARED       := flash_store print tell uart sim/flash_sim sim/sim
-
-.PHONY: firmware_imu
 firmware_imu: $(OUT)/firmware_imu.elf
 
-# Its sectors hold session and moves.
-$(OUT)/$(FIRMWARE_IMU)/%.o: FLAGS += -I$(FIRMWARE_IMU) -I$(FIRMWARE) -I$(FIRMWARE)/sim -Wconversion \
-    -pedantic -DFLASH_SECTOR_SIZE=4096u
+$(OUT)/$(FIRMWARE)/%.o $(OUT)/$(FIRMWARE)_imu/%.o: FLAGS += -I$(FIRMWARE) -Wconversion -pedantic
 
-$(OUT)/$(FIRMWARE_IMU)/shared/%.o: $(FIRMWARE)/%.c $(RULES)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(FLAGS) -MMD -MP -c $< -o $@
+$(OUT)/firmware.elf: $(OUT)/$(FIRMWARE)/main.o $(OUT)/$(FIRMWARE)/sim/accelerometer.o
+$(OUT)/firmware_imu.elf: $(OUT)/$(FIRMWARE)_imu/main.o $(OUT)/$(FIRMWARE)/sim/both.o
 
-$(OUT)/firmware_imu.elf: $(patsubst %.c,$(OUT)/%.o,$(wildcard $(FIRMWARE_IMU)/*.c $(FIRMWARE_IMU)/sim/*.c)) \
-    $(SHARED:%=$(OUT)/$(FIRMWARE_IMU)/shared/%.o) $(COMMON) $(LIBRARY)
+# The simulated hand reads what the firmware prints: sim/hand.c wraps uart_put.
+$(OUT)/firmware.elf $(OUT)/firmware_imu.elf: $(PARTS:%.c=$(OUT)/%.o) $(COMMON) $(LIBRARY)
 	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections -Wl,--wrap=uart_put $(LINK) -o $@

@@ -5,7 +5,6 @@
 #include "spi.h"
 
 #define PATIENCE 100000u /* looks at a register; at 8 MHz, some 0.2 s */
-#define SETTINGS (IMU_CTRL1_100_HZ | IMU_CTRL1_4_G)
 
 static uint8_t get(uint8_t address)
 {
@@ -22,29 +21,36 @@ static void set(uint8_t address, uint8_t value)
     spi_transfer(bytes, sizeof bytes);
 }
 
-/* The chip goes on while the processor is reset: it may be in any state. */
-static imu_status reset(void)
+static int keeps(uint8_t address, uint8_t value)
 {
-    set(IMU_CTRL2, IMU_CTRL2_RESET);
-    for (unsigned look = 0; look < PATIENCE; look++) {
-        if (!(get(IMU_CTRL2) & IMU_CTRL2_RESET)) {
-            return IMU_OK;
-        }
-    }
-    return IMU_SILENT;
+    set(address, value);
+    return get(address) == value;
 }
 
-imu_status imu_begin(void)
+/* The chip keeps running while the processor is reset: it may be in any state. */
+static int is_reset(void)
+{
+    set(IMU_CTRL3, IMU_CTRL3_RESET);
+    for (unsigned look = 0; look < PATIENCE; look++) {
+        if (!(get(IMU_CTRL3) & IMU_CTRL3_RESET)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+imu_status imu_begin(int with_gyro)
 {
     if (get(IMU_WHO_AM_I) != IMU_NAME) {
         return IMU_ABSENT;
     }
-    const imu_status status = reset();
-    if (status != IMU_OK) {
-        return status;
+    if (!is_reset()) {
+        return IMU_SILENT;
     }
-    set(IMU_CTRL1, SETTINGS);
-    return get(IMU_CTRL1) == SETTINGS ? IMU_OK : IMU_DEAF;
+    const int is_set_up = keeps(IMU_CTRL1, IMU_CTRL1_100_HZ | IMU_CTRL1_4_G) &&
+                          (!with_gyro || keeps(IMU_CTRL2, IMU_CTRL2_200_HZ | IMU_CTRL2_500_DPS)) &&
+                          keeps(IMU_FIFO_CTRL, IMU_FIFO_CTRL_ON);
+    return is_set_up ? IMU_ACCELEROMETER : IMU_DEAF;
 }
 
 /* Low byte first, two's complement. */
@@ -55,25 +61,28 @@ static int32_t count_of(const uint8_t bytes[2])
     return value < 0x8000 ? value : value - 0x10000;
 }
 
-static void read_sample(imu_sample *sample)
+static imu_status take_sample(int32_t raw[3])
 {
-    uint8_t bytes[9] = {IMU_TEMP_L | IMU_READ}; /* all in one burst, so that they belong together */
+    uint8_t bytes[8] = {IMU_FIFO_TAG | IMU_READ};
 
     spi_transfer(bytes, sizeof bytes);
-    sample->temperature = 25.0f + (float)count_of(&bytes[1]) / 256.0f;
     for (unsigned i = 0; i < 3; i++) {
-        sample->raw[i] = count_of(&bytes[3 + 2 * i]);
+        raw[i] = count_of(&bytes[2 + 2 * i]);
     }
+    return bytes[1] == IMU_TAG_GYRO ? IMU_GYRO : IMU_ACCELEROMETER;
 }
 
-/* On your board: sleep until the interrupt of the chip's data-ready pin. */
-imu_status imu_next(imu_sample *sample)
+/* On your board: sleep until the interrupt of the queue. */
+imu_status imu_next(int32_t raw[3])
 {
     for (unsigned look = 0; look < PATIENCE; look++) {
-        const uint8_t status = get(IMU_STATUS);
-        if (status & IMU_STATUS_READY) {
-            read_sample(sample);
-            return status & IMU_STATUS_OVERRUN ? IMU_LOST : IMU_OK;
+        uint8_t bytes[3] = {IMU_FIFO_STATUS1 | IMU_READ};
+        spi_transfer(bytes, sizeof bytes);
+        if (bytes[2] & IMU_FIFO_STATUS2_OVERRUN) {
+            return IMU_LOST;
+        }
+        if (bytes[1] > 0 || bytes[2] & IMU_FIFO_STATUS2_MORE) {
+            return take_sample(raw);
         }
     }
     return IMU_SILENT;
@@ -82,7 +91,8 @@ imu_status imu_next(imu_sample *sample)
 const char *imu_status_text(imu_status status)
 {
     switch (status) {
-    case IMU_OK:
+    case IMU_ACCELEROMETER:
+    case IMU_GYRO:
         return "ready";
     case IMU_LOST:
         return "samples were lost";

@@ -5,7 +5,7 @@
  * the calibration; from then on it prints calibrated readings, also after the next power-on. Send c to calibrate
  * again.
  *
- * It takes nearly 8 KB of RAM: a Mega, or a board that is not an AVR. The sensor is in imu.cpp, the memory in
+ * It takes 7 KB of RAM: a Mega, or a board that is not an AVR. The sensor is in imu.cpp, the memory in
  * storage.cpp. Session and moves are not stored: an EEPROM takes seconds for them, the sensor's queue holds less
  * than one, and a move with lost samples is refused. With a fast memory, FRAM or flash, add
  * invcal_save_imu_session after INVCAL_TAKEN, and invcal_load_imu_session in begin_session.
@@ -17,19 +17,17 @@
 #include "storage.h"
 
 #if defined(RAMEND) && RAMEND < 0x1FFF
-#error "this sketch takes nearly 8 KB of RAM: a Mega, or a board that is not an AVR"
+#error "this sketch takes 7 KB of RAM: a Mega, or a board that is not an AVR"
 #endif
 
 const unsigned SHOWN = 50; /* one calibrated sample of this many is shown */
 
-/* The axis that is up, - if it points down: each of the twelve edges between the faces once. */
-const int8_t PROGRAM[] = {3, 1, 2, 3, -1, 2, -3, 1, -2, -3, -1, -2};
-const unsigned EDGES = sizeof PROGRAM;
-
 static invcal_imu_session both;
 static invcal_imu_record calibration;
 static bool is_calibrated;
-static unsigned at; /* place in the program: where to turn next */
+static unsigned at; /* rests before the next one */
+static unsigned made; /* bit i: turn i of the tour was made, and was not refused */
+
 
 /* Not inlined into loop, or its variables would be on the stack while the others run. */
 #define APART __attribute__((noinline))
@@ -57,27 +55,25 @@ static void show(const __FlashStringHelper *name, const float v[3], float unit)
 
 /* ---- the session ------------------------------------------------------------------------------ */
 
-static void find_next(float up[3])
+/* The tour of the faces begins and ends with z up. */
+static void find_next(invcal_turn *turn)
 {
-    const int axis = PROGRAM[at % EDGES];
-
-    up[0] = up[1] = up[2] = 0;
-    up[axis < 0 ? -axis - 1 : axis - 1] = axis < 0 ? -1 : 1;
+    invcal_tour((at + INVCAL_TOUR - 1) % INVCAL_TOUR, turn);
 }
 
-/* Skips the place where it already is. */
+/* Skips a face that already points up. */
 static void show_next()
 {
     char words[INVCAL_WORDS];
-    float up[3];
+    invcal_turn turn;
 
-    find_next(up);
-    if (invcal_session_is_at(&both.session, up)) {
+    find_next(&turn);
+    if (invcal_session_is_at(&both.session, turn.up)) {
         at++;
-        find_next(up);
+        find_next(&turn);
     }
     Serial.print(F("next: "));
-    Serial.println(invcal_words(up, words));
+    Serial.println(invcal_words(turn.up, words));
 }
 
 static void begin_session()
@@ -92,16 +88,18 @@ static void begin_session()
     invcal_session_rails(&both.session, IMU_LOW, IMU_HIGH);
     invcal_moves_rails(&both.moves, IMU_LOW, IMU_HIGH);
     is_calibrated = false;
-    at = 0;
+    at = made = 0;
     Serial.println(F("calibration begins"));
     show_next();
 }
 
-/* Nothing is stored before the verdict is good. */
+/* Nothing is stored before the verdict is good: until then, another tour. An AVR takes some seconds, and the
+ * turn that is made meanwhile is refused. */
 static APART void solve()
 {
     invcal_imu imu;
 
+    made = 0;
     const invcal_status status = invcal_imu_solve(both.session.mean[0], both.session.count,
                                                   &both.session.nominal, &both.moves, NULL, &imu);
     if (status != INVCAL_OK || imu.verdict != INVCAL_GOOD) {
@@ -120,6 +118,28 @@ static APART void solve()
                        : F("calibration not stored: the EEPROM fails"));
 }
 
+/* A rest, and the turn that led to it. The tour goes round until each of its turns was good once. */
+static void take()
+{
+    const invcal_status reason = invcal_moves_reason(&both.moves, both.moves.count - 1);
+    int turns = 0;
+
+    if (reason == INVCAL_OK) {
+        made |= 1u << (at + INVCAL_TOUR - 2) % INVCAL_TOUR; /* at is the place after this one */
+    } else if (both.moves.count > 1) {
+        Serial.print(F("move refused: "));
+        Serial.println(invcal_status_text(reason));
+    }
+    for (unsigned i = 0; i < INVCAL_TOUR; i++) {
+        turns += made >> i & 1;
+    }
+    Serial.print(F("turns made, of 12: "));
+    Serial.println(turns);
+    if (turns == INVCAL_TOUR) {
+        solve();
+    }
+}
+
 static void calibrate(const int32_t accelerometer[3], const int32_t gyro[3])
 {
     invcal_moves_feed(&both.moves, gyro);
@@ -136,19 +156,9 @@ static void calibrate(const int32_t accelerometer[3], const int32_t gyro[3])
         Serial.println(invcal_session_why(&both.session));
         show_next();
         break;
-    case INVCAL_TAKEN: {
-        const invcal_status reason = invcal_moves_reason(&both.moves, both.moves.count - 1);
-        Serial.print(F("positions taken: "));
-        Serial.println(both.moves.count);
-        if (both.moves.count > 1 && reason != INVCAL_OK) {
-            Serial.print(F("move refused: "));
-            Serial.println(invcal_status_text(reason));
-        }
-        if (both.moves.count > EDGES) {
-            solve();
-        }
+    case INVCAL_TAKEN:
+        take();
         break;
-    }
     default:
         break; /* moving, settling */
     }

@@ -10,7 +10,6 @@
 #include "sim.h"
 
 #define GRANULES (FLASH_SECTOR_SIZE / FLASH_GRANULARITY)
-#define ERASE_SAMPLES 4 /* 40 ms */
 
 static struct {
     uint32_t magic;
@@ -57,7 +56,7 @@ int flash_erase(unsigned sector)
         flash.weak < flash.sector[sector] + FLASH_SECTOR_SIZE) {
         flash.weak = NULL;
     }
-    sim_pass(ERASE_SAMPLES);
+    sim_pass(hand_erase());
     return 0;
 }
 

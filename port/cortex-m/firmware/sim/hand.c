@@ -10,66 +10,68 @@
 #include "sim.h"
 #include "uart.h"
 
-/* In samples, hundredths of a second. */
+/* In steps of 1/200 s. */
 enum {
-    TURN = 150,      /* from place to place */
-    TOO_SHORT = 130, /* held by one who is in a hurry */
-    REACTION = 50,   /* to what is read */
-    KNOCK_AT = 40,
-    KNOCK_END = 44,
-    DONE = 200,  /* calibrated, and switched off and on, */
-    AGAIN = 500, /* and judged */
-    PATIENCE = 20000
-};
-
-/* What happens at a place, or with the flash on the way to it. */
-enum {
-    LEAVES_TOO_SOON = 1,
-    TURNS_BACK = 2, /* puts it down where it was taken up */
-    KNOCKS = 4,
-    RESET = 8,
-    WEAK_FLASH = 16,
-    POWER_CUT = 32,
-    PULLS = 64 /* at the cable, all the time it is held */
-};
-static const uint8_t script[] = {
-    [2] = LEAVES_TOO_SOON, [5] = WEAK_FLASH | RESET, [7] = TURNS_BACK, [8] = PULLS,
-    [9] = KNOCKS,          [11] = POWER_CUT,
+    TURN = 240,       /* from place to place; */
+    HURRY = 60,       /* beyond the gyroscope's range */
+    MOVE_RESET = 190, /* of a turn: the rest before has been taken and stored */
+    TOO_SHORT = 260,  /* held by one who is in a hurry */
+    REACTION = 100,   /* to what is read */
+    KNOCK_AT = 80,
+    KNOCK_END = 88,
+    ERASE = 8,        /* a sector of the flash; */
+    SLOW_ERASE = 600, /* an old one */
+    DONE = 400,       /* calibrated, and switched off and on, */
+    AGAIN = 1000,     /* and judged */
+    PATIENCE = 60000
 };
 
 static struct {
     uint32_t magic;
     uint32_t time;             /* since power-on, and */
-    uint32_t turning, held;    /* in the present turn, at the present place; samples */
-    uint32_t reset_at;         /* of held */
-    float from[3], to[3];      /* directions that point up, unit */
-    float wish[3];             /* the one asked for */
+    uint32_t turning, turn;    /* in the present turn, and its duration */
+    uint32_t held, reset_at;   /* at the present place */
+    float up[3];               /* the direction that points up, unit */
+    float vector[3];           /* of the turn */
+    float wobble[3];           /* on the way, rad/s */
+    float wish[3];             /* direction to point up next */
     unsigned place;            /* how many have been visited */
-    unsigned programs, cut_at; /* flash programmed since the last place; power fails there */
-    unsigned leaving;          /* samples until it is taken up; 0: it is held */
-    unsigned done;             /* samples since it has been calibrated; 0: not yet */
+    unsigned erases;           /* of the flash since the last place, */
+    unsigned programs, cut_at; /* and programmings; power fails there */
+    unsigned leaving;          /* steps until it is taken up; 0: it is held */
+    unsigned done;             /* steps since it has been calibrated; 0: not yet */
 } hand SIM_NOINIT;
 
 static void power_on(void)
 {
-    static const float up[3] = {0, 0, 1};
-
     if (sim_is_new(&hand.magic)) {
         memset((char *)&hand + sizeof hand.magic, 0, sizeof hand - sizeof hand.magic);
-        memcpy(hand.to, up, sizeof up);
-        memcpy(hand.wish, up, sizeof up);
-        hand.turning = TURN;
+        hand.up[2] = 1;
+        hand.wish[2] = 1;
     }
 }
 
 static int happens(unsigned what)
 {
-    return hand.place < sizeof script && script[hand.place] & what;
+    return hand.place < HAND_PLACES && hand_script[hand.place] & what;
+}
+
+static float dot(const float a[3], const float b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const float a[3], const float b[3], float out[3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        const unsigned j = (i + 1) % 3, k = (i + 2) % 3;
+        out[i] = a[j] * b[k] - a[k] * b[j];
+    }
 }
 
 static void to_unit(float v[3])
 {
-    const float length = sqrtf(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    const float length = sqrtf(dot(v, v));
 
     for (unsigned i = 0; i < 3; i++) {
         v[i] /= length;
@@ -99,7 +101,8 @@ static void read_line(const char *line)
     if (strncmp(line, "next: ", 6) == 0) {
         understand(line + 6);
     } else if (strncmp(line, "good", 4) == 0 || strncmp(line, "refused", 7) == 0) {
-        hand.leaving = hand.held > 0 ? REACTION : 0; /* on the way it has been left already */
+        /* on the way it has been left already */
+        hand.leaving = hand.turning == hand.turn ? REACTION : 0;
     } else if (strncmp(line, "calibration stored", 18) == 0) {
         hand.done = 1;
     }
@@ -124,39 +127,76 @@ void __wrap_uart_put(char c)
     }
 }
 
-/* ---- turning and holding ---------------------------------------------------------------------- */
+/* ---- turning and holding: of libm only sqrtf, which gives the same bits on every machine --------- */
+
+/* Within a degree: four times the arc sine of a quarter of it. */
+static float angle_of(float cosine)
+{
+    const float half = sqrtf((1 + cosine) / 2);
+    const float square = (1 - half) / 2;
+
+    return 4 * sqrtf(square) * (1 + square / 6 + 0.075f * square * square);
+}
+
+/* The shortest way to the wish, roughly; or all the way round. */
+static void plan_turn(void)
+{
+    float to[3];
+
+    for (unsigned i = 0; i < 3; i++) {
+        to[i] = hand.wish[i] + 0.05f * sim_noise();
+        hand.wobble[i] = happens(TURNS_BACK) ? 0 : 0.3f * sim_noise();
+    }
+    to_unit(to);
+    cross(to, hand.up, hand.vector);
+    to_unit(hand.vector);
+    const float angle = happens(TURNS_BACK) ? 6.2831853f : angle_of(dot(to, hand.up));
+    for (unsigned i = 0; i < 3; i++) {
+        hand.vector[i] *= angle;
+    }
+}
 
 static void leave(void)
 {
-    memcpy(hand.from, hand.to, sizeof hand.to);
     hand.place++;
-    for (unsigned i = 0; i < 3 && !happens(TURNS_BACK); i++) {
-        hand.to[i] = hand.wish[i] + 0.08f * sim_noise();
-    }
-    to_unit(hand.to);
-    hand.turning = hand.held = hand.programs = hand.leaving = 0;
-    hand.reset_at = 30 + sim_random() % 100;
+    plan_turn();
+    hand.turn = happens(HURRIES) ? HURRY : TURN;
+    hand.turning = hand.held = hand.erases = hand.programs = hand.leaving = 0;
+    hand.reset_at = 60 + sim_random() % 200;
     hand.cut_at = 3 + sim_random() % 4;
+    if (happens(HURRIES)) {
+        print("world: somebody hurries\n");
+    }
 }
 
-/* In an arc, so that opposite directions are reached too, and shaking. */
-static void turn(float force[3])
+/* The rate of this step; in the axes of the device, up turns the opposite way: by at most 0.05 rad, for
+ * which two terms of the sine are exact. */
+static void turn(float rate[3])
 {
-    static const float aside[3] = {0.5f, -0.3f, 0.4f};
-    const float part = (float)++hand.turning / TURN;
+    const float tau = ((float)hand.turning + 0.5f) / (float)hand.turn;
+    const float window = 16 * tau * tau * (1 - tau) * (1 - tau);
+    float axis[3], once[3], twice[3];
 
     for (unsigned i = 0; i < 3; i++) {
-        force[i] = (1 - part) * hand.from[i] + part * hand.to[i] + 4 * part * (1 - part) * aside[i];
+        rate[i] = window * (30.0f / 16 * hand.vector[i] * SIM_RATE / (float)hand.turn +
+                            hand.wobble[i] * (tau - (float)i / 2));
+        axis[i] = -rate[i] / SIM_RATE;
     }
-    to_unit(force);
+    const float square = dot(axis, axis);
+    cross(axis, hand.up, once);
+    cross(axis, once, twice);
     for (unsigned i = 0; i < 3; i++) {
-        force[i] += 0.1f * sim_noise();
+        hand.up[i] += (1 - square / 6) * once[i] + (0.5f - square / 24) * twice[i];
+    }
+    hand.turning++;
+    if (happens(RESET_IN_MOVE) && hand.turning == MOVE_RESET) {
+        print("world: reset in a move\n");
+        sim_reset();
     }
 }
 
 static void hold(float force[3])
 {
-    memcpy(force, hand.to, sizeof hand.to);
     hand.held++;
     if (happens(PULLS) && hand.held == 1) {
         print("world: somebody pulls at the cable\n");
@@ -190,23 +230,38 @@ static void wait_for_end(void)
     }
 }
 
-void hand_step(float force[3])
+void hand_step(float rate[3], float force[3])
 {
     power_on();
     if (++hand.time == PATIENCE) {
         print("world: out of patience\n");
         judge();
     }
-    if (hand.turning < TURN) {
-        turn(force);
-    } else if (hand.done > 0) {
-        memcpy(force, hand.to, sizeof hand.to);
-    } else {
-        hold(force);
+    const int is_moving = hand.turning < hand.turn;
+    memset(rate, 0, 3 * sizeof *rate);
+    if (is_moving) {
+        turn(rate);
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        force[i] = hand.up[i] + (is_moving ? 0.05f * sim_noise() : 0);
     }
     if (hand.done > 0) {
         wait_for_end();
+    } else if (!is_moving) {
+        hold(force);
     }
+}
+
+/* ---- the flash -------------------------------------------------------------------------------- */
+
+unsigned hand_erase(void)
+{
+    power_on();
+    if (happens(SLOW_FLASH) && hand.erases++ == 0) {
+        print("world: the flash takes 3 s\n");
+        return SLOW_ERASE;
+    }
+    return ERASE;
 }
 
 program_fate hand_program(void)

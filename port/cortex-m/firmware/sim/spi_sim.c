@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The sensor behind the bus: its registers, its triad, its clock. Every fourth look at STATUS finds
- * a new sample: time goes as fast as the firmware asks.
+ * The chip behind the bus: its registers, its triads, its clock, its queue. Every fourth look at the queue's
+ * status a step passes: time goes as fast as the firmware asks.
  */
 #include "spi.h"
 
@@ -10,16 +10,21 @@
 #include "imu_registers.h"
 #include "sim.h"
 
-#define LOOKS 4       /* for one sample */
-#define RESET_LOOKS 3 /* what a reset takes */
-#define NOISE 8.0f    /* counts, 1 mg */
+#define LOOKS 4         /* for one step */
+#define RESET_LOOKS 3   /* what a reset takes */
+#define NOISE 8.0f      /* counts, 1 mg */
+#define GYRO_NOISE 3.3f /* counts, 0.05 degrees/s */
+
+enum { WORD = 7 }; /* bytes of a sample in the queue */
 
 static struct {
     uint32_t magic;
-    uint32_t samples; /* since power-on */
+    uint32_t steps; /* since power-on */
     uint8_t looks;
     uint8_t reset;
     uint8_t registers[IMU_REGISTERS];
+    unsigned first, waiting; /* of the queue */
+    uint8_t queue[IMU_FIFO_SIZE][WORD];
 } chip SIM_NOINIT;
 
 /* Scale errors to 2 %, cross terms to 1 % either way, offsets to 50 mg. */
@@ -30,38 +35,56 @@ const sim_triad sim_truth = {
      {8192 * -0.005f, 8192 * 0.002f, 8192 * 1.017f}},
 };
 
-static void put_int16(uint8_t address, float value)
+/* Scale errors to 3 %, cross terms to 1.5 %, offsets to 2 degrees/s. */
+const sim_triad sim_gyro_truth = {
+    {85.0f, -131.0f, 24.5f},
+    {{3752.3f * 0.973f, 3752.3f * 0.012f, 3752.3f * -0.004f},
+     {3752.3f * -0.015f, 3752.3f * 1.018f, 3752.3f * 0.007f},
+     {3752.3f * 0.003f, 3752.3f * -0.009f, 3752.3f * 1.009f}},
+};
+
+static void put_int16(uint8_t *at, float value)
 {
     const float limited = value < -32768 ? -32768 : value > 32767 ? 32767 : value;
     const uint32_t bits = (uint32_t)(int32_t)(limited + (limited < 0 ? -0.5f : 0.5f));
 
-    chip.registers[address] = (uint8_t)bits;
-    chip.registers[address + 1] = (uint8_t)(bits >> 8);
+    at[0] = (uint8_t)bits;
+    at[1] = (uint8_t)(bits >> 8);
 }
 
-static void convert(void)
+static void convert(uint8_t tag, const sim_triad *truth, const float v[3], float noise)
 {
-    float force[3];
-
-    hand_step(force);
-    for (unsigned i = 0; i < 3; i++) {
-        const float *gain = sim_truth.gain[i];
-        const float counts = sim_truth.offset[i] + gain[0] * force[0] + gain[1] * force[1] +
-                             gain[2] * force[2] + NOISE * sim_noise();
-        put_int16((uint8_t)(IMU_TEMP_L + 2 + 2 * i), counts);
+    if (chip.waiting == IMU_FIFO_SIZE) {
+        chip.registers[IMU_FIFO_STATUS2] |= IMU_FIFO_STATUS2_OVERRUN;
+        return;
     }
-    put_int16(IMU_TEMP_L, 256.0f * (3.0f + 1e-4f * (float)chip.samples)); /* it warms up */
-    chip.samples++;
-    uint8_t *const status = &chip.registers[IMU_STATUS];
-    *status |= *status & IMU_STATUS_READY ? IMU_STATUS_OVERRUN : IMU_STATUS_READY;
+    uint8_t *word = chip.queue[(chip.first + chip.waiting) % IMU_FIFO_SIZE];
+    word[0] = tag;
+    for (unsigned i = 0; i < 3; i++) {
+        const float *gain = truth->gain[i];
+        put_int16(&word[1 + 2 * i], truth->offset[i] + gain[0] * v[0] + gain[1] * v[1] +
+                                        gain[2] * v[2] + noise * sim_noise());
+    }
+    chip.waiting++;
 }
 
-void sim_pass(unsigned samples)
+static void step(void)
 {
-    const int is_on = chip.registers[IMU_CTRL1] == (IMU_CTRL1_100_HZ | IMU_CTRL1_4_G);
+    float rate[3], force[3];
 
-    while (is_on && samples-- > 0) {
-        convert();
+    hand_step(rate, force);
+    if (chip.registers[IMU_CTRL2] == (IMU_CTRL2_200_HZ | IMU_CTRL2_500_DPS)) {
+        convert(IMU_TAG_GYRO, &sim_gyro_truth, rate, GYRO_NOISE);
+    }
+    if (chip.steps++ % 2 == 1 && chip.registers[IMU_CTRL1] == (IMU_CTRL1_100_HZ | IMU_CTRL1_4_G)) {
+        convert(IMU_TAG_ACCELEROMETER, &sim_truth, force, NOISE);
+    }
+}
+
+void sim_pass(unsigned steps)
+{
+    while (chip.registers[IMU_FIFO_CTRL] == IMU_FIFO_CTRL_ON && steps-- > 0) {
+        step();
     }
 }
 
@@ -69,33 +92,44 @@ static void reset_chip(void)
 {
     memset(chip.registers, 0, sizeof chip.registers);
     chip.registers[IMU_WHO_AM_I] = IMU_NAME;
+    chip.first = chip.waiting = 0;
 }
 
-/* What happens as a register is looked at. */
+/* Reads a register, with its side effects. */
 static uint8_t look(uint8_t address)
 {
-    if (address == IMU_STATUS && ++chip.looks % LOOKS == 0) {
-        sim_pass(1);
+    if (address == IMU_FIFO_STATUS1) {
+        if (++chip.looks % LOOKS == 0) {
+            sim_pass(1);
+        }
+        chip.registers[IMU_FIFO_STATUS1] = (uint8_t)chip.waiting;
+        chip.registers[IMU_FIFO_STATUS2] =
+            (uint8_t)((chip.registers[IMU_FIFO_STATUS2] & IMU_FIFO_STATUS2_OVERRUN) |
+                      chip.waiting >> 8);
     }
-    if (address == IMU_CTRL2 && chip.reset > 0 && --chip.reset == 0) {
+    if (address == IMU_CTRL3 && chip.reset > 0 && --chip.reset == 0) {
         reset_chip();
     }
+    if (address == IMU_FIFO_TAG && chip.waiting > 0) {
+        memcpy(&chip.registers[IMU_FIFO_TAG], chip.queue[chip.first], WORD);
+        chip.first = (chip.first + 1) % IMU_FIFO_SIZE;
+        chip.waiting--;
+    }
     const uint8_t value = chip.registers[address];
-    if (address == IMU_TEMP_L) {
-        chip.registers[IMU_STATUS] = 0;
+    if (address == IMU_FIFO_STATUS2) {
+        chip.registers[address] = 0;
     }
     return value;
 }
 
 static void write(uint8_t address, uint8_t value)
 {
-    if (address != IMU_CTRL1 && address != IMU_CTRL2) {
-        return; /* read-only */
-    }
-    chip.registers[address] = value;
-    if (address == IMU_CTRL2 && value & IMU_CTRL2_RESET) {
+    if (address == IMU_CTRL1 || address == IMU_CTRL2 || address == IMU_FIFO_CTRL) {
+        chip.registers[address] = value;
+    } else if (address == IMU_CTRL3 && value & IMU_CTRL3_RESET) {
+        chip.registers[address] = value;
         chip.reset = RESET_LOOKS;
-    }
+    } /* others are read-only */
 }
 
 void spi_transfer(uint8_t *bytes, unsigned size)
@@ -104,7 +138,7 @@ void spi_transfer(uint8_t *bytes, unsigned size)
     const unsigned first = bytes[0] & ~(unsigned)IMU_READ;
 
     if (sim_is_new(&chip.magic)) {
-        chip.samples = 0;
+        chip.steps = 0;
         chip.looks = 0;
         chip.reset = 0;
         reset_chip();

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- *     uno MCU IMAGE
+ *     board MCU IMAGE [gyroscope]
  *
- * The board on which the sketch Calibrate runs, around a simulated processor (libsimavr): an MPU-6050
- * on the I2C bus, an EEPROM that takes its time, a power supply, and a hand that turns the sensor as
- * the words on the serial port say. The image is the one that is flashed. The processor is reset in
- * the middle of the session, one position is wrong, and power fails while the EEPROM is written. When
- * the calibration is stored the board is switched off and on again, with an MPU-9250 in place of the
- * MPU-6050; after some calibrated readings the truth is printed, for the reader of the log.
+ * The board on which the sketch Calibrate runs, or Gyroscope, around a simulated processor (libsimavr): an
+ * MPU-6050 on the I2C bus, an EEPROM that takes its time, a power supply, and a hand that turns the sensor
+ * as the words on the serial port say. The image is the one that is flashed. In the middle of Calibrate the
+ * processor is reset, one position is wrong, and power fails while the EEPROM is written; in Gyroscope one
+ * turn is too quick, and during another the processor stands still. When the calibration is stored the board
+ * is switched off and on again, with an MPU-9250 in place of the MPU-6050; after some calibrated readings
+ * (and the request to begin again, to Gyroscope) the truth is printed, for the reader of the log.
  *
  * Exit status 0 if it came to that.
  */
@@ -21,21 +22,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "invcal/store.h"
+#include "hand.h"
+#include "invcal/gyro.h"
 
-enum { CLOCK = 16000000 };                       /* of the processor */
-enum { RATE = 100, SAMPLE_US = 1000000 / RATE }; /* of the sensor */
-enum { PATIENCE = 200 * RATE };                  /* in samples, as the next two */
-enum { THINK = RATE / 2, MOVE = RATE };          /* of the hand */
-enum { READINGS = 10 };                          /* calibrated ones, at the end */
+enum { CLOCK = 16000000 };                             /* of the processor */
+enum { RATE = HAND_RATE, SAMPLE_US = 1000000 / RATE }; /* of the sensor */
+enum { PATIENCE = 200 * RATE };                        /* samples */
+enum { READINGS = 10 };                                /* calibrated ones, at the end */
 /* What happens when so many positions have been taken: */
-enum { RESET_AT = 4, PULLED_AT = 7, CUT_AT = 10 };
-enum { CUT_AFTER = 100 }; /* bytes written to the EEPROM since then */
+enum { RESET_AT = 4, PULLED_AT = 7, CUT_AT = 10 }; /* to Calibrate */
+enum { CUT_AFTER = 100 };                          /* bytes written to the EEPROM since then */
+enum { HURRY_AT = 4, STALL_AT = 7 };               /* to Gyroscope */
+enum { STALL = RATE };                             /* samples */
 
 static avr_t *avr;
 static elf_firmware_t image;
 static uint8_t eeprom[4096];
 static int is_off; /* power has failed */
+static int with_gyro;
+static unsigned taken; /* positions, as the sketch says */
 
 /* ---- the motion --------------------------------------------------------------------------------- */
 
@@ -45,91 +50,31 @@ static const double offset[3] = {610.5, -345.2, 920.3};
 static const double gain[3][3] = {
     {1.021, 0.003, -0.005}, {0.003, 0.987, 0.002}, {-0.005, 0.002, 1.017}};
 
-static double from[3] = {0, 0, 1}, up[3] = {0.1, -0.05, 1};
-static unsigned there = THINK + MOVE; /* samples since the hand set out */
-static unsigned samples;              /* in all */
-static int is_pulled; /* somebody pulls at the cable: all readings are 50 mg wrong */
+static const double PI = 3.14159265358979324;
+static const double GYRO_COUNTS = 131; /* for 1 degree/s, range 250 degrees/s */
+static const double GYRO_NOISE = 6.6;  /* counts, 0.05 degrees/s */
+static const double gyro_offset[3] = {-280.6, 133.2, 43};
+static const double gyro_gain[3][3] = {
+    {0.975, 0.012, -0.004}, {-0.015, 1.018, 0.007}, {0.003, -0.009, 1.009}};
 
-/* Nearly normal, standard deviation 1: the sum of twelve uniform numbers. */
-static double noise(void)
+static unsigned samples; /* in all, */
+static unsigned moving;  /* and since the device was taken up; 0: it is held */
+static int is_pulled;    /* somebody pulls at the cable: all readings are 50 mg wrong */
+
+static void feel(double force[3], double rate[3])
 {
-    static uint32_t state = 1;
-    double sum = -6;
-
-    for (int i = 0; i < 12; i++) {
-        state = state * UINT32_C(1664525) + UINT32_C(1013904223);
-        sum += (state >> 8) / 16777216.0;
-    }
-    return sum;
-}
-
-static void to_unit(double v[3])
-{
-    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-
-    for (int i = 0; i < 3; i++) {
-        v[i] /= length;
+    moving = hand_moves(rate, force) ? moving + 1 : 0;
+    for (int i = 0; i < 3 && moving == 0 && is_pulled; i++) {
+        force[i] *= 1.05;
     }
 }
 
-/* A moment to understand the words; then in an arc, shaking; then at rest. */
-static void feel(double force[3])
+static void set_out(const char *words)
 {
-    static const double aside[3] = {0.5, -0.3, 0.4};
-    const double part = there < THINK          ? 0
-                        : there < THINK + MOVE ? (double)(there - THINK) / MOVE
-                                               : 1;
-
-    for (int i = 0; i < 3; i++) {
-        force[i] = (1 - part) * from[i] + part * up[i] + 4 * part * (1 - part) * aside[i];
-    }
-    to_unit(force);
-    for (int i = 0; i < 3; i++) {
-        force[i] += part > 0 && part < 1 ? 0.1 * noise() : 0;
-        force[i] *= part >= 1 && is_pulled ? 1.05 : 1;
-    }
-}
-
-/* A direction, if these are words for one: of all that a cube has the one with the same words. */
-static int is_direction(const char *text, double direction[3])
-{
-    char words[INVCAL_WORDS];
-
-    for (int n = 0; n < 27; n++) {
-        invcal_real v[3];
-        const int sign[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
-        if (n == 13) {
-            continue;
-        }
-        for (int i = 0; i < 3; i++) {
-            direction[i] = sign[i];
-        }
-        to_unit(direction);
-        for (int i = 0; i < 3; i++) {
-            v[i] = (invcal_real)direction[i];
-        }
-        if (strcmp(invcal_words(v, words), text) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-/* Sets out, and places the sensor only roughly. */
-static void turn(const char *words)
-{
-    double direction[3];
-
-    if (!is_direction(words, direction)) {
+    if (!hand_reads(words, with_gyro && taken == HURRY_AT ? HAND_HURRY : HAND_TURN)) {
         printf("world: no direction: %s\n", words);
         exit(1);
     }
-    memcpy(from, up, sizeof from);
-    for (int i = 0; i < 3; i++) {
-        up[i] = direction[i] + 0.07 * noise();
-    }
-    to_unit(up);
-    there = 0;
 }
 
 /* ---- the chip ----------------------------------------------------------------------------------- */
@@ -141,9 +86,15 @@ enum {
     CONFIG = 0x1A,
     ACCEL_CONFIG = 0x1C,
     ACCEL_CONFIG2 = 0x1D, /* of the MPU-9250: its accelerometer has a filter of its own */
-    INT_STATUS = 0x3A,
+    GYRO_CONFIG = 0x1B,
+    FIFO_EN = 0x23,    /* gyroscope x, y, z: 0x40, 0x20, 0x10; accelerometer: 8 */
+    INT_STATUS = 0x3A, /* 0x10: the queue has overflowed; 1: a new sample */
     ACCEL_XOUT_H = 0x3B,
+    GYRO_XOUT_H = 0x43,
+    USER_CTRL = 0x6A, /* 0x40: the queue is on; 4: empty it */
     PWR_MGMT_1 = 0x6B,
+    FIFO_COUNTH = 0x72,
+    FIFO_R_W = 0x74,
     WHO_AM_I = 0x75,
     REGISTERS = 0x80,
     IS_MPU6050 = 0x68,
@@ -158,12 +109,15 @@ static uint8_t at;      /* the register that is next */
 static int is_selected; /* addressed since the last start */
 static int is_number;   /* the next byte written is a register's number */
 static unsigned lost;   /* samples that nobody has read */
+static uint8_t queue[1024];
+static unsigned oldest, waiting; /* bytes of the queue */
 
 static void switch_chip_on(uint8_t which)
 {
     memset(registers, 0, sizeof registers);
     registers[WHO_AM_I] = which;
     registers[PWR_MGMT_1] = 0x40; /* asleep */
+    waiting = 0;
 }
 
 /* Samples come only if it has been woken and set to 100 Hz: the filter on, and 1 kHz / (1 + 9). */
@@ -175,34 +129,118 @@ static int is_set_up(void)
            registers[SMPLRT_DIV] == 9;
 }
 
+static void convert_axis(uint8_t address, double counts)
+{
+    const long rounded = lround(counts);
+    const int limited = rounded < -32768 ? -32768 : rounded > 32767 ? 32767 : (int)rounded;
+
+    registers[address] = (uint8_t)(limited >> 8 & 0xFF);
+    registers[address + 1] = (uint8_t)(limited & 0xFF);
+}
+
+/* If it is full, the oldest byte makes room. */
+static void put_in_queue(uint8_t byte)
+{
+    if (waiting == sizeof queue) {
+        oldest++;
+        waiting--;
+        registers[INT_STATUS] |= 0x10;
+    }
+    queue[(oldest + waiting++) % sizeof queue] = byte;
+}
+
+/* In the order of their registers. */
+static void fill_queue(void)
+{
+    for (uint8_t i = 0; i < 6 && registers[FIFO_EN] & 8; i++) {
+        put_in_queue(registers[ACCEL_XOUT_H + i]);
+    }
+    for (uint8_t i = 0; i < 6; i++) {
+        if (registers[FIFO_EN] & 0x40 >> i / 2) {
+            put_in_queue(registers[GYRO_XOUT_H + i]);
+        }
+    }
+}
+
 static void convert(void)
 {
     const int range = registers[ACCEL_CONFIG] >> 3 & 3;
-    double force[3];
+    const int gyro_range = registers[GYRO_CONFIG] >> 3 & 3;
+    double force[3], rate[3];
 
-    feel(force);
+    feel(force, rate);
     for (int i = 0; i < 3; i++) {
-        const double g = gain[i][0] * force[0] + gain[i][1] * force[1] + gain[i][2] * force[2];
-        const long counts = lround((offset[i] + NOISE * noise() + COUNTS * g) / (1 << range));
-        const int limited = counts < -32768 ? -32768 : counts > 32767 ? 32767 : (int)counts;
-        registers[ACCEL_XOUT_H + 2 * i] = (uint8_t)(limited >> 8 & 0xFF);
-        registers[ACCEL_XOUT_H + 2 * i + 1] = (uint8_t)(limited & 0xFF);
+        double g = 0, degrees = 0;
+        for (int k = 0; k < 3; k++) {
+            g += gain[i][k] * force[k];
+            degrees += gyro_gain[i][k] * rate[k] * 180 / PI;
+        }
+        convert_axis((uint8_t)(ACCEL_XOUT_H + 2 * i),
+                     (offset[i] + NOISE * hand_noise() + COUNTS * g) / (1 << range));
+        convert_axis((uint8_t)(GYRO_XOUT_H + 2 * i),
+                     (gyro_offset[i] + GYRO_NOISE * hand_noise() + GYRO_COUNTS * degrees) /
+                         (1 << gyro_range));
     }
     lost += registers[INT_STATUS] & 1;
-    registers[INT_STATUS] = 1;
+    registers[INT_STATUS] |= 1;
+    if (registers[USER_CTRL] & 0x40) {
+        fill_queue();
+    }
+}
+
+static void pass(void)
+{
+    samples++;
+    if (is_set_up()) {
+        convert();
+    }
 }
 
 /* In time, whether it is read or not. */
 static avr_cycle_count_t sample(avr_t *of, avr_cycle_count_t when, void *context)
 {
+    static int has_stalled;
+
     (void)of;
     (void)context;
-    there++;
-    samples++;
-    if (is_set_up()) {
-        convert();
+    pass();
+    if (with_gyro && taken == STALL_AT && moving == HAND_TURN / 4 && !has_stalled) {
+        has_stalled = 1;
+        puts("world: the processor stands still for a second");
+        for (unsigned i = 0; i < STALL; i++) {
+            pass();
+        }
     }
     return when + (avr_cycle_count_t)CLOCK / RATE;
+}
+
+static void write_register(uint8_t value)
+{
+    registers[at] = value;
+    if (at == USER_CTRL && value & 4) {
+        registers[at] &= (uint8_t)~4;
+        waiting = 0;
+    }
+}
+
+/* The queue's register is read again and again; any other, and then the next. */
+static uint8_t read_register(void)
+{
+    registers[FIFO_COUNTH] = (uint8_t)(waiting >> 8);
+    registers[FIFO_COUNTH + 1] = (uint8_t)waiting;
+    if (at == FIFO_R_W) {
+        if (waiting > 0) {
+            registers[at] = queue[oldest++ % sizeof queue];
+            waiting--;
+        }
+        return registers[at];
+    }
+    const uint8_t value = registers[at];
+    if (at == INT_STATUS) {
+        registers[at] = 0;
+    }
+    at = (uint8_t)((at + 1) % REGISTERS);
+    return value;
 }
 
 static void say(uint8_t message, uint8_t data)
@@ -229,18 +267,14 @@ static void hear(avr_irq_t *irq, uint32_t value, void *context)
         if (is_number) {
             at = message.u.twi.data % REGISTERS;
         } else {
-            registers[at] = message.u.twi.data;
+            write_register(message.u.twi.data);
             at = (uint8_t)((at + 1) % REGISTERS);
         }
         is_number = 0;
         say(TWI_COND_ACK, 1);
     }
     if (is_selected && (what & TWI_COND_READ)) {
-        say(TWI_COND_READ, registers[at]);
-        if (at == INT_STATUS) {
-            registers[at] = 0;
-        }
-        at = (uint8_t)((at + 1) % REGISTERS);
+        say(TWI_COND_READ, read_register());
     }
 }
 
@@ -258,8 +292,7 @@ static void clear_flag(avr_t *of, avr_io_addr_t address, uint8_t value, void *co
 /* ---- the EEPROM --------------------------------------------------------------------------------- */
 
 enum { EECR = 0x3F, EEPE = 2, EEARL = 0x41, WRITING_US = 3400 };
-static unsigned taken;   /* positions, as the sketch says */
-static unsigned written; /* bytes since then */
+static unsigned written; /* bytes since the last position */
 
 static uint8_t *cells(void)
 {
@@ -291,7 +324,7 @@ static void write_byte(avr_t *of, avr_io_addr_t address, uint8_t value, void *co
     avr->data[EECR] |= EEPE;
     avr_cycle_timer_register_usec(avr, WRITING_US, end_writing, NULL);
     written++;
-    if (taken == CUT_AT && written == CUT_AFTER && !is_cut) {
+    if (!with_gyro && taken == CUT_AT && written == CUT_AFTER && !is_cut) {
         cells()[avr->data[EEARL] | (unsigned)avr->data[EEARL + 1] << 8] = 0x5A;
         puts("world: power fails while the EEPROM is written");
         is_cut = 1;
@@ -302,7 +335,8 @@ static void write_byte(avr_t *of, avr_io_addr_t address, uint8_t value, void *co
 /* ---- the serial port, and who reads it ------------------------------------------------------------ */
 
 static int is_reset;   /* somebody has pressed the button */
-static int is_stored;  /* the sketch has come to its end */
+static int is_stored;  /* the sketch has come to its end, */
+static int has_begun;  /* or begins (again) */
 static unsigned shown; /* calibrated readings */
 
 static int begins(const char *line, const char *with)
@@ -317,7 +351,7 @@ static void count(const char *line)
     taken = (unsigned)strtoul(strrchr(line, ' '), NULL, 10);
     written = 0;
     is_pulled = 0;
-    if (taken == PULLED_AT && !was_pulled) {
+    if (!with_gyro && taken == PULLED_AT && !was_pulled) {
         was_pulled = 1;
         is_pulled = 1;
         puts("world: somebody pulls at the cable");
@@ -331,13 +365,17 @@ static void read_line(const char *line)
 
     puts(line);
     if (begins(line, next)) {
-        turn(line + sizeof next - 1);
+        set_out(line + sizeof next - 1);
     } else if (begins(line, "positions taken: ")) {
         count(line);
-    } else if (begins(line, "good: move on") && taken == RESET_AT && !was_reset) {
+    } else if (begins(line, "turns made, ")) {
+        taken++;
+    } else if (begins(line, "good: move on") && !with_gyro && taken == RESET_AT && !was_reset) {
         was_reset = is_reset = 1;
     } else if (begins(line, "calibration stored")) {
         is_stored = 1;
+    } else if (begins(line, "calibration begins")) {
+        has_begun = 1;
     } else if (begins(line, "a, mg:")) {
         shown++;
     }
@@ -452,10 +490,13 @@ static double worst_error(const invcal_calibration *c)
     double worst = 0;
 
     for (unsigned n = 0; n < 1000; n++) {
-        double eta[3] = {noise(), noise(), noise()};
+        double eta[3] = {hand_noise(), hand_noise(), hand_noise()};
         double square = 0;
         double u[3];
-        to_unit(eta);
+        const double length = sqrt(eta[0] * eta[0] + eta[1] * eta[1] + eta[2] * eta[2]);
+        for (int i = 0; i < 3; i++) {
+            eta[i] /= length;
+        }
         for (int i = 0; i < 3; i++) {
             u[i] = offset[i] - (double)c->offset[i];
             for (int k = 0; k < 3; k++) {
@@ -474,19 +515,68 @@ static double worst_error(const invcal_calibration *c)
     return sqrt(worst);
 }
 
+static void tell_accelerometer(const invcal_calibration *stored)
+{
+    printf("world: what is stored is wrong by %.2f mg at most\n", 1000 * worst_error(stored));
+}
+
+/* A perfect matrix, in rad/s, makes the identity of the truth. */
+static void tell_gyro(const invcal_imu_record *stored)
+{
+    double worst = 0, bias = 0;
+
+    for (int i = 0; i < INVCAL_GYRO_PARAMETERS; i++) {
+        double error = i % 4 == 0 ? -1 : 0;
+        for (int k = 0; k < 3; k++) {
+            error += (double)stored->gyro.matrix[i / 3][k] * GYRO_COUNTS / 2 * 180 / PI *
+                     gyro_gain[k][i % 3];
+        }
+        worst = fmax(worst, fabs(error) / (double)stored->sigma[i]);
+        printf("world: %s sigma %.5f\n", invcal_imu_parameter_name((unsigned)i),
+               (double)stored->sigma[i]);
+    }
+    for (int i = 0; i < 3; i++) {
+        bias = fmax(bias, fabs((double)stored->gyro.offset[i] - gyro_offset[i] / 2));
+    }
+    printf("world: the gyroscope is wrong by %.2f sigma at most, its offset by %.2f counts\n",
+           worst, bias);
+}
+
 static void tell(void)
 {
-    invcal_store store = {
-        read_slot, no_erase, no_program, &store, INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1), 1};
+    const uint32_t size = with_gyro ? INVCAL_STORE_BYTES(INVCAL_IMU_RECORD_SIZE, 1)
+                                    : INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1);
+    invcal_store store = {read_slot, no_erase, no_program, &store, size, 1};
     invcal_calibration stored;
+    invcal_imu_record both;
 
-    if (invcal_load(&store, &stored) == INVCAL_OK) {
-        printf("world: what is stored is wrong by %.2f mg at most\n", 1000 * worst_error(&stored));
+    if (with_gyro && invcal_load_imu(&store, &both) == INVCAL_OK) {
+        tell_gyro(&both);
+        tell_accelerometer(&both.accelerometer.calibration);
+    } else if (invcal_load(&store, &stored) == INVCAL_OK) {
+        tell_accelerometer(&stored);
     }
     look_how_deep();
-    printf("world: up, mg: %.1f %.1f %.1f\n", 1000 * up[0], 1000 * up[1], 1000 * up[2]);
+    printf("world: up, mg: %.1f %.1f %.1f\n", 1000 * hand_up()[0], 1000 * hand_up()[1],
+           1000 * hand_up()[2]);
     printf("world: samples that nobody has read: %u\n", lost);
     printf("world: RAM %u, stack %u\n", image.datasize + image.bsssize, deepest);
+}
+
+/* To the readings, and with both sensors once more to a beginning. */
+static int is_at_end(void)
+{
+    static int has_asked;
+
+    if (shown < READINGS) {
+        return 0;
+    }
+    if (with_gyro && !has_asked) {
+        has_asked = 1;
+        has_begun = 0;
+        avr_raise_irq(avr_io_getirq(avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_INPUT), 'c');
+    }
+    return !with_gyro || has_begun;
 }
 
 int main(int argc, char **argv)
@@ -495,12 +585,13 @@ int main(int argc, char **argv)
 
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     avr_global_logger_set(no_log);
-    if (argc != 3 || elf_read_firmware(argv[2], &image) != 0) {
+    with_gyro = argc == 4;
+    if (argc < 3 || argc > 4 || elf_read_firmware(argv[2], &image) != 0) {
         return 2;
     }
     memset(eeprom, 0xFF, sizeof eeprom);
     switch_on(argv[1], IS_MPU6050);
-    while (samples < PATIENCE && shown < READINGS && avr->state != cpu_Crashed &&
+    while (samples < PATIENCE && !is_at_end() && avr->state != cpu_Crashed &&
            avr->state != cpu_Done) {
         avr_run(avr);
         if (is_off || (is_stored && !is_last)) {
@@ -517,5 +608,5 @@ int main(int argc, char **argv)
         }
     }
     tell();
-    return shown < READINGS;
+    return !is_at_end();
 }

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The world of the firmware of both sensors.
+ */
+#include <math.h>
+
+#include "flash.h"
+#include "invcal/gyro.h"
+#include "sim.h"
+
+#define BIAS 0.5f    /* counts, largest error of an offset of the gyroscope */
+#define SIGMA 0.002f /* the largest that is good */
+
+const uint16_t hand_script[HAND_PLACES] = {
+    [3] = KNOCKS,     [4] = RESET_IN_MOVE, [6] = HURRIES,
+    [8] = SLOW_FLASH, [9] = POWER_CUT,     [11] = RESET_IN_MOVE,
+};
+
+static invcal_imu_record both;
+
+invcal_status judge_load(invcal_record *record)
+{
+    const invcal_status status = invcal_load_imu(&calibration_store, &both);
+
+    *record = both.accelerometer;
+    return status;
+}
+
+/* A perfect matrix makes the identity of the truth. */
+int judge_rest(void)
+{
+    int good = 1;
+
+    for (unsigned i = 0; i < INVCAL_GYRO_PARAMETERS; i++) {
+        const unsigned r = i / 3, c = i % 3;
+        float product = 0;
+        for (unsigned k = 0; k < 3; k++) {
+            product += both.gyro.matrix[r][k] * sim_gyro_truth.gain[k][c];
+        }
+        good &= judge_one(invcal_imu_parameter_name(i), r == c ? 1 : 0, product, both.sigma[i]) &
+                (both.sigma[i] < SIGMA);
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        good &= fabsf(both.gyro.offset[i] - sim_gyro_truth.offset[i]) < BIAS;
+    }
+    return good;
+}
