@@ -254,6 +254,13 @@ static void any_way_up_is_levelled_the_shortest_way(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_level(&frame, stated, found));
     is_rotation((const double(*)[3])r, (const invcal_real(*)[3])found,
                 FLOAT_OR_DOUBLE(5e-7, 1e-15));
+    invcal_frame_init(&frame);
+    for (int k = 0; k < 3; k++) { /* by three faces, each as it lies along it */
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&frame, (const double(*)[3])r, faces[k], faces[k]));
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_level(&frame, stated, found));
+    is_rotation((const double(*)[3])r, (const invcal_real(*)[3])found,
+                FLOAT_OR_DOUBLE(5e-7, 1e-15));
 }
 
 /* Half and twice the field are the last that count. */
