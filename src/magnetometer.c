@@ -168,7 +168,26 @@ static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
     return 1;
 }
 
-/* Samples that were not compared with a solution may be disturbed: they are dropped as soon as later ones cover
+/* Drops the early samples unless the means of their cells differ from the solution by no more than their own
+ * chance: squares of variance power / n. As the solution errs as well, some are dropped without need. */
+static void drop_unlike(invcal_magnetometer *m)
+{
+    const invcal_real power = power_of(m);
+    invcal_real excess = 0;
+
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        if (m->early.count[k] > 0) {
+            const invcal_real n = invcal_number(m->early.count[k]);
+            const invcal_real sum = invcal_dot(m->p, m->early.sum[k], INVCAL_PARAMETERS) - n / 2;
+            excess += sum * sum / n - power;
+        }
+    }
+    if (!(excess <= 0)) {
+        invcal_zero(&m->early, sizeof m->early);
+    }
+}
+
+/* Samples that were not compared with a solution may be disturbed: they are compared as soon as later ones cover
  * all sides as well. */
 static void look_at_samples(invcal_magnetometer *m)
 {
@@ -179,7 +198,7 @@ static void look_at_samples(invcal_magnetometer *m)
     }
     if (m->stage != SECOND_SOLUTION && has_solution(m, &m->late)) {
         m->stage = SECOND_SOLUTION;
-        invcal_zero(&m->early, sizeof m->early);
+        drop_unlike(m);
     } else {
         if (has_solution(m, &m->early) && is_first) {
             m->stage = FIRST_SOLUTION;

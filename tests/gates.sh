@@ -80,6 +80,12 @@ plant event src/rests.c 's/say(s, INVCAL_REST_FROZEN/say(s, INVCAL_REST_SHORT/' 
     'float-(faults|rests): .* [1-9][0-9]* failed' unit 'faults|rests'
 plant mirrored src/full_vector.c 's/work) > LEAST_DET)) {/work) > -9)) {/' \
     'float-full_vector: .* [1-9][0-9]* failed' unit full_vector
+plant dropped src/magnetometer.c 's/if (!(excess <= 0))/if (excess <= 0)/' \
+    'float-magnetometer: .* [1-9][0-9]* failed' unit 'float-magnetometer'
+plant dip src/dip.c 's/(dip->count - DIP_UNKNOWNS)/(dip->count + DIP_UNKNOWNS)/' \
+    'float-dip: .* [1-9][0-9]* failed' unit 'float-dip'
+plant waved port/host/read/waved.c 's/v\[2\] \* v\[2\]) - 1;/v[2] * v[2]) - 1.1;/' \
+    'magnetometer: by how much samples differ: FAIL' unit '^magnetometer$'
 plant misset port/host/stand/misset.c 's/f_tail(left \/ squares/f_tail(1 - share_of(m, \&p[*which]) \/ squares/' \
     'tool-stand: .* [1-9][0-9]* failed' unit 'tool-stand'
 plant mounting port/host/stand/mounting.c 's/out->scatter \/ 2 \* sqrt/out->scatter * sqrt/' \

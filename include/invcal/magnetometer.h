@@ -81,7 +81,7 @@ typedef struct {
 /* Further results, besides invcal_quality. */
 typedef struct {
     invcal_real field; /* its length, in the unit of nominal */
-    invcal_real rms;   /* of the residuals of samples, over field; 0: unknown */
+    invcal_real rms;   /* of samples against the solution before them, over field; 0: unknown */
     invcal_real alike; /* number of successive samples with a common error; 0: unknown */
     uint32_t samples;  /* accepted */
     uint32_t left_out; /* samples that contradicted them */
@@ -102,7 +102,8 @@ invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
 /* Feeds one sample, raw counts.
  *
  * From time to time it looks at all samples. After the first solution it leaves out samples that contradict
- * it; those before that solution are dropped as soon as later samples cover all sides as well.
+ * it; those before that solution are dropped, unless they agree with later samples as soon as these cover all
+ * sides as well.
  *
  * Returns INVCAL_NOTHING; INVCAL_TAKEN if it is the first in its cell; INVCAL_REFUSED if it is left out,
  * or not a number.

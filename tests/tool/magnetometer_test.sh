@@ -35,6 +35,8 @@ check "magnetometer: good" matches "$work/stdout" '"verdict": "good"'
 check "magnetometer: nothing disturbed it" matches "$work/stdout" '"disturbance": "none"'
 accepts "magnetometer: the table" calibrate --magnetometer "$work/log.csv" --report "$work/out/page.html"
 check "magnetometer: says what it found" matches "$work/stdout" '18 of 18 directions covered'
+check "magnetometer: the page states how much samples differ" matches "$work/out/page.html" 'differ by 0\.4[0-9]+ % rms after calibration'
+check "magnetometer: by how much samples differ" matches "$work/stdout" '^ +of samples +0\.4[0-9]+ % of the field rms$'
 check "magnetometer: and what limits" matches "$work/stdout" 'limited by +errors that neighbouring samples share'
 run apply "$work/out/cal.json" "$work/log.csv"
 check "magnetometer: apply takes its columns" succeeded
@@ -217,6 +219,13 @@ if [ -f "$recording" ]; then
             NR == 1 { split($0, o) } NR == 2 { split($0, s) }
             NR > 2 { for (i = 1; i <= 3; i++) { e = ($i - o[i]) / s[i]; bad += e > 1 || e < -1; n++ } }
             END { print n, bad + 0 }')" = "9 0"
+    check "magnetometer: and among them, to their last digit" test "$(
+        { echo "$(vector offset)"; echo "$fits"; } | tr -d ' ' | awk -F, '
+            NR == 1 { split($0, o) } NR == 2 { split($0, least); split($0, most) }
+            NR > 2 { for (i = 1; i <= 3; i++) { if ($i < least[i]) least[i] = $i; if ($i > most[i]) most[i] = $i } }
+            END { for (i = 1; i <= 3; i++) { n++; bad += o[i] < least[i] - 1e-4 || o[i] > most[i] + 1e-4 } print n, bad + 0 }')" = "3 0"
+    check "magnetometer: its samples differ from a sphere by as much as with a fit of all" near 0.0002 \
+        "$(number sample_rms)" "$(sed -n 's/.*reference_rms = \([0-9.]*\);/\1/p' "$here/../reference/magnetometer.h")"
     check "magnetometer: and good" matches "$work/stdout" '"verdict": "good"'
     # shellcheck disable=SC2016 # fields of awk
     check "magnetometer: its axes are turned by what a fit of all instants tells" test "$(

@@ -122,6 +122,88 @@ static void sigma_is_what_the_angles_scatter_by(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.1, 1, sqrt(sigma / squares));
 }
 
+/* The n-th of the 24 rotations of a cube: rows are axes in some order and with some signs. */
+static void rotation_of_cube(unsigned n, double r[3][3])
+{
+    const unsigned first = n / 4 % 3;
+    const unsigned second = (first + 1 + n / 12) % 3;
+    const unsigned third = 3 - first - second;
+    const int parity = n < 12 ? 1 : -1; /* of the order */
+
+    memset(r, 0, 9 * sizeof r[0][0]);
+    r[0][first] = n & 1 ? -1 : 1;
+    r[1][second] = n & 2 ? -1 : 1;
+    r[2][third] = parity * r[0][first] * r[1][second];
+}
+
+/* All orientations of a cube, each with a field that dips by d + e and one by d - e. By symmetry R is I; a m is -sin d cos e on
+ * average, and off by cos d sin e; the mean of (m x a)(m x a)' is a third of (1 + cos 2d cos 2e) / 2 times I, and that
+ * of m x a is 0, so that the variance of each angle is the inverse over n - 4, times how many err alike. */
+static void the_quality_is_that_of_closed_form(void)
+{
+    static const struct {
+        double stated;
+        double counted;
+    } alike[] = {{0, 1}, {1, 1}, {1.5, 1.5}, {4, 4}};
+    const double d = 1;
+    const double e = 0.1;
+    const double third = (1 + cos(2 * d) * cos(2 * e)) / 6;
+    invcal_dip dip;
+
+    invcal_dip_init(&dip);
+    for (unsigned n = 0; n < 48; n++) {
+        double turn[3][3];
+        invcal_real up[3];
+        invcal_real field[3];
+        const double down = n < 24 ? d + e : d - e;
+        rotation_of_cube(n % 24, turn);
+        for (int i = 0; i < 3; i++) {
+            up[i] = (invcal_real)turn[i][2];
+            field[i] = (invcal_real)(cos(down) * turn[i][0] - sin(down) * turn[i][2]);
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, up, field));
+    }
+    for (unsigned k = 0; k < sizeof alike / sizeof alike[0]; k++) {
+        invcal_dip_quality quality;
+        invcal_real found[3][3];
+        const double sigma = cos(d) * sin(e) * sqrt(alike[k].counted / third / (48 - 4));
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_OK, invcal_dip_solve(&dip, (invcal_real)alike[k].stated, found, &quality));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, -sin(d) * cos(e), (double)quality.sine);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(5e-6, 1e-12), cos(d) * sin(e),
+                                  (double)quality.scatter);
+        for (int i = 0; i < 3; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-4, 1e-9) * sigma, sigma,
+                                      (double)quality.sigma[i]);
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-4, 1e-9) * sigma,
+                                  sigma / sqrt(1 - pow(sin(d) * cos(e), 2)),
+                                  (double)quality.heading);
+        for (int i = 0; i < 9; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, i % 4 == 0, (double)found[i / 3][i % 3]);
+        }
+    }
+}
+
+/* Four unknowns need five instants. */
+static void five_instants_are_enough(void)
+{
+    static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    random_source random = random_start(5);
+    invcal_real found[3][3];
+    invcal_dip dip;
+
+    invcal_dip_init(&dip);
+    for (int n = 1; n <= 5; n++) {
+        invcal_real up[3];
+        invcal_real field[3];
+        read_both(0.5, same, 0.01, &random, up, field);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, up, field));
+        TEST_ASSERT_EQUAL_INT(n < 5 ? INVCAL_TOO_FEW : INVCAL_OK,
+                              invcal_dip_solve(&dip, 1, found, NULL));
+    }
+}
+
 static void what_leaves_an_angle_open_is_refused(void)
 {
     invcal_dip dip;
@@ -189,6 +271,8 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(a_rotation_of_up_to_90_degrees_comes_back);
+    RUN_TEST(the_quality_is_that_of_closed_form);
+    RUN_TEST(five_instants_are_enough);
     RUN_LONG_TEST(sigma_is_what_the_angles_scatter_by);
     RUN_TEST(what_leaves_an_angle_open_is_refused);
     RUN_TEST(what_is_not_of_one_instant_is_refused);

@@ -229,13 +229,61 @@ static void a_single_face_is_levelled_the_shortest_way(void)
     is_rotation(lean, (const invcal_real(*)[3])found, FLOAT_OR_DOUBLE(3e-7, 1e-15));
 }
 
+/* Also where it is no face: (2 1 2) / 3 is perpendicular to the axis (1 0 -1) of the turn, so that no other is shorter. */
+static void any_way_up_is_levelled_the_shortest_way(void)
+{
+    const double turn = 0.4;
+    const double e[3] = {sqrt(0.5), 0, -sqrt(0.5)};
+    static const double up[3] = {2.0 / 3, 1.0 / 3, 2.0 / 3};
+    const invcal_real stated[3] = {(invcal_real)up[0], (invcal_real)up[1], (invcal_real)up[2]};
+    invcal_real found[3][3];
+    invcal_frame frame;
+    double r[3][3];
+
+    for (int i = 0; i < 3; i++) { /* Rodrigues */
+        for (int j = 0; j < 3; j++) {
+            r[i][j] = (1 - cos(turn)) * e[i] * e[j] + (i == j ? cos(turn) : 0);
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        r[(i + 2) % 3][(i + 1) % 3] += sin(turn) * e[i];
+        r[(i + 1) % 3][(i + 2) % 3] -= sin(turn) * e[i];
+    }
+    invcal_frame_init(&frame);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&frame, (const double(*)[3])r, up, up));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_level(&frame, stated, found));
+    is_rotation((const double(*)[3])r, (const invcal_real(*)[3])found,
+                FLOAT_OR_DOUBLE(5e-7, 1e-15));
+    invcal_frame_init(&frame);
+    for (int k = 0; k < 3; k++) { /* by three faces, each as it lies along it */
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&frame, (const double(*)[3])r, faces[k], faces[k]));
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_level(&frame, stated, found));
+    is_rotation((const double(*)[3])r, (const invcal_real(*)[3])found,
+                FLOAT_OR_DOUBLE(5e-7, 1e-15));
+}
+
+/* Half and twice the field are the last that count. */
+static void lengths_at_the_limit_count(void)
+{
+    static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const double half[3] = {0.5, 0, 0};
+    static const double twice[3] = {0, 2, 0};
+    invcal_frame frame;
+
+    invcal_frame_init(&frame);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&frame, same, half, faces[1]));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&frame, same, twice, faces[2]));
+    TEST_ASSERT_EQUAL_UINT(2, frame.count);
+}
+
 static void a_calibration_is_turned_from_the_left(void)
 {
-    static const invcal_real quarter[3][3] = {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}; /* about z */
+    static const invcal_real all_axes[3][3] = {{2, -1, 2}, {2, 2, -1}, {-1, 2, 2}};
     invcal_calibration c = {{1, 2, 3}, {{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}};
-    static const double expected[3][3] = {{-4, -5, -6}, {1, 2, 3}, {7, 8, 10}};
+    static const double expected[3][3] = {{12, 15, 20}, {3, 6, 8}, {21, 24, 29}};
 
-    invcal_frame_turn(quarter, &c);
+    invcal_frame_turn(all_axes, &c);
     is_rotation(expected, (const invcal_real(*)[3])c.matrix, 0);
     TEST_ASSERT_TRUE(c.offset[0] == 1 && c.offset[1] == 2 && c.offset[2] == 3);
 }
@@ -250,6 +298,8 @@ int main(void)
     RUN_TEST(one_way_up_is_refused_and_so_is_its_opposite_or_a_mirror);
     RUN_TEST(bad_input_leaves_the_sums_as_they_were);
     RUN_TEST(a_single_face_is_levelled_the_shortest_way);
+    RUN_TEST(any_way_up_is_levelled_the_shortest_way);
+    RUN_TEST(lengths_at_the_limit_count);
     RUN_TEST(a_calibration_is_turned_from_the_left);
     return UNITY_END();
 }

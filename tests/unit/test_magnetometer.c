@@ -654,6 +654,113 @@ static void too_small_an_axis_is_refused(void)
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
 }
 
+/* The samples that are left of 600. The first 100 give the first solution, the next 163 the second: a circle comes
+ * first, or else fewer than 64 would have been compared. Half of the 100 are longer by `spoilt`. */
+static unsigned left_of_600(uint32_t seed, double spoilt)
+{
+    static const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    random_source random = random_start(seed);
+    unsigned left = 0;
+
+    (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+    for (int n = 0; n < 600; n++) {
+        invcal_real raw[3];
+        double d[3];
+        random_direction(&random, d);
+        if (n >= 100 && n < 162) {
+            const double across = hypot(d[0], d[1]);
+            d[0] /= across;
+            d[1] /= across;
+            d[2] = 0;
+        }
+        for (int i = 0; i < 3; i++) {
+            raw[i] = (invcal_real)(d[i] * (n < 100 && d[0] > 0 ? 1 + spoilt : 1) +
+                                   0.01 * random_normal(&random));
+        }
+        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&the.magnetometer, raw) != INVCAL_REFUSED);
+    }
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        left += (unsigned)the.magnetometer.early.count[k] + the.magnetometer.late.count[k];
+    }
+    return left;
+}
+
+/* Chance often parts them, since the solution errs as well; what contradicts it never stays. */
+static void early_samples_stay_if_later_ones_agree(void)
+{
+    unsigned stayed = 0;
+
+    for (uint32_t seed = 1; seed <= 20; seed++) {
+        const unsigned left = left_of_600(seed, 0);
+        TEST_ASSERT_TRUE(left == 600 || left < 500);
+        stayed += left == 600;
+        TEST_ASSERT_TRUE(left_of_600(seed, 0.1) < 500);
+    }
+    TEST_ASSERT_TRUE(stayed > 0 && stayed < 20);
+}
+
+/* A nominal calibration that mixes the axes: without noise every cell is still a position of length 1. */
+static void cells_lie_on_the_sphere_whatever_is_nominal(void)
+{
+    static const invcal_calibration mixed = {{1, 2, 3},
+                                             {{1, INVCAL_REAL(0.2), INVCAL_REAL(-0.1)},
+                                              {INVCAL_REAL(0.1), 1, INVCAL_REAL(0.3)},
+                                              {INVCAL_REAL(-0.2), INVCAL_REAL(0.1), 1}}};
+    random_source random = random_start(5);
+    invcal_magnetometer_found found;
+    invcal_calibration c;
+    invcal_quality quality;
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &mixed));
+    for (int n = 0; n < 3000; n++) {
+        double d[3];
+        random_direction(&random, d);
+        const invcal_real raw[3] = {(invcal_real)(2 * d[0] + 4), (invcal_real)(2 * d[1] - 3),
+                                    (invcal_real)(2 * d[2] + 1)};
+        (void)invcal_magnetometer_feed(&the.magnetometer, raw);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        invcal_real raw[3] = {0, 0, 0};
+        invcal_real eta[3];
+        TEST_ASSERT_TRUE(invcal_magnetometer_cell(&the.magnetometer, &c, k, raw) > 0);
+        invcal_apply(&c, raw, eta);
+        const double calibrated[3] = {(double)eta[0], (double)eta[1], (double)eta[2]};
+        const double seen[3] = {(double)raw[0] - 4, (double)raw[1] + 3, (double)raw[2] - 1};
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-9), 1, length3(calibrated));
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-3, 1e-8), 2, length3(seen));
+    }
+}
+
+/* Independent noise of 2 % of the field is found as such, and disturbs nothing. */
+static void independent_noise_is_told_as_such(void)
+{
+    random_source random = random_start(6);
+    const invcal_calibration nominal = unit_nominal();
+    invcal_magnetometer_found found;
+    invcal_calibration c;
+    invcal_quality quality;
+
+    (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+    for (int n = 0; n < 6000; n++) {
+        invcal_real raw[3];
+        double d[3];
+        random_direction(&random, d);
+        for (int i = 0; i < 3; i++) {
+            raw[i] = (invcal_real)(d[i] + 0.02 * random_normal(&random));
+        }
+        (void)invcal_magnetometer_feed(&the.magnetometer, raw);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
+    TEST_ASSERT_DOUBLE_WITHIN(0.001, 0.02, (double)found.rms);
+    TEST_ASSERT_DOUBLE_WITHIN(0.6, 1, (double)found.alike);
+    TEST_ASSERT_EQUAL_UINT(0, found.gap);
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDISTURBED, found.disturbance);
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, quality.verdict);
+}
+
 /* It goes on for days: the counters stay in their range, and what is found stays what it was. */
 static void a_session_of_days_stays_as_good(void)
 {
@@ -775,6 +882,9 @@ int main(void)
     RUN_LONG_TEST(guidance_covers_every_cell);
     RUN_LONG_TEST(any_unit_is_found_or_refused);
     RUN_SLOW_TEST(too_small_an_axis_is_refused);
+    RUN_TEST(early_samples_stay_if_later_ones_agree);
+    RUN_TEST(cells_lie_on_the_sphere_whatever_is_nominal);
+    RUN_TEST(independent_noise_is_told_as_such);
     RUN_LONG_TEST(a_session_of_days_stays_as_good);
     RUN_TEST(bad_input_changes_nothing);
     RUN_TEST(a_circle_determines_nothing);

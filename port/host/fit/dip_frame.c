@@ -35,19 +35,19 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Calibrates all pairs: lengths go to length[0] and length[1]. Returns how many are finite. */
+/* Calibrates all instants: lengths go to length[0] and length[1]. Returns how many are finite. */
 static unsigned long calibrate(const waved *log, const invcal_calibration *accelerometer,
                                instant *all, double *length[2])
 {
     unsigned long count = 0;
 
-    for (unsigned long n = 0; n < log->pairs; n++) {
+    for (unsigned long n = 0; n < log->instants; n++) {
         instant *at = &all[count];
-        memcpy(at->up, log->pair[n].up, sizeof at->up);
+        memcpy(at->up, log->instant[n].up, sizeof at->up);
         if (accelerometer) {
             invcal_apply(accelerometer, at->up, at->up);
         }
-        invcal_apply(&log->calibration, log->pair[n].field, at->field);
+        invcal_apply(&log->calibration, log->instant[n].field, at->field);
         length[0][count] = length_of(at->up);
         length[1][count] = length_of(at->field);
         count += isfinite(length[0][count]) && isfinite(length[1][count]);
@@ -203,20 +203,21 @@ static dip_answer solve(const instant *all, unsigned long count, dip_frame *out)
 
 int dip_frame_find(const waved *log, const invcal_calibration *accelerometer, dip_frame *out)
 {
-    const size_t room = log->pairs + 1;
+    const size_t room = log->instants + 1;
     instant *all = calloc(room, sizeof *all);
     double *length = calloc(3 * room, sizeof *length);
     const int failure = !all || !length;
 
-    *out = (dip_frame){
-        .answer = DIP_NO_ACCELEROMETER, .is_corrected = accelerometer != NULL, .of = log->pairs};
+    *out = (dip_frame){.answer = DIP_NO_ACCELEROMETER, .is_corrected = accelerometer != NULL};
     if (failure) {
-        message("not enough memory for %lu samples", log->pairs);
-    } else if (log->pairs > 0) {
+        message("not enough memory for %lu samples", log->instants);
+    } else {
         double *of_each[2] = {length, length + room};
-        const unsigned long count = calibrate(log, accelerometer, all, of_each);
-        out->used = count > 0 ? keep_usual(all, count, of_each, length + 2 * room) : 0;
-        out->answer = 2 * out->used < out->of ? DIP_UNEVEN : solve(all, out->used, out);
+        out->of = calibrate(log, accelerometer, all, of_each);
+        out->used = out->of > 0 ? keep_usual(all, out->of, of_each, length + 2 * room) : 0;
+        if (out->of > 0) {
+            out->answer = 2 * out->used < out->of ? DIP_UNEVEN : solve(all, out->used, out);
+        }
     }
     free(all);
     free(length);

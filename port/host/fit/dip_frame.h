@@ -36,7 +36,7 @@ typedef struct {
 
 /* Finds it.
  *
- * log            with its pairs, and a solution.
+ * log            with a solution.
  * accelerometer  calibration of the units of its columns; null: its readings are used as they are.
  *
  * Returns EXIT_GOOD, whatever the result; EXIT_FILE, with a message, without memory. */

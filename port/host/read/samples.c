@@ -214,7 +214,6 @@ int samples_open(samples *s, const char *path, columns_kind kind, double rate, i
     s->has_temperature = s->where.index[COLUMN_TEMPERATURE] >= 0;
     s->has_gyro = s->where.gyro[0] >= 0;
     s->has_angles = s->where.index[COLUMN_ALPHA] >= 0 && s->where.index[COLUMN_BETA] >= 0;
-    s->has_aside = s->where.aside[0] >= 0;
     s->unit = find_unit(s);
     s->rate = rate;
     s->is_rate_known = rate > 0;

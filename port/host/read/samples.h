@@ -45,7 +45,6 @@ typedef struct {
     int has_temperature;
     int has_gyro;
     int has_angles;    /* there are columns alpha and beta */
-    int has_aside;     /* and those of an accelerometer next to a magnetometer */
     int is_rate_known; /* given, or from the times; else rate is a guess */
     /* inside */
     double ahead[SAMPLES_AHEAD][SAMPLES_NUMBERS];

@@ -11,20 +11,20 @@
 #include "text/number.h"
 
 /* Returns 0 without memory. */
-static int add_pair(waved *out, const sample *s, const double field[3])
+static int add_instant(waved *out, const sample *s, const double field[3])
 {
-    if (out->pairs == out->room) {
+    if (out->instants == out->room) {
         const unsigned long room = 2 * out->room + 1024;
-        waved_pair *larger = realloc(out->pair, room * sizeof *larger);
+        waved_instant *larger = realloc(out->instant, room * sizeof *larger);
         if (!larger) {
             return 0;
         }
-        out->pair = larger;
+        out->instant = larger;
         out->room = room;
     }
-    memcpy(out->pair[out->pairs].up, s->aside, sizeof s->aside);
-    memcpy(out->pair[out->pairs].field, field, sizeof out->pair->field);
-    out->pairs++;
+    waved_instant *at = &out->instant[out->instants++];
+    memcpy(at->up, s->aside, sizeof at->up);
+    memcpy(at->field, field, sizeof at->field);
     return 1;
 }
 
@@ -41,8 +41,7 @@ static int feed_all(invcal_magnetometer *m, samples *log, const waved_wish *wish
             const waved_moment at = {m, log, &s, raw, event};
             wish->listen(&at, wish->who);
         }
-        if (log->has_aside && isfinite(s.aside[0] + s.aside[1] + s.aside[2]) &&
-            !add_pair(out, &s, raw)) {
+        if (event != INVCAL_REFUSED && !add_instant(out, &s, raw)) {
             message("%s: not enough memory for %lu samples", log->table.name, out->samples);
             more = -1;
             break;
@@ -72,6 +71,19 @@ static int take_cells(const invcal_magnetometer *m, const waved *out, unsigned l
     return failure;
 }
 
+static double find_sample_rms(const waved *log)
+{
+    double squares = 0;
+
+    for (unsigned long n = 0; n < log->instants; n++) {
+        double v[3];
+        invcal_apply(&log->calibration, log->instant[n].field, v);
+        const double off = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
+        squares += off * off;
+    }
+    return sqrt(squares / (double)log->instants);
+}
+
 static int read_log(samples *log, positions *p, const waved_wish *wish, waved *out)
 {
     invcal_magnetometer m;
@@ -88,8 +100,11 @@ static int read_log(samples *log, positions *p, const waved_wish *wish, waved *o
     samples_close(log);
     p->bytes = log->table.bytes;
     p->crc = log->table.crc;
-    return failure || out->status != INVCAL_OK ? failure
-                                               : take_cells(&m, out, log->table.first_line, p);
+    if (failure || out->status != INVCAL_OK) {
+        return failure;
+    }
+    out->sample_rms = find_sample_rms(out);
+    return take_cells(&m, out, log->table.first_line, p);
 }
 
 int waved_read(positions *p, const waved_wish *wish, waved *out)
@@ -108,6 +123,6 @@ int waved_read(positions *p, const waved_wish *wish, waved *out)
 
 void waved_free(waved *log)
 {
-    free(log->pair);
-    log->pair = NULL;
+    free(log->instant);
+    log->instant = NULL;
 }

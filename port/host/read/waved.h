@@ -9,11 +9,11 @@
 #include "read/positions.h"
 #include "read/samples.h"
 
-/* The readings of accelerometer and magnetometer at an instant, input units. */
+/* The readings at an instant, input units. */
 typedef struct {
-    double up[3];
+    double up[3]; /* of the accelerometer, NaN if there is none */
     double field[3];
-} waved_pair;
+} waved_instant;
 
 typedef struct {
     unsigned long samples;
@@ -24,10 +24,11 @@ typedef struct {
     invcal_calibration calibration; /* of input units, over the field */
     invcal_quality quality;
     invcal_magnetometer_found found; /* the field in the unit of nominal */
-    double next[3];      /* direction of the case that should point along the field next */
-    waved_pair *pair;    /* if there is an accelerometer, else null; */
-    unsigned long pairs; /* their number, */
-    unsigned long room;  /* and the number that memory holds */
+    double sample_rms;      /* of the lengths of all accepted samples, calibrated, less 1 */
+    double next[3];         /* direction of the case that should point along the field next */
+    waved_instant *instant; /* of each accepted sample; */
+    unsigned long instants; /* their number, */
+    unsigned long room;     /* and the number that memory holds */
 } waved;
 
 /* What a listener learns of each sample. */

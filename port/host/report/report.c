@@ -323,6 +323,7 @@ static void write_waved(page *p, const waved *m)
               "%lu, %lu left out, in %u of %u direction cells; correlated: %.0f count as one",
               m->samples, (unsigned long)m->found.left_out, m->found.covered, INVCAL_CELLS,
               m->found.alike > 1 ? m->found.alike : 1);
+    page_fact(p, "lengths", "differ by %.3g %% rms after calibration", 100 * m->sample_rms);
     if (m->found.disturbance != INVCAL_UNDISTURBED) {
         page_fact(p, "disturbed", "%s",
                   invcal_disturbance_text((invcal_disturbance)m->found.disturbance));

@@ -170,6 +170,8 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
     if (r->magnetometer) {
         wrapped_printf(file, LABEL, "         max  %s, of the means of cells",
                        residual_text(r, q->max, text));
+        fprintf(file, "  of samples  %s rms\n",
+                residual_text(r, r->magnetometer->sample_rms, text));
     } else {
         wrapped_printf(file, LABEL, "         max  %s, at position %u (line %lu)",
                        residual_text(r, q->max, text), q->worst + 1,

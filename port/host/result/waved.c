@@ -148,7 +148,7 @@ void calibrate_waved_json(json_writer *w, const calibrate_result *result)
     json_number(w, "covered", f->covered);
     json_number(w, "gap", f->gap);
     json_vector(w, "next", result->magnetometer->next);
-    json_number(w, "sample_rms", f->rms);
+    json_number(w, "sample_rms", result->magnetometer->sample_rms);
     json_number(w, "alike", f->alike);
     json_text(w, "disturbance", names[f->disturbance]);
     if (result->dip.answer != DIP_NO_ACCELEROMETER) {
