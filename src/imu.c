@@ -9,8 +9,7 @@
 #include "solve.h"
 #include "sums.h"
 
-#define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-18) : INVCAL_REAL(1e-11)) /* squared: converged */
-#define LAST_STEP INVCAL_REAL(1e-8)      /* the same after all passes */
+#define LAST_STEP INVCAL_REAL(1e-8)      /* squared: converged */
 #define FAR_APART INVCAL_REAL(12.5)      /* 5 sigma, squared, over the variance of two angles */
 #define ABSURD_TURN INVCAL_REAL(0.01)    /* residuals of 0.1 rad, squared */
 #define SAME_UP INVCAL_REAL(0.9962)      /* cosine of 5 degrees */
@@ -21,6 +20,7 @@
 #define NOISE_OF_MEAN INVCAL_REAL(3e-4)  /* of a mean, if nothing is known */
 #define IMU_RIDGE INVCAL_REAL(6e-6)      /* of the trace: open is what only it determines */
 #define HELD_BY_RIDGE INVCAL_REAL(0.1)   /* a share */
+#define STATED_ROWS INVCAL_REAL(4.0)     /* residuals that a stated noise counts as */
 #define LITTLE INVCAL_REAL(0.01)         /* of a residual: with 0 rounding would count */
 #define MUCH INVCAL_REAL(2.0)            /* times the stated variance: something is wrong */
 
@@ -28,12 +28,12 @@ enum {
     IMU_ALL = INVCAL_IMU_PARAMETERS,
     IMU_GYRO = INVCAL_GYRO_PARAMETERS,
     PASSES = 6,
+    WEIGHINGS = 3,  /* updates of the variances, in passes 2, 3 and 4 */
     SETTLED = 2,    /* passes after which residuals are those of noise */
     MOST_APART = 3, /* moves left out */
     LEAST_MOVES = 6,
     BIAS = 5,         /* unknowns of a bias: three of up, time, constant */
     LEAST_RESTS = 12, /* for them */
-    STATED_ROWS = 4,  /* residuals that a stated noise counts as */
     SERIES_OF_TURN = INVCAL_DOUBLE ? 9 : 5
 };
 
@@ -438,41 +438,39 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
     return invcal_behind(&before, &w->out->accelerometer);
 }
 
-/* Updates the variance of a kind by its residuals; a stated one counts as some of them. */
-static void weigh_rows(invcal_imu_work *w, const invcal_imu_rows *rows, int is_stated,
-                       invcal_real *variance)
+/* The variance of a kind by its residuals; the expected one counts as `stated` of them. */
+static void weigh_rows(const invcal_imu_work *w, const invcal_imu_rows *rows, invcal_real stated,
+                       invcal_real expected, invcal_real *variance)
 {
-    const invcal_real stated = is_stated ? (invcal_real)STATED_ROWS : LITTLE;
     const invcal_real dof =
         invcal_number(rows->rows * (w->pass.rows - w->n)) / invcal_number(w->pass.rows);
 
     if (dof + stated >= 1) {
-        const invcal_real times = (stated + rows->squares) / (stated + dof);
-        *variance *= times;
-        if (is_stated && times > MUCH && w->is_told) {
-            w->out->verdict = INVCAL_ROUGH;
-        }
+        *variance = (stated * expected + rows->squares * *variance) / (stated + dof);
     }
 }
 
-/* Updates the variances once; before that, leaves out a move that is far from the others. */
-static void adapt(invcal_imu_work *w)
+/* Leaves out a move that is far from the others; or updates the variances, several times: weighed wrongly, each
+ * kind disturbs the residuals of the other. Returns whether there was anything to do. */
+static int adapt(invcal_imu_work *w)
 {
     const unsigned moves = w->pass.moved.rows / 2;
     const invcal_real others = w->pass.moved.squares - w->pass.worst_square;
 
-    if (w->is_disturbed) {
-        w->is_disturbed = 0; /* that step still contained the one left out */
-    } else if (moves > LEAST_MOVES && w->apart < MOST_APART &&
-               w->pass.worst_square * invcal_number(moves - 1) > FAR_APART * others) {
+    if (moves > LEAST_MOVES && w->apart < MOST_APART &&
+        w->pass.worst_square * invcal_number(moves - 1) > FAR_APART * others) {
         w->out->left_out |= (uint32_t)1 << w->out->worst;
         w->apart++;
-        w->is_disturbed = 1;
-    } else if (!w->is_weighed) {
-        w->is_weighed = 1;
-        weigh_rows(w, &w->pass.rests, w->settings->noise > 0, &w->rest_variance);
-        weigh_rows(w, &w->pass.moved, 1, &w->move_variance);
-    } /* cppcheck-suppress misra-c2012-15.7 ; both is done */
+        return 1;
+    }
+    if (w->weighed < WEIGHINGS) {
+        w->weighed++;
+        weigh_rows(w, &w->pass.rests, w->settings->noise > 0 ? STATED_ROWS : LITTLE,
+                   w->noise * w->noise, &w->rest_variance);
+        weigh_rows(w, &w->pass.moved, STATED_ROWS, 1, &w->move_variance);
+        return 1;
+    }
+    return 0;
 }
 
 /* Of Gauss-Newton. */
@@ -486,8 +484,8 @@ static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
         status = INVCAL_TOO_FEW;
     }
     if (status == INVCAL_OK) {
-        if (w->out->passes >= SETTLED) {
-            adapt(w);
+        if (w->out->passes >= SETTLED && adapt(w)) {
+            (void)invcal_imu_sum(w); /* it was accepted before */
         }
         status = invcal_factor(w->pass.sum, w->n, w->n + 1, INVCAL_FLOOR);
     }
@@ -501,15 +499,12 @@ static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
 static invcal_status iterate(invcal_imu_work *w)
 {
     invcal_real size = 1;
-    int is_done = 0;
 
-    while (!is_done && w->out->passes < PASSES + 2 * w->apart) { /* at most 12 */
-        const int is_weighed = w->is_weighed;
+    while (w->out->passes < PASSES + w->apart) { /* at most 9 */
         const invcal_status status = make_pass(w, &size);
         if (status != INVCAL_OK) { /* after the first pass: it has diverged */
             return w->out->passes > 0 ? INVCAL_MOUNTING : status;
         }
-        is_done = is_weighed && size < STEP;
         w->out->passes++;
     }
     return w->pass.residuals < ABSURD_TURN * invcal_number(w->pass.moved.rows) && size < LAST_STEP
@@ -561,11 +556,14 @@ static void deliver(invcal_imu_work *w)
     out->move_max = INVCAL_SQRT(w->pass.worst_residual);
     out->moves = (uint8_t)(w->pass.moved.rows / 2);
     out->dof = (uint16_t)(w->pass.rows - w->n);
+    const invcal_real stated = w->settings->noise > 0 ? w->noise * w->noise : INVCAL_REAL_MAX;
     if (out->open != 0) {
         out->verdict = INVCAL_WEAK;
-    } else if (out->verdict == INVCAL_GOOD && out->dof == 0) {
+    } else if (w->is_told && (w->rest_variance > MUCH * stated || w->move_variance > MUCH)) {
+        out->verdict = INVCAL_ROUGH;
+    } else if (out->dof == 0) {
         out->verdict = INVCAL_NO_REDUNDANCY;
-    } /* cppcheck-suppress misra-c2012-15.7 ; good or rough */
+    } /* cppcheck-suppress misra-c2012-15.7 ; good */
 }
 
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,

@@ -24,7 +24,8 @@ typedef struct {
     unsigned n;        /* unknowns: 18, 9, or none for the residuals alone */
     unsigned begin;    /* first rest of moves that has a mean */
     unsigned apart;    /* moves left out */
-    int is_weighed, is_told, is_disturbed;
+    unsigned weighed;  /* updates of the variances so far */
+    int is_told;
     invcal_real rest_variance; /* over field, squared */
     invcal_real move_variance; /* over the expected one */
     struct {

@@ -91,10 +91,12 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
 {
     invcal_imu_work w;
     invcal_imu out;
-    best_way best = {INVCAL_REAL_MAX, INVCAL_REAL_MAX, 1, {0, 0, 0}};
+    best_way best;
 
     INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && axes && unit);
     invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, NULL, &out);
+    best.squares = best.next = INVCAL_REAL_MAX;
+    best.unit = 1;
     if (status == INVCAL_OK && !find_stuck(moves, best.axes)) {
         w.n = 0;
         status = try_all(&w, &best);

@@ -207,7 +207,7 @@ typedef struct {
     uint16_t dof;      /* degrees of freedom of the residuals */
     uint8_t worst;     /* the rest that the move of move_max led to */
     uint8_t moves;     /* number of moves used */
-    uint8_t passes;    /* number of passes */
+    uint8_t passes;    /* number of Gauss-Newton steps */
     uint8_t verdict;   /* an invcal_verdict: good, no redundancy, rough, weak */
     uint8_t g_is_used; /* a g-sensitivity exceeds 4 sigma: the moves were corrected for it */
 } invcal_imu;
@@ -221,8 +221,9 @@ typedef struct {
  * settings       INVCAL_IMU_USUAL, and what is known better; or null.
  * out            the result; must not contain what accelerometer points to.
  *
- * It takes up to 6 Gauss-Newton passes, and two more for each move that is left out: at most three, whose
- * residual is beyond 5 sigma of the others', if there are more than six moves.
+ * It takes 6 Gauss-Newton steps, and one more for each move that is left out: at most three, whose residual is
+ * beyond 5 sigma of the others', if there are more than six moves. In three of the steps rests and moves are weighed
+ * against each other by their residuals.
  *
  * Returns INVCAL_OK; else out is lost:
  *   INVCAL_BAD_NOMINAL    the accelerometer's;
@@ -230,8 +231,8 @@ typedef struct {
  *   INVCAL_OUT_OF_RANGE   a mean is not a reading of this field;
  *   INVCAL_TOO_FEW        no moves, or fewer equations than unknowns;
  *   INVCAL_UNDETERMINED   out->open names the undetermined parameters;
- *   INVCAL_MOUNTING       residuals of 0.1 rad, or no convergence after 6 passes: call invcal_imu_mounting.
- * Cost: 310,000 instructions per pass for 25 rests and 24 moves, 4 to 5 passes. Stack: about 2,400 bytes. */
+ *   INVCAL_MOUNTING       residuals of 0.1 rad, or no convergence after 6 steps: call invcal_imu_mounting.
+ * Cost: 2,700,000 instructions for 25 rests and 24 moves: 9 summations. Stack: about 2,400 bytes. */
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out);
@@ -244,7 +245,7 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
  * unit   out: 1; or 57.3, if readings are that many times too small: nominal was for degrees.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves do not distinguish the ways, nothing is
- * written. Cost: 96 passes, each a third of one of a solution. Stack: about 2,500 bytes. */
+ * written. Cost: 96 summations, each a third of one of a solution. Stack: about 2,500 bytes. */
 invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
                                   const invcal_calibration *accelerometer,
                                   const invcal_moves *moves, int8_t axes[3], invcal_real *unit);
@@ -416,7 +417,7 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
 /* Begins a plan with the rests and moves measured so far: arguments as for invcal_imu_solve.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW: no rest; and as invcal_imu_solve for its arguments.
- * Cost: a pass of invcal_imu_solve. Stack: about 2,500 bytes. */
+ * Cost: a summation of invcal_imu_solve. Stack: about 2,500 bytes. */
 invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, unsigned count,
                                  const invcal_calibration *accelerometer, const invcal_moves *moves,
                                  const invcal_imu_settings *settings);
