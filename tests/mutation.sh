@@ -34,9 +34,9 @@ suites() { # BUILD: the suites in it
 stop='-O2 -DTEST_SHORT=10 -include stdlib.h
     "-DUNITY_OUTPUT_FLUSH()=if (Unity.CurrentTestFailed) exit(1)"'
 # shellcheck disable=SC2046 # names without blanks
-make -s -j2 BUILD="$build" $(suites "$build") > /dev/null &&
+make -s -j2 BUILD="$out/whole" LONG=1 $(suites "$out/whole") > /dev/null &&
     make -s -j2 BUILD="$out" DEGREE=2 CFLAGS="$(echo "$stop" | tr '\n' ' ')" $(suites "$out") \
         > /dev/null &&
-    exec python3 tests/mutation/run.py "$build" "$sample" "$seed" "$@"
+    exec python3 tests/mutation/run.py "$out" "$sample" "$seed" "$@"
 echo '0 passed, 1 failed'
 exit 1

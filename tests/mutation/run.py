@@ -2,8 +2,8 @@
 """python3 run.py BUILD SAMPLE SEED [FILE...]
 
 Runs the unit tests on SAMPLE mutants of the FILEs (default: all of src/), two at a time, and demands
-that they kill 90 % of them. BUILD has the tests, BUILD/mutation those with TEST_SHORT: mutation.sh
-makes both. A mutant is killed when it makes a suite fail, crash or take forever: the short form of
+that they kill 90 % of them. BUILD has the tests with TEST_SHORT, BUILD/whole those at full length:
+mutation.sh makes both. A mutant is killed when it makes a suite fail, crash or take forever: the short form of
 every suite that links the module, its own and the quick ones first, in float and in double; then, in
 float, the module's own with the sanitizers of `make check`, and its own as a whole.
 One that compiles to the same bytes, or to none, is no mutant and not counted.
@@ -28,7 +28,7 @@ import mutants
 
 CC = os.environ["CC"].split()
 FLAGS = "-std=c99 -ffp-contract=off -O2 -w -Iinclude".split()
-FLAGS_OF = {"short": FLAGS + ["-DINVCAL_THERMAL_DEGREE=2"],  # the same code as in BUILD/mutation
+FLAGS_OF = {"short": FLAGS + ["-DINVCAL_THERMAL_DEGREE=2"],  # the same code as in BUILD
             "own": FLAGS + ["-DINVCAL_THERMAL_DEGREE=2"], "full": FLAGS}
 LEAST = 0.90
 SECONDS = {"short": 5, "own": 5, "full": 60}  # of the processor; suites take 0.2 and 10 at most
@@ -82,7 +82,7 @@ class Workshop:
     """What all mutants need: which suites link which modules, and what they cost."""
 
     def __init__(self, build, folder):
-        self.tests = {"short": build + "/mutation", "own": build + "/mutation", "full": build}
+        self.tests = {"short": build, "own": build, "full": build + "/whole"}
         self.modules, self.cost = {}, {}
         for suite in map(name_of, glob.glob("tests/unit/test_*.c")):
             said = link(self.tests["short"] + "/float", suite, [], folder + "/suite", "-Wl,-M")
