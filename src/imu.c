@@ -9,7 +9,7 @@
 #include "solve.h"
 #include "sums.h"
 
-#define LAST_STEP INVCAL_REAL(1e-8)      /* squared: converged */
+#define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-14) : INVCAL_REAL(1e-11)) /* squared: converged */
 #define FAR_APART INVCAL_REAL(12.5)      /* 5 sigma, squared, over the variance of two angles */
 #define ABSURD_TURN INVCAL_REAL(0.01)    /* residuals of 0.1 rad, squared */
 #define SAME_UP INVCAL_REAL(0.9962)      /* cosine of 5 degrees */
@@ -27,10 +27,10 @@
 enum {
     IMU_ALL = INVCAL_IMU_PARAMETERS,
     IMU_GYRO = INVCAL_GYRO_PARAMETERS,
-    PASSES = 6,
-    WEIGHINGS = 3,  /* updates of the variances, in passes 2, 3 and 4 */
-    SETTLED = 2,    /* passes after which residuals are those of noise */
-    MOST_APART = 3, /* moves left out */
+    LEAST_PASSES = 4, /* two steps, an update of the variances, a step */
+    PASSES = 10,      /* two steps, three times such a pair, two last steps */
+    SETTLED = 2,      /* passes after which residuals are those of noise */
+    MOST_APART = 3,   /* moves left out */
     LEAST_MOVES = 6,
     BIAS = 5,         /* unknowns of a bias: three of up, time, constant */
     LEAST_RESTS = 12, /* for them */
@@ -72,7 +72,7 @@ static void turn_segment(invcal_replay *r, const invcal_real v[3], const invcal_
             const invcal_real p = c[j] + k * a[j] + l * b[j];
             c[j] += (1 - x * l) * a[j] + k * b[j];
             for (unsigned n = 0; n < 3; n++) {
-                r->s[i][3 * j + n] += p * v[n];
+                r->s[j][i][n] += p * v[n];
             }
         }
     }
@@ -105,10 +105,8 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
             f[i] += (th[i] - up[0][i] - up[1][i]) / 2;
         }
         for (unsigned i = 0; i < 3; i++) {
-            v[i] -= time * bias[i];
-            if (w->out->g_is_used) {
-                v[i] -= time * invcal_dot3(w->out->slope[i], f);
-            }
+            const invcal_real felt = w->out->g_is_used ? invcal_dot3(w->out->slope[i], f) : 0;
+            v[i] -= time * (bias[i] + felt);
         }
         invcal_zero(f, sizeof f);
         invcal_unpack(segment->kappa, INVCAL_KAPPA_UNIT, f);
@@ -200,6 +198,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     for (unsigned i = w->begin; i < end; i++) {
         w->bias[i][axis] += share * residual[i];
     }
+    w->felt[axis] = invcal_dot3(p, h); /* of the last rest */
     invcal_invert(a, BIAS);
     tell_slopes(w->out, axis, a, square);
 }
@@ -230,15 +229,15 @@ static void add_row(invcal_imu_work *w, invcal_real h[IMU_ALL + 1], invcal_real 
 /* The length of up in a rest. */
 static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real excess)
 {
-    const invcal_real weight = 1 / w->rest_variance;
+    const invcal_real weight = 1 / w->noise_square;
     invcal_real h[IMU_ALL + 1];
 
     invcal_zero(h, sizeof h);
     memcpy(&h[IMU_GYRO], up, 3 * sizeof *up);
     invcal_products(up, &h[IMU_GYRO]);
-    add_row(w, h, excess, weight);
-    w->pass.rests.squares += weight * excess * excess;
-    w->pass.rests.rows++;
+    add_row(w, h, excess, weight / w->variance[INVCAL_OF_RESTS]);
+    w->pass.squares[INVCAL_OF_RESTS] += weight * excess * excess;
+    w->pass.kind[INVCAL_OF_RESTS]++;
 }
 
 /* The angles of a move perpendicular to up, for each axis: with b its perpendicular part,
@@ -254,8 +253,8 @@ static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a
         for (unsigned i = 0; i < 3; i++) {
             b[i] = (i == k ? 1 : 0) - up[0][k] * up[0][i];
         }
-        for (unsigned i = 0; i < IMU_GYRO; i++) {
-            h[i] = b[0] * r->s[0][i] + b[1] * r->s[1][i] + b[2] * r->s[2][i];
+        for (unsigned i = 0; i < 3; i++) {
+            turn_back(r->s[i], b, &h[3 * i]);
         }
         invcal_cross(up[0], b, g);
         turn_back(r->c, g, &h[IMU_GYRO]);
@@ -276,6 +275,7 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     const invcal_imu_settings *s = w->settings;
     const invcal_still *at = &w->moves->rest[rest];
     const invcal_real density = s->rate_noise * s->rate_noise;
+    const invcal_real wander = INVCAL_REAL(2.25) * s->instability * s->instability;
     invcal_replay r;
     invcal_real bias[3];
     invcal_real a[3];
@@ -294,15 +294,13 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     }
     invcal_cross(a, up[0], y);
     lengthen(y, 3 / (2 + invcal_dot3(a, up[0])));
+    const invcal_real time_square = r.time * r.time;
     const invcal_real variance =
-        w->move_variance *
-        (2 * w->noise * w->noise +
-         r.time * (density +
-                   r.time * (density / 2 + INVCAL_REAL(2.25) * s->instability * s->instability)));
+        2 * w->noise_square + density * (r.time + time_square / 2) + wander * time_square;
     const invcal_real square = invcal_dot3(y, y);
-    add_angles(w, &r, a, up, y, 1 / variance);
-    w->pass.moved.squares += square / variance;
-    w->pass.moved.rows += 2;
+    add_angles(w, &r, a, up, y, 1 / (variance * w->variance[INVCAL_OF_MOVES]));
+    w->pass.squares[INVCAL_OF_MOVES] += square / variance;
+    w->pass.kind[INVCAL_OF_MOVES] += 2;
     w->pass.variances += 2 * variance;
     w->pass.residuals += square;
     if (!(square / variance <= w->pass.worst_square)) {
@@ -360,7 +358,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
         }
         first += segments;
     }
-    w->pass.rows = w->pass.rests.rows + w->pass.moved.rows;
+    w->pass.rows = w->pass.kind[INVCAL_OF_RESTS] + w->pass.kind[INVCAL_OF_MOVES];
     add_prior(w);
     return INVCAL_OK;
 }
@@ -374,7 +372,7 @@ invcal_status invcal_imu_settings_check(const invcal_imu_settings *s)
         return INVCAL_BAD_NOISE;
     }
     for (unsigned i = 0; s->prior && i < IMU_ALL; i++) {
-        if (!(s->prior[i] >= 0 && s->prior[i] <= INVCAL_REAL_MAX)) {
+        if (!(s->prior[i] >= 0)) {
             return INVCAL_BAD_PRIOR;
         }
     }
@@ -399,12 +397,12 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     for (unsigned i = 0; i < IMU_GYRO; i += 4) {
         out->parameter[i] = 1;
     }
-    w->noise = s->noise > 0 ? s->noise : NOISE_OF_MEAN;
+    w->noise_square = s->noise > 0 ? s->noise * s->noise : NOISE_OF_MEAN * NOISE_OF_MEAN;
     w->n = s->held ? IMU_GYRO : IMU_ALL;
     w->begin = moves->count - both;
     w->raw = raw + 3 * (size_t)(count - both);
-    w->rest_variance = w->noise * w->noise;
-    w->move_variance = 1;
+    w->variance[INVCAL_OF_RESTS] = 1;
+    w->variance[INVCAL_OF_MOVES] = 1;
     for (unsigned i = 0; i < moves->count; i++) {
         invcal_unpack(moves->rest[i].bias, INVCAL_KAPPA_UNIT, w->bias[i]);
     }
@@ -438,57 +436,56 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
     return invcal_behind(&before, &w->out->accelerometer);
 }
 
-/* The variance of a kind by its residuals; the expected one counts as `stated` of them. */
-static void weigh_rows(const invcal_imu_work *w, const invcal_imu_rows *rows, invcal_real stated,
-                       invcal_real expected, invcal_real *variance)
+/* The variances by the residuals of each kind; the expected one counts as some of them. */
+static void weigh(invcal_imu_work *w)
 {
-    const invcal_real dof =
-        invcal_number(rows->rows * (w->pass.rows - w->n)) / invcal_number(w->pass.rows);
-
-    if (dof + stated >= 1) {
-        *variance = (stated * expected + rows->squares * *variance) / (stated + dof);
+    for (unsigned k = 0; k < INVCAL_KINDS; k++) {
+        const invcal_real stated =
+            k == INVCAL_OF_MOVES || w->settings->noise > 0 ? STATED_ROWS : LITTLE;
+        const invcal_real dof =
+            invcal_number(w->pass.kind[k] * (w->pass.rows - w->n)) / invcal_number(w->pass.rows);
+        if (dof + stated >= 1) {
+            w->variance[k] = (stated + w->pass.squares[k]) / (stated + dof);
+        }
     }
 }
 
-/* Leaves out a move that is far from the others; or updates the variances, several times: weighed wrongly, each
- * kind disturbs the residuals of the other. Returns whether there was anything to do. */
+/* Leaves out a move that is far from the others; or updates the variances, more than once: weighed wrongly, each
+ * kind disturbs the residuals of the other. A step comes between. Returns 0 if there is nothing to change. */
 static int adapt(invcal_imu_work *w)
 {
-    const unsigned moves = w->pass.moved.rows / 2;
-    const invcal_real others = w->pass.moved.squares - w->pass.worst_square;
+    const unsigned moves = w->pass.kind[INVCAL_OF_MOVES] / 2;
+    const invcal_real others = w->pass.squares[INVCAL_OF_MOVES] - w->pass.worst_square;
 
+    w->is_adapted =
+        !w->is_adapted && w->out->passes >= SETTLED && w->out->passes < PASSES - 3 + 2 * w->apart;
+    if (!w->is_adapted) {
+        return 0;
+    }
     if (moves > LEAST_MOVES && w->apart < MOST_APART &&
         w->pass.worst_square * invcal_number(moves - 1) > FAR_APART * others) {
         w->out->left_out |= (uint32_t)1 << w->out->worst;
         w->apart++;
-        return 1;
+    } else {
+        weigh(w);
     }
-    if (w->weighed < WEIGHINGS) {
-        w->weighed++;
-        weigh_rows(w, &w->pass.rests, w->settings->noise > 0 ? STATED_ROWS : LITTLE,
-                   w->noise * w->noise, &w->rest_variance);
-        weigh_rows(w, &w->pass.moved, STATED_ROWS, 1, &w->move_variance);
-        return 1;
-    }
-    return 0;
+    return 1;
 }
 
-/* Of Gauss-Newton. */
+/* Of Gauss-Newton: sums all equations; then takes a step, unless the equations are to be changed first. */
 static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
 {
     if (w->out->passes == 1) {
         find_bias(w);
     }
     invcal_status status = invcal_imu_sum(w);
-    if (status == INVCAL_OK && (w->pass.moved.rows == 0 || w->pass.rows < w->n)) {
+    if (status == INVCAL_OK && (w->pass.kind[INVCAL_OF_MOVES] == 0 || w->pass.rows < w->n)) {
         status = INVCAL_TOO_FEW;
     }
-    if (status == INVCAL_OK) {
-        if (w->out->passes >= SETTLED && adapt(w)) {
-            (void)invcal_imu_sum(w); /* it was accepted before */
-        }
-        status = invcal_factor(w->pass.sum, w->n, w->n + 1, INVCAL_FLOOR);
+    if (status != INVCAL_OK || adapt(w)) {
+        return status;
     }
+    status = invcal_factor(w->pass.sum, w->n, w->n + 1, INVCAL_FLOOR);
     if (status == INVCAL_OK) {
         invcal_back_substitute(w->pass.sum, w->n);
         status = take_step(w, size);
@@ -498,18 +495,21 @@ static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
 
 static invcal_status iterate(invcal_imu_work *w)
 {
+    unsigned most = PASSES;
     invcal_real size = 1;
 
-    while (w->out->passes < PASSES + w->apart) { /* at most 9 */
+    while (w->out->passes < most + 2 * w->apart) { /* at most 16 */
         const invcal_status status = make_pass(w, &size);
         if (status != INVCAL_OK) { /* after the first pass: it has diverged */
             return w->out->passes > 0 ? INVCAL_MOUNTING : status;
         }
+        if (size < STEP) {
+            most = LEAST_PASSES;
+        }
         w->out->passes++;
     }
-    return w->pass.residuals < ABSURD_TURN * invcal_number(w->pass.moved.rows) && size < LAST_STEP
-               ? INVCAL_OK
-               : INVCAL_MOUNTING;
+    w->pass.residuals /= invcal_number(w->pass.kind[INVCAL_OF_MOVES]);
+    return w->pass.residuals < ABSURD_TURN && most < PASSES ? INVCAL_OK : INVCAL_MOUNTING;
 }
 
 /* sigma; parameters with a larger K than `most` are open. Returns the largest K. */
@@ -541,25 +541,26 @@ static void name_open(invcal_imu_work *w)
     (void)judge_imu(w, HELD_BY_RIDGE / ridge);
 }
 
-/* The bias is that of the last rest. */
+/* The bias is that of the last rest; without the effect of acceleration there, if the moves were corrected for it. */
 static void deliver(invcal_imu_work *w)
 {
     invcal_imu *out = w->out;
     const invcal_moves *m = w->moves;
+    const invcal_real *last = w->bias[m->count - 1u];
 
-    memcpy(out->gyro.offset, m->bias, sizeof m->bias);
-    invcal_unpack(m->rest[m->count - 1].bias, INVCAL_KAPPA_UNIT, out->gyro.offset);
+    for (unsigned i = 0; i < 3; i++) {
+        out->gyro.offset[i] = m->bias[i] + last[i] - (out->g_is_used ? w->felt[i] : 0);
+    }
     memcpy(out->gyro.matrix, w->out->parameter, sizeof out->gyro.matrix);
     (void)invcal_behind(&m->nominal, &out->gyro);
-    out->noise = INVCAL_SQRT(w->rest_variance);
-    out->move_rms = INVCAL_SQRT(w->pass.residuals / invcal_number(w->pass.moved.rows));
+    out->move_rms = INVCAL_SQRT(w->pass.residuals);
     out->move_max = INVCAL_SQRT(w->pass.worst_residual);
-    out->moves = (uint8_t)(w->pass.moved.rows / 2);
+    out->moves = (uint8_t)(w->pass.kind[INVCAL_OF_MOVES] / 2);
     out->dof = (uint16_t)(w->pass.rows - w->n);
-    const invcal_real stated = w->settings->noise > 0 ? w->noise * w->noise : INVCAL_REAL_MAX;
     if (out->open != 0) {
         out->verdict = INVCAL_WEAK;
-    } else if (w->is_told && (w->rest_variance > MUCH * stated || w->move_variance > MUCH)) {
+    } else if (w->is_told && (w->variance[INVCAL_OF_MOVES] > MUCH ||
+                              (w->settings->noise > 0 && w->variance[INVCAL_OF_RESTS] > MUCH))) {
         out->verdict = INVCAL_ROUGH;
     } else if (out->dof == 0) {
         out->verdict = INVCAL_NO_REDUNDANCY;
@@ -580,10 +581,14 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
     if (status == INVCAL_UNDETERMINED) {
         name_open(&w);
     } else if (status == INVCAL_OK) {
-        const invcal_real of_moves = w.pass.variances / invcal_number(w.pass.moved.rows);
-        if (!(judge_imu(&w, WEAK_SQUARE * of_moves) <= OPEN_SQUARE * of_moves)) {
+        const invcal_real of_moves = w.variance[INVCAL_OF_MOVES] * w.pass.variances /
+                                     invcal_number(w.pass.kind[INVCAL_OF_MOVES]);
+        const invcal_real of_rests = w.variance[INVCAL_OF_RESTS] * w.noise_square;
+        const invcal_real of_either = of_moves > of_rests ? of_moves : of_rests;
+        if (!(judge_imu(&w, WEAK_SQUARE * of_either) <= OPEN_SQUARE * of_either)) {
             return INVCAL_UNDETERMINED;
         }
+        out->noise = INVCAL_SQRT(of_rests);
         out->move_noise = INVCAL_SQRT(of_moves);
         deliver(&w);
     } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to tell */

@@ -8,31 +8,28 @@
 #include "invcal/expert.h"
 #include "invcal/gyro.h"
 
-/* Equations of one kind. */
-typedef struct {
-    invcal_real squares; /* of residuals, over their variances */
-    unsigned rows;
-} invcal_imu_rows;
+/* The two kinds of equations. */
+enum { INVCAL_OF_RESTS, INVCAL_OF_MOVES, INVCAL_KINDS };
 
 /* The data of a pass, and its results. */
 typedef struct {
     const invcal_moves *moves;
     const invcal_real *raw; /* means of the rests from begin on */
     const invcal_imu_settings *settings;
-    invcal_imu *out;   /* accelerometer and parameters so far, left_out, idle, worst */
-    invcal_real noise; /* of a mean, as stated or usual */
-    unsigned n;        /* unknowns: 18, 9, or none for the residuals alone */
-    unsigned begin;    /* first rest of moves that has a mean */
-    unsigned apart;    /* moves left out */
-    unsigned weighed;  /* updates of the variances so far */
-    int is_told;
-    invcal_real rest_variance; /* over field, squared */
-    invcal_real move_variance; /* over the expected one */
+    invcal_imu *out;          /* accelerometer and parameters so far, left_out, idle, worst */
+    invcal_real noise_square; /* of a mean, as stated or usual */
+    unsigned n;               /* unknowns: 18, 9, or none for the residuals alone */
+    unsigned begin;           /* first rest of moves that has a mean */
+    unsigned apart;           /* moves left out */
+    int is_told, is_adapted;
+    invcal_real felt[3];                /* effect of acceleration on the bias of the last rest */
+    invcal_real variance[INVCAL_KINDS]; /* over the expected one */
     struct {
-        invcal_imu_rows rests, moved;
+        unsigned kind[INVCAL_KINDS];              /* rows of each */
+        invcal_real squares[INVCAL_KINDS];        /* of their residuals, over expected variances */
         unsigned rows;                            /* with priors */
-        invcal_real variances, residuals;         /* sums over moves */
-        invcal_real worst_square, worst_residual; /* over its variance; in rad^2 */
+        invcal_real variances, residuals;         /* sums over moves: expected; squares in rad^2 */
+        invcal_real worst_square, worst_residual; /* over its expected variance; in rad^2 */
         invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_IMU_PARAMETERS + 1)];
     } pass;                                /* results */
     invcal_real bias[INVCAL_MAX_MOVES][3]; /* of the rests, as measured or as fitted to all */
@@ -40,9 +37,9 @@ typedef struct {
 
 /* A move, integrated again. */
 typedef struct {
-    invcal_real c[3][3];                      /* from its end to its beginning */
-    invcal_real s[3][INVCAL_GYRO_PARAMETERS]; /* derivative of its rotation by E */
-    invcal_real time, angle;                  /* seconds; squares of its segments, rad^2 */
+    invcal_real c[3][3];     /* from its end to its beginning */
+    invcal_real s[3][3][3];  /* derivative of its rotation by E, for each row of E */
+    invcal_real time, angle; /* seconds; squares of its segments, rad^2 */
 } invcal_replay;
 
 /* bias, rad/s, of the move; up: before and after it. */

@@ -77,7 +77,7 @@ static invcal_status try_all(invcal_imu_work *w, best_way *best)
         if (status != INVCAL_OK) {
             return status;
         }
-        if (w->pass.moved.rows / 2 < LEAST_TURNS) {
+        if (w->pass.kind[INVCAL_OF_MOVES] / 2 < LEAST_TURNS) {
             return INVCAL_TOO_FEW;
         }
         compare(best, axes, unit, w->pass.residuals);

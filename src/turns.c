@@ -291,7 +291,7 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
     if (status == INVCAL_OK) {
         begin_turns(turns, w.settings);
         for (unsigned i = 0; i < SIZE; i++) { /* more than 9 unknowns need, which does no harm */
-            turns->sum[i] = w.noise * w.noise * w.pass.sum[i];
+            turns->sum[i] = w.noise_square * w.pass.sum[i];
         }
         invcal_apply(accelerometer, &w.raw[3 * (size_t)last], turns->up);
         scale(turns->up, 1 / INVCAL_SQRT(invcal_dot3(turns->up, turns->up)));

@@ -174,11 +174,12 @@ enum { INVCAL_GYRO_PARAMETERS = 9, INVCAL_IMU_PARAMETERS = 18 };
 
 /* Prior knowledge. */
 typedef struct {
-    uint8_t held;             /* 1: the accelerometer is calibrated, only the gyroscope is solved */
-    invcal_real noise;        /* standard deviation of a position mean, over field; 0: unknown */
-    invcal_real rate_noise;   /* noise density, rad/s/sqrt(Hz) */
-    invcal_real instability;  /* of the bias, rad/s */
-    const invcal_real *prior; /* 18 standard deviations from nominal, 0: unknown; or null */
+    uint8_t held;            /* 1: the accelerometer is calibrated, only the gyroscope is solved */
+    invcal_real noise;       /* standard deviation of a position mean, over field; 0: unknown */
+    invcal_real rate_noise;  /* noise density, rad/s/sqrt(Hz) */
+    invcal_real instability; /* of the bias, rad/s */
+    const invcal_real
+        *prior; /* 18 standard deviations from nominal, 0 or infinite: unknown; or null */
 } invcal_imu_settings;
 
 /* If nothing is known: a consumer gyroscope, 0.005 degrees/s/sqrt(Hz) and 20 degrees/h. */
@@ -186,14 +187,15 @@ typedef struct {
 
 /* The result. */
 typedef struct {
-    /* raw counts to rad/s, in the axes of the accelerometer; its offset is the bias of the last rest */
+    /* raw counts to rad/s, in the axes of the accelerometer; its offset is the bias of the last rest, without the
+     * effect of acceleration if g_is_used */
     invcal_calibration gyro;
     invcal_calibration accelerometer; /* raw counts to field; as passed if it is held */
     /* M of the gyroscope by rows, true rate = M nominal rate; then the nine of the accelerometer in the
      * order of invcal.h, to first order: invcal_deviation gives them exactly */
     invcal_real parameter[INVCAL_IMU_PARAMETERS];
     invcal_real sigma[INVCAL_IMU_PARAMETERS]; /* standard deviations; 0 for what is held */
-    /* Of the bias, axis by axis: g-sensitivity, rad/s per field along x, y, z; and its drift from the first
+    /* Of the bias, axis by axis, at the nominal rate: g-sensitivity, rad/s per field along x, y, z; and its drift from the first
      * rest to the last, rad/s. They are 0 with fewer than 12 rests. */
     invcal_real slope[3][4];
     invcal_real slope_sigma[3][4]; /* standard deviations; 0 with fewer than 12 rests */
@@ -203,11 +205,12 @@ typedef struct {
     invcal_real move_max;          /* the largest, both axes together, rad */
     uint32_t left_out; /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
     uint32_t idle;     /* bit i: it did not turn: INVCAL_REST_SAME */
-    uint32_t open;     /* bit r: parameter r is undetermined; or weak: sigma above 2.5 move_noise */
+    uint32_t
+        open; /* bit r: parameter r is undetermined; or weak: sigma above 2.5 noise and 2.5 move_noise */
     uint16_t dof;      /* degrees of freedom of the residuals */
     uint8_t worst;     /* the rest that the move of move_max led to */
     uint8_t moves;     /* number of moves used */
-    uint8_t passes;    /* number of Gauss-Newton steps */
+    uint8_t passes;    /* number of passes */
     uint8_t verdict;   /* an invcal_verdict: good, no redundancy, rough, weak */
     uint8_t g_is_used; /* a g-sensitivity exceeds 4 sigma: the moves were corrected for it */
 } invcal_imu;
@@ -221,9 +224,9 @@ typedef struct {
  * settings       INVCAL_IMU_USUAL, and what is known better; or null.
  * out            the result; must not contain what accelerometer points to.
  *
- * It takes 6 Gauss-Newton steps, and one more for each move that is left out: at most three, whose residual is
- * beyond 5 sigma of the others', if there are more than six moves. In three of the steps rests and moves are weighed
- * against each other by their residuals.
+ * It takes 4 to 10 Gauss-Newton passes, and two more for each move that is left out: at most three, whose residual
+ * is beyond 5 sigma of the others', if there are more than six moves. In up to three of them rests and moves are
+ * weighed against each other by their residuals.
  *
  * Returns INVCAL_OK; else out is lost:
  *   INVCAL_BAD_NOMINAL    the accelerometer's;
@@ -231,8 +234,8 @@ typedef struct {
  *   INVCAL_OUT_OF_RANGE   a mean is not a reading of this field;
  *   INVCAL_TOO_FEW        no moves, or fewer equations than unknowns;
  *   INVCAL_UNDETERMINED   out->open names the undetermined parameters;
- *   INVCAL_MOUNTING       residuals of 0.1 rad, or no convergence after 6 steps: call invcal_imu_mounting.
- * Cost: 2,700,000 instructions for 25 rests and 24 moves: 9 summations. Stack: about 2,400 bytes. */
+ *   INVCAL_MOUNTING       residuals of 0.1 rad, or no convergence: call invcal_imu_mounting.
+ * Cost: 300,000 instructions per pass for 25 rests and 24 moves. Stack: about 2,400 bytes. */
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out);
@@ -245,7 +248,7 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
  * unit   out: 1; or 57.3, if readings are that many times too small: nominal was for degrees.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves do not distinguish the ways, nothing is
- * written. Cost: 96 summations, each a third of one of a solution. Stack: about 2,500 bytes. */
+ * written. Cost: 96 passes, each a third of one of a solution. Stack: about 2,500 bytes. */
 invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
                                   const invcal_calibration *accelerometer,
                                   const invcal_moves *moves, int8_t axes[3], invcal_real *unit);
@@ -337,8 +340,7 @@ typedef struct {
     uint16_t dof;                /* degrees of freedom of the residuals */
     uint8_t verdict;             /* of both, an invcal_verdict */
     uint8_t moves;               /* number of moves used */
-    /* 1: from rates subtract slope times the acceleration, less that in the rest whose bias the offset is */
-    uint8_t g_is_used;
+    uint8_t g_is_used;           /* 1: subtract slope times the acceleration from rates */
 } invcal_imu_record;
 
 /* Makes a record from the result of invcal_imu_solve. If the accelerometer was held, put its own record into

@@ -461,7 +461,7 @@ static void bench_gyro(void)
     if (status != INVCAL_OK) {
         board_exit(1);
     }
-    report("imu_pass", count / (imu.passes + 3u)); /* three sum twice, with other weights */
+    report("imu_pass", count / imu.passes);
     report("imu_solve", count);
 }
 

@@ -636,33 +636,24 @@ static void list_moves(gyro_fit *g)
     }
 }
 
-/* What acceleration does to a corrected rate: slope is of the nominal one. The bias of the last rest contains it. */
-static void take_g_off(gyro_fit *g, invcal_calibration *c)
+/* The g-sensitivity of the calibrated rate: the library's is of the nominal one. */
+static void calibrate_g(gyro_fit *g)
 {
-    const double *up = g->rest[g->rests - 1].up;
-    double inverse[3][3];
-
     for (unsigned i = 0; i < 9; i++) {
         const double *m = &g->imu.parameter[3 * (size_t)(i / 3)];
         for (unsigned k = 0; k < 3; k++) {
             g->g[i / 3][i % 3] += m[k] * g->imu.slope[k][i % 3];
         }
     }
-    (void)matrix_inverse(c, inverse); /* near to diagonal */
-    for (unsigned i = 0; i < 9; i++) {
-        const double *row = g->g[i % 3];
-        c->offset[i / 3] -=
-            inverse[i / 3][i % 3] * (row[0] * up[0] + row[1] * up[1] + row[2] * up[2]);
-    }
 }
 
 /* In the raw axes of the gyroscope, per input unit. */
 static void finish(gyro_fit *g, double unit)
 {
-    invcal_calibration c = g->imu.gyro;
+    const invcal_calibration c = g->imu.gyro;
 
     if (g->imu.g_is_used) {
-        take_g_off(g, &c);
+        calibrate_g(g);
     }
     for (unsigned k = 0; k < 3; k++) {
         const unsigned of = (unsigned)abs(g->axes[k]) - 1;
