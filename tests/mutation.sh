@@ -9,7 +9,7 @@ out=$1/mutation
 export CC="${CC:-cc}"
 cd "$(dirname "$0")/.." || exit 1
 
-build=$1 sample=$2 seed=$3
+sample=$2 seed=$3
 shift 3
 case $sample:$seed in *[!0-9:]* | :* | *:)
     echo "SAMPLE and SEED are numbers, not '$sample' and '$seed'" >&2

@@ -55,7 +55,7 @@ static int has_key(const table *t, const char *key)
 }
 
 /* The table of kalibr_bagextractor. Elsewhere alpha is more often an angular acceleration, so that only the whole
- * header tells. */
+ * header says. */
 static int is_of_kalibr(const table *t)
 {
     static const char *const names[] = {"omega_x", "omega_y", "omega_z",
