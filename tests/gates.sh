@@ -94,6 +94,8 @@ plant turn src/turns.c 's/invcal_cross(b, n, g)/invcal_cross(n, b, g)/' \
     'float-turns: .* [1-9][0-9]* failed' unit 'float-turns'
 plant both src/imu_record.c 's/(r->weak | r->accelerometer\.weak) > 0/r->weak > 0/' \
     'float-imu_record: .* [1-9][0-9]* failed' unit 'float-imu_record'
+plant columns port/host/read/columns.c 's/{"gyrorad", "angular/{"angular/' \
+    'PX4 sensor_combined by ulog2csv: .*: FAIL' unit '^input$'
 plant misset port/host/stand/misset.c 's/f_tail(left \/ squares/f_tail(1 - share_of(m, \&p[*which]) \/ squares/' \
     'tool-stand: .* [1-9][0-9]* failed' unit 'tool-stand'
 plant mounting port/host/stand/mounting.c 's/out->scatter \/ 2 \* sqrt/out->scatter * sqrt/' \
