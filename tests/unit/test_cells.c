@@ -125,6 +125,19 @@ static void a_full_cell_keeps_its_mean(void)
     TEST_ASSERT_TRUE(cells->count[0] >= 8192 && other->count[0] == 0 && other->sum[0][0] == 0);
 }
 
+/* 8192 and 8192 fill a cell. */
+static void a_cell_that_a_merge_fills_is_halved(void)
+{
+    for (unsigned n = 0; n < 2; n++) {
+        table[n].count[2] = 8192;
+        table[n].sum[2][1] = n == 0 ? 1000 : 3000;
+    }
+    invcal_cells_merge(&table[0], &table[1]);
+    TEST_ASSERT_EQUAL_UINT(8192, table[0].count[2]);
+    TEST_ASSERT_TRUE(table[0].sum[2][1] == 2000);
+    TEST_ASSERT_EQUAL_UINT(0, table[1].count[2]);
+}
+
 static void expect_gap(double cosine, unsigned cell)
 {
     unsigned worst = 99;
@@ -422,6 +435,7 @@ int main(void)
     RUN_TEST(cells_are_as_large_as_each_other);
     RUN_TEST(moved_rows_are_those_of_moved_readings);
     RUN_SLOW_TEST(a_full_cell_keeps_its_mean);
+    RUN_TEST(a_cell_that_a_merge_fills_is_halved);
     RUN_TEST(what_shows_no_scatter_is_not_weighed);
     RUN_TEST(nine_cells_are_enough);
     RUN_TEST(a_cell_is_a_position_with_the_length_of_its_samples);
