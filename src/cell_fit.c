@@ -44,13 +44,13 @@ static invcal_real nearest_covered(const invcal_cell_tables *tables, unsigned k)
 
 invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst)
 {
-    invcal_real gap = 2;
+    invcal_real gap = nearest_covered(tables, 0);
 
     *worst = 0;
-    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+    for (unsigned k = 1; k < INVCAL_CELLS; k++) {
         const invcal_real nearest = nearest_covered(tables, k);
-        if (nearest < gap || (nearest >= 1 && gap >= 1 &&
-                              invcal_cells_count(tables, k) < invcal_cells_count(tables, *worst))) {
+        if (nearest < gap || /* an empty one has the fewest already */
+            invcal_cells_count(tables, k) < invcal_cells_count(tables, *worst)) {
             gap = nearest;
             *worst = k;
         }
@@ -186,7 +186,7 @@ void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
             expected += power / (invcal_number(count) * invcal_number(q->positions));
         }
     }
-    if (!(q->dof > 0 && power > 0 && seen > 0 && seen < CELLS_SCATTER * expected)) {
+    if (!(q->dof > 0 && seen > 0 && seen < CELLS_SCATTER * expected)) {
         return;
     }
     const invcal_real dof = invcal_number(q->dof);
@@ -201,7 +201,7 @@ void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
 }
 
 /* The row of cell k: (eta, 1, excess length of late samples). Returns its weight, the number of samples that
- * would give the same variance against an exact length; 0 if early or late has none. */
+ * would give the same variance against an exact length; not above 0 if early or late has none. */
 static invcal_real compare_late(const invcal_cell_fit *fit, unsigned k, invcal_real row[5])
 {
     const invcal_cell_tables early = {fit->tables.early, fit->tables.early};
@@ -210,9 +210,6 @@ static invcal_real compare_late(const invcal_cell_fit *fit, unsigned k, invcal_r
     const invcal_real m = invcal_number(late.late->count[k]);
     invcal_real h[INVCAL_PARAMETERS + 1];
 
-    if (!(n > 0 && m > 0)) {
-        return 0;
-    }
     (void)mean_row(&early, k, h);
     const invcal_real before = mean_square(&fit->triad, h, row);
     (void)mean_row(&late, k, h);
@@ -231,7 +228,6 @@ int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power)
     unsigned count = 0;
 
     invcal_zero(a, sizeof a);
-    invcal_zero(row, sizeof row);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         const invcal_real weight = compare_late(fit, k, row);
         if (weight > 0) {

@@ -86,6 +86,16 @@ plant dip src/dip.c 's/(dip->count - DIP_UNKNOWNS)/(dip->count + DIP_UNKNOWNS)/'
     'float-dip: .* [1-9][0-9]* failed' unit 'float-dip'
 plant waved port/host/read/waved.c 's/v\[2\] \* v\[2\]) - 1;/v[2] * v[2]) - 1.1;/' \
     'magnetometer: by how much samples differ: FAIL' unit '^magnetometer$'
+plant move src/moves.c 's/(rho\[i\] - th\[i\]) \/ 12/(th[i] - rho[i]) \/ 12/' \
+    'float-moves: .* [1-9][0-9]* failed' unit 'float-moves$'
+plant joint src/imu.c 's/invcal_cross(b, a, g)/invcal_cross(a, b, g)/' \
+    'float-gyro: .* [1-9][0-9]* failed' unit 'float-gyro$'
+plant turn src/turns.c 's/invcal_cross(b, n, g)/invcal_cross(n, b, g)/' \
+    'float-turns: .* [1-9][0-9]* failed' unit 'float-turns'
+plant both src/imu_record.c 's/(r->weak | r->accelerometer\.weak) > 0/r->weak > 0/' \
+    'float-imu_record: .* [1-9][0-9]* failed' unit 'float-imu_record'
+plant columns port/host/read/columns.c 's/{"gyrorad", "angular/{"angular/' \
+    'PX4 sensor_combined by ulog2csv: .*: FAIL' unit '^input$'
 plant misset port/host/stand/misset.c 's/f_tail(left \/ squares/f_tail(1 - share_of(m, \&p[*which]) \/ squares/' \
     'tool-stand: .* [1-9][0-9]* failed' unit 'tool-stand'
 plant mounting port/host/stand/mounting.c 's/out->scatter \/ 2 \* sqrt/out->scatter * sqrt/' \

@@ -78,6 +78,7 @@ static void a_rotation_of_up_to_90_degrees_comes_back(void)
                                       (double)found[i / 3][i % 3]);
         }
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-5, 1e-7), -sin(down), (double)quality.sine);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-3, 1e-7), 0, (double)quality.scatter);
     }
 }
 

@@ -180,6 +180,24 @@ static void one_way_up_is_refused_and_so_is_its_opposite_or_a_mirror(void)
     }
 }
 
+/* Two faces at an angle t have the squared product (9/4 sin^2 t)^2 of singular values: 0.18 at 25.74 degrees. */
+static void two_faces_may_be_26_degrees_apart(void)
+{
+    static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+    for (int n = 0; n < 2; n++) {
+        const double t = (n == 0 ? 25.5 : 26.0) * 3.14159265358979324 / 180;
+        const double other[3] = {sin(t), 0, cos(t)};
+        invcal_real found[3][3];
+        invcal_frame frame;
+        invcal_frame_init(&frame);
+        add(&frame, same, faces[0], faces[0]);
+        add(&frame, same, other, other);
+        TEST_ASSERT_EQUAL_INT(n == 0 ? INVCAL_UNDETERMINED : INVCAL_OK,
+                              invcal_frame_solve(&frame, found, NULL));
+    }
+}
+
 static void bad_input_leaves_the_sums_as_they_were(void)
 {
     static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -296,6 +314,7 @@ int main(void)
     RUN_TEST(sigma_is_what_the_angles_scatter_by);
     RUN_TEST(the_tilt_of_a_table_cancels_in_pairs);
     RUN_TEST(one_way_up_is_refused_and_so_is_its_opposite_or_a_mirror);
+    RUN_TEST(two_faces_may_be_26_degrees_apart);
     RUN_TEST(bad_input_leaves_the_sums_as_they_were);
     RUN_TEST(a_single_face_is_levelled_the_shortest_way);
     RUN_TEST(any_way_up_is_levelled_the_shortest_way);
