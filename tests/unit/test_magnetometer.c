@@ -1029,7 +1029,7 @@ static void a_step_is_measured_by_what_came_before(void)
         double before;
         double since;
         int is_step;
-    } cases[] = {{0.9, 9, 1}, {1.1, 0.1, 0}, {0, 0.9, 1}, {0, 1.1, 0}, {0, 0, 0}};
+    } cases[] = {{0.95, 9, 1}, {1.05, 0.1, 0}, {0, 0.95, 1}, {0, 1.05, 0}, {0, 0, 0}};
 
     for (unsigned k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         invcal_magnetometer *const m = step_along_x(cases[k].before, cases[k].since);
@@ -1178,6 +1178,56 @@ static void an_empty_edge_leaves_its_axes(void)
                                    1u << angles[k],
                                the.quality.weak);
     }
+}
+
+/* A position lies along the mean of its two readings, and has the root mean square of their calibrated lengths,
+ * whatever is nominal and whatever the calibration. */
+static void a_cell_has_the_length_of_its_calibrated_samples(void)
+{
+    static const invcal_calibration mixed = {{1, 2, 3},
+                                             {{1, INVCAL_REAL(0.2), INVCAL_REAL(-0.1)},
+                                              {INVCAL_REAL(0.1), 1, INVCAL_REAL(0.3)},
+                                              {INVCAL_REAL(-0.2), INVCAL_REAL(0.1), 1}}};
+    static const invcal_calibration c = {{INVCAL_REAL(1.2), INVCAL_REAL(1.9), INVCAL_REAL(3.1)},
+                                         {{INVCAL_REAL(1.1), INVCAL_REAL(0.3), INVCAL_REAL(-0.4)},
+                                          {INVCAL_REAL(-0.2), INVCAL_REAL(0.8), INVCAL_REAL(0.5)},
+                                          {INVCAL_REAL(0.6), INVCAL_REAL(-0.3), INVCAL_REAL(1.3)}}};
+    static const double reading[2][3] = {{2.6, 3.7, 5.1}, {2.5, 3.2, 5.6}};
+    invcal_magnetometer *const m = begin_settled();
+    double square[3] = {0, 0, 0}; /* of each, and of the mean */
+    double mean[3];
+    unsigned found = 0;
+
+    m->work = mixed;
+    for (int n = 0; n < 2; n++) {
+        (void)feed_at(reading[n][0], reading[n][1], reading[n][2]);
+    }
+    for (int j = 0; j < 3; j++) {
+        mean[j] = (reading[0][j] + reading[1][j]) / 2;
+    }
+    for (int n = 0; n < 3; n++) {
+        for (int i = 0; i < 3; i++) {
+            double eta = 0;
+            for (int j = 0; j < 3; j++) {
+                eta += (double)c.matrix[i][j] *
+                       ((n < 2 ? reading[n][j] : mean[j]) - (double)c.offset[j]);
+            }
+            square[n] += eta * eta;
+        }
+    }
+    const double ratio = sqrt((square[0] + square[1]) / 2 / square[2]);
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        invcal_real raw[3];
+        if (invcal_magnetometer_cell(m, &c, k, raw) == 2) {
+            found++;
+            for (int i = 0; i < 3; i++) {
+                const double offset = (double)c.offset[i];
+                TEST_ASSERT_DOUBLE_WITHIN(2e-5, offset + ratio * (mean[i] - offset),
+                                          (double)raw[i]);
+            }
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT(1, found);
 }
 
 /* A cell with one sample is where that was read; one that is read again is not new. */
@@ -1514,6 +1564,7 @@ int main(void)
     RUN_TEST(without_residuals_nothing_is_alike);
     RUN_TEST(sigma_is_over_the_field);
     RUN_TEST(an_empty_edge_leaves_its_axes);
+    RUN_TEST(a_cell_has_the_length_of_its_calibrated_samples);
     RUN_TEST(one_sample_is_a_cell);
     RUN_LONG_TEST(guidance_covers_every_cell);
     RUN_LONG_TEST(any_unit_is_found_or_refused);
