@@ -588,7 +588,8 @@ static void noise_is_no_place(void)
 
 /* ---- from a state that is set ------------------------------------------------------------------- */
 
-enum { FIRST = 1, SECOND = 2, FULL = 16777216 };
+enum { FIRST = 1, SECOND = 2 }; /* solutions */
+#define FULL UINT32_C(16777216)
 enum { FACES = 1, EDGES = 2, ALL = 3 };
 static const double origin[3] = {0, 0, 0};
 
@@ -713,7 +714,7 @@ static void more_than_five_times_the_rms_is_left_out(void)
 /* G = sum eta r. It ends with a sixteenth of all samples, or with 4096. */
 static void blocks_are_a_sixteenth_of_all(void)
 {
-    static const unsigned samples[] = {165, 1000000};
+    static const uint32_t samples[] = {165, 1000000};
     static const unsigned last[] = {10, 4096};
 
     for (unsigned k = 0; k < 2; k++) {
@@ -761,18 +762,18 @@ static void full_counters_stay_in_their_range(void)
 {
     invcal_magnetometer *const m = settle(origin, 1, 10);
 
-    m->samples = 10324440; /* this and 5/8 of it, without the fraction, make 2^24 */
+    m->samples = UINT32_C(10324440); /* this and 5/8 of it, without the fraction, make 2^24 */
     look();
-    TEST_ASSERT_EQUAL_UINT(10324441, m->samples);
-    TEST_ASSERT_EQUAL_UINT(FULL, m->due);
+    TEST_ASSERT_EQUAL_UINT32(UINT32_C(10324441), m->samples);
+    TEST_ASSERT_EQUAL_UINT32(FULL, m->due);
     m->samples = FULL - 1;
     look();
-    TEST_ASSERT_EQUAL_UINT(FULL / 2, m->samples);
-    TEST_ASSERT_EQUAL_UINT(FULL, m->due);
+    TEST_ASSERT_EQUAL_UINT32(FULL / 2, m->samples);
+    TEST_ASSERT_EQUAL_UINT32(FULL, m->due);
     m->left_out = FULL - 1;
     for (int i = 0; i < 2; i++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, feed_at(3, 0, 0));
-        TEST_ASSERT_EQUAL_UINT(FULL, m->left_out);
+        TEST_ASSERT_EQUAL_UINT32(FULL, m->left_out);
     }
 }
 
@@ -841,16 +842,16 @@ static void a_hundredth_moves_the_readings(void)
     for (int sign = -1; sign <= 1; sign += 2) {
         const double near[3] = {0, 0.0095 * sign, 0};
         const double far[3] = {0, 0.0105 * sign, 0};
-        invcal_magnetometer *const m = settle(near, 1, 1000);
+        invcal_magnetometer *const m = settle(near, 1, 100);
         look();
         TEST_ASSERT_TRUE(m->work.offset[1] == 0 && m->unit == 1);
-        (void)settle(far, 1, 1000);
+        (void)settle(far, 1, 100);
         look();
         TEST_ASSERT_DOUBLE_WITHIN(2e-4, far[1], (double)m->work.offset[1]);
-        (void)settle(origin, 1 + 0.0095 * sign, 1000);
+        (void)settle(origin, 1 + 0.0095 * sign, 100);
         look();
         TEST_ASSERT_TRUE(m->work.offset[1] == 0 && m->unit == 1);
-        (void)settle(origin, 1 + 0.0105 * sign, 1000);
+        (void)settle(origin, 1 + 0.0105 * sign, 100);
         look();
         TEST_ASSERT_DOUBLE_WITHIN(2e-4, 1 + 0.0105 * sign, (double)m->unit);
     }
@@ -907,7 +908,7 @@ static void two_cells_more_than_parameters_give_a_first_solution(void)
 /* Early samples whose cells differ by r stay while the mean of n r^2 / P over the cells is at most 1. */
 static void early_samples_stay_if_they_differ_by_chance(void)
 {
-    const unsigned n = 50;
+    const unsigned n = 20;
     const double power = 1e-4;
 
     for (unsigned cell = 0; cell <= INVCAL_CELLS; cell++) { /* at last, all of them */
@@ -921,13 +922,13 @@ static void early_samples_stay_if_they_differ_by_chance(void)
                 }
             }
             m->stage = FIRST;
-            feed_cells(origin, 1, 60, ALL);
-            forget_compared(1980);
+            feed_cells(origin, 1, 25, ALL);
+            forget_compared(810);
             m->blocked = 1000;
             m->products = (invcal_real)(1000 * power);
             look();
             TEST_ASSERT_EQUAL_UINT(SECOND, m->stage);
-            TEST_ASSERT_EQUAL_UINT(1081 + (is_more ? 0 : 900), samples_in(&m->early));
+            TEST_ASSERT_EQUAL_UINT(451 + (is_more ? 0 : 360), samples_in(&m->early));
             TEST_ASSERT_EQUAL_UINT(0, samples_in(&m->late));
         }
     }
@@ -965,8 +966,8 @@ static void late_samples_give_a_solution_of_their_own(void)
     (void)settle(origin, 1, 50);
     m->stage = FIRST;
     m->squares = 1000;
-    feed_cells(centre, 1, 2000, ALL);
-    forget_compared(36900);
+    feed_cells(centre, 1, 100, ALL);
+    forget_compared(2700);
     m->due = m->samples + 1;
     TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(1.05, 0, 0));
     TEST_ASSERT_EQUAL_UINT(SECOND, m->stage);
@@ -975,7 +976,7 @@ static void late_samples_give_a_solution_of_their_own(void)
         const double sphere = i >= INVCAL_DK_X && i <= INVCAL_DK_Z ? 0.5 : 0;
         TEST_ASSERT_DOUBLE_WITHIN(1e-4, sphere, (double)m->p[i]);
     }
-    TEST_ASSERT_EQUAL_UINT(36001, samples_in(&m->early));
+    TEST_ASSERT_EQUAL_UINT(1801, samples_in(&m->early));
 }
 
 /* A solution that a calibration cannot hold is none. */
@@ -1001,7 +1002,7 @@ static void a_solution_out_of_range_is_none(void)
  * Q = w s^2 sum x^2, x^2 being 1 twice in the faces and 1/2 in two of three edges. */
 static invcal_magnetometer *step_along_x(double before, double since)
 {
-    const unsigned n = 1000;
+    const unsigned n = 100;
     const double s = 0.01;
     const double shifted[3] = {s, 0, 0};
     invcal_magnetometer *const m = settle(origin, 1, n);
