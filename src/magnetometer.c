@@ -207,13 +207,11 @@ static void look_at_samples(invcal_magnetometer *m)
     if (is_first || m->stage == SECOND_SOLUTION) {
         invcal_cells_merge(&m->early, &m->late);
     }
-    if (m->blocked + m->in_block > 0) {
-        end_block(m);
-        m->before = power_of(m);
-        m->squares /= 2; /* from an older solution */
-        m->products /= 2;
-        m->blocked /= 2;
-    }
+    end_block(m);
+    m->before = power_of(m);
+    m->squares /= 2; /* from an older solution */
+    m->products /= 2;
+    m->blocked /= 2;
 }
 
 /* ---- samples ------------------------------------------------------------------------------------ */
@@ -281,7 +279,7 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
 static uint8_t degrees_of(invcal_real cosine)
 {
     return cosine > INVCAL_REAL(0.8)    ? 0u
-           : cosine > INVCAL_REAL(0.6)  ? 45u
+           : cosine > WIDE_GAP          ? 45u
            : cosine > INVCAL_REAL(0.25) ? 60u
                                         : 90u;
 }
@@ -321,7 +319,7 @@ static uint16_t parameters_along(unsigned cell)
 
     invcal_cell_direction(cell, along);
     for (unsigned i = 0; i < 3; i++) {
-        if (along[i] * along[i] > INVCAL_REAL(0.25)) {
+        if (INVCAL_FABS(along[i]) > 0) {
             bits |= 1u << (INVCAL_DELTA_X + i) | 1u << (INVCAL_DK_X + i);
             axes++;
             sum += i;

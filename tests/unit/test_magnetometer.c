@@ -586,6 +586,673 @@ static void noise_is_no_place(void)
     TEST_ASSERT_TRUE(the.found.alike < 3);
 }
 
+/* ---- from a state that is set ------------------------------------------------------------------- */
+
+enum { FIRST = 1, SECOND = 2 }; /* solutions */
+#define FULL UINT32_C(16777216)
+enum { FACES = 1, EDGES = 2, ALL = 3 };
+static const double origin[3] = {0, 0, 0};
+
+static invcal_event feed_at(double x, double y, double z)
+{
+    const invcal_real raw[3] = {(invcal_real)x, (invcal_real)y, (invcal_real)z};
+
+    return invcal_magnetometer_feed(&the.magnetometer, raw);
+}
+
+/* Reads the centre of each face, or edge, or of all, n times. */
+static void feed_cells(const double centre[3], double radius, unsigned n, unsigned which)
+{
+    for (int k = 0; k < 27; k++) { /* a cube of 27 points */
+        const int d[3] = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+        const unsigned axes = (unsigned)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        for (unsigned i = 0; i < n && axes > 0 && axes < 3 && (axes & which) != 0; i++) {
+            const double length = radius / sqrt(axes);
+            (void)feed_at(centre[0] + length * d[0], centre[1] + length * d[1],
+                          centre[2] + length * d[2]);
+        }
+    }
+}
+
+/* Begins in the middle: the solution so far is the sphere of radius 1 around 0, everything agrees with it, and no
+ * look is due. */
+static invcal_magnetometer *begin_settled(void)
+{
+    const invcal_calibration nominal = unit_nominal();
+    invcal_magnetometer *const m = &the.magnetometer;
+
+    (void)invcal_magnetometer_init(m, &nominal);
+    m->stage = SECOND;
+    m->samples = 1;
+    m->due = FULL;
+    m->squares = 1000;
+    m->p[INVCAL_DK_X] = m->p[INVCAL_DK_Y] = m->p[INVCAL_DK_Z] = INVCAL_REAL(0.5);
+    return m;
+}
+
+/* As if the samples since then had been compared with nothing, and there had been `samples`. */
+static void forget_compared(unsigned samples)
+{
+    invcal_magnetometer *const m = &the.magnetometer;
+
+    m->squares = m->products = m->before = 0;
+    memset(m->block, 0, sizeof m->block);
+    m->blocked = 0;
+    m->in_block = 0;
+    m->samples = samples;
+}
+
+static void make_early(void)
+{
+    the.magnetometer.early = the.magnetometer.late;
+    memset(&the.magnetometer.late, 0, sizeof the.magnetometer.late);
+}
+
+/* A log of n samples in each cell, of a sphere. */
+static invcal_magnetometer *settle(const double centre[3], double radius, unsigned n)
+{
+    invcal_magnetometer *const m = begin_settled();
+
+    feed_cells(centre, radius, n, ALL);
+    make_early();
+    forget_compared(INVCAL_CELLS * n);
+    return m;
+}
+
+static unsigned samples_in(const invcal_cells *cells)
+{
+    unsigned sum = 0;
+
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        sum += cells->count[k];
+    }
+    return sum;
+}
+
+static void look(void)
+{
+    the.magnetometer.due = the.magnetometer.samples + 1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(0, 0, 1));
+}
+
+static void solve_the(void)
+{
+    the.status =
+        invcal_magnetometer_solve(&the.magnetometer, &the.calibration, &the.quality, &the.found);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
+}
+
+/* At 5 times the root mean square it stays, above it is left out: r = (|v|^2 - 1) / 2 is then 1/2. Before there
+ * are samples that is a tenth of the field, counted as 8. */
+static void more_than_five_times_the_rms_is_left_out(void)
+{
+    static const unsigned compared[] = {0, 92, 392};
+
+    for (unsigned k = 0; k < 3; k++) {
+        invcal_magnetometer *const m = settle(origin, 1, 10);
+        m->blocked = compared[k];
+        m->squares = (invcal_real)(0.01 * compared[k]);
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, feed_at(sqrt(2.03), 0, 0));
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, feed_at(0, 0, -sqrt(2.03)));
+        TEST_ASSERT_EQUAL_UINT(2, m->left_out);
+        TEST_ASSERT_EQUAL_UINT(180, m->samples);
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(0, sqrt(1.98), 0));
+        TEST_ASSERT_EQUAL_UINT(181, m->samples);
+        TEST_ASSERT_EQUAL_UINT(2, m->left_out);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.01 * compared[k] + 0.49 * 0.49, (double)m->squares);
+    }
+    invcal_magnetometer *const m = settle(origin, 1, 10);
+    m->blocked = 92;
+    m->squares = INVCAL_REAL(0.92);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(1, 1, 0)); /* 1/2 of 5 times 1/10 */
+    m->blocked = 392; /* with squares of 4 in all the same limit */
+    m->in_block = 0;
+    m->squares = INVCAL_REAL(3.92);
+    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, feed_at(sqrt(2.03), 0, 0));
+}
+
+/* G = sum eta r. It ends with a sixteenth of all samples, or with 4096. */
+static void blocks_are_a_sixteenth_of_all(void)
+{
+    static const uint32_t samples[] = {165, 1000000};
+    static const unsigned last[] = {10, 4096};
+
+    for (unsigned k = 0; k < 2; k++) {
+        invcal_magnetometer *const m = settle(origin, 1, 10);
+        m->samples = samples[k];
+        m->in_block = (uint16_t)(last[k] - 2);
+        m->squares = 100; /* so that nothing is left out */
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(0.48 * 1.1, 0.6 * 1.1, 0.64 * 1.1));
+        TEST_ASSERT_EQUAL_UINT(last[k] - 1, m->in_block);
+        TEST_ASSERT_EQUAL_UINT(0, m->blocked);
+        const double r = (1.21 - 1) / 2;
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * 0.48 * 1.1, (double)m->block[0]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * 0.6 * 1.1, (double)m->block[1]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * 0.64 * 1.1, (double)m->block[2]);
+        m->samples = samples[k];
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(1, 0, 0));
+        TEST_ASSERT_EQUAL_UINT(0, m->in_block);
+        TEST_ASSERT_EQUAL_UINT(last[k], m->blocked);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * r * 1.21, (double)m->products);
+        TEST_ASSERT_TRUE(m->block[0] == 0 && m->block[1] == 0 && m->block[2] == 0);
+    }
+}
+
+/* At 100 samples, and then each time there are five eighths more. */
+static void looks_come_with_five_eighths_more(void)
+{
+    static const unsigned at[] = {100, 162, 263, 427, 693};
+    const invcal_calibration nominal = unit_nominal();
+    unsigned next = 0;
+
+    (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+    for (unsigned n = 1; n <= 500; n++) {
+        const double z = 1 - (2 * n % 97) / 48.5;
+        const double across = sqrt(1 - z * z);
+        TEST_ASSERT_EQUAL_UINT(at[next], the.magnetometer.due);
+        (void)feed_at(across * cos(2.4 * n), across * sin(2.4 * n), z);
+        next += n == at[next];
+        TEST_ASSERT_EQUAL_UINT(at[next], the.magnetometer.due);
+    }
+    TEST_ASSERT_EQUAL_UINT(SECOND, the.magnetometer.stage);
+}
+
+/* Counters of 24 bits: the samples are halved when the next look would come after 2^24, and no sooner. */
+static void full_counters_stay_in_their_range(void)
+{
+    invcal_magnetometer *const m = settle(origin, 1, 10);
+
+    m->samples = UINT32_C(10324440); /* this and 5/8 of it, without the fraction, make 2^24 */
+    look();
+    TEST_ASSERT_EQUAL_UINT32(UINT32_C(10324441), m->samples);
+    TEST_ASSERT_EQUAL_UINT32(FULL, m->due);
+    m->samples = FULL - 1;
+    look();
+    TEST_ASSERT_EQUAL_UINT32(FULL / 2, m->samples);
+    TEST_ASSERT_EQUAL_UINT32(FULL, m->due);
+    m->left_out = FULL - 1;
+    for (int i = 0; i < 2; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, feed_at(3, 0, 0));
+        TEST_ASSERT_EQUAL_UINT32(FULL, m->left_out);
+    }
+}
+
+/* After a look sums against the older solution count half; P is kept from before that. |(1, 2, 2)|^2 = 9. */
+static void a_look_halves_what_is_against_an_older_solution(void)
+{
+    invcal_magnetometer *const m = settle(origin, 1, 10);
+
+    m->blocked = 128;
+    m->products = 128;
+    m->squares = 4;
+    m->in_block = 3;
+    m->block[0] = 1;
+    m->block[1] = m->block[2] = 2;
+    look();
+    TEST_ASSERT_EQUAL_UINT(0, m->in_block);
+    TEST_ASSERT_EQUAL_UINT((128 + 4) / 2, m->blocked);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 137.0 / 2, (double)m->products);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 137.0 / 132, (double)m->before);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 2, (double)m->squares);
+    TEST_ASSERT_EQUAL_UINT(0, samples_in(&m->late));
+    TEST_ASSERT_EQUAL_UINT(181, samples_in(&m->early));
+}
+
+/* The box: its middle is the centre, half its longest edge the unit. Two points give no solution. */
+static void the_box_gives_centre_and_unit(void)
+{
+    static const double half[3] = {1.2, 1.4, 1};
+    static const double units[] = {1, 1e-12}; /* a calibration does not hold the latter */
+    const invcal_calibration nominal = unit_nominal();
+    const invcal_magnetometer *const m = &the.magnetometer;
+
+    for (unsigned k = 0; k < 2; k++) {
+        (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+        for (int n = 0; n < 100; n++) {
+            const double side = (n % 2 ? 1 : -1) * units[k];
+            (void)feed_at(side * half[0], side * (half[1] + 3), side * (half[2] - 5));
+        }
+        TEST_ASSERT_EQUAL_UINT(0, m->stage);
+        TEST_ASSERT_EQUAL_UINT(162, m->due);
+        if (k == 0) { /* the middle is 0: 4.4 is the longest half */
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, 4.4, (double)m->unit);
+            for (int i = 0; i < 3; i++) {
+                TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0, (double)m->work.offset[i]);
+            }
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1.2 / 4.4, (double)m->p[3]);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, -4 / 4.4, (double)m->p[2]);
+        } else { /* so it stays what it was, from the first sample on */
+            TEST_ASSERT_TRUE(m->unit == 1);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-17, 2.4e-12, (double)m->p[3]);
+        }
+    }
+    (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+    for (int n = 0; n < 100; n++) {
+        const double side = n % 2 ? 1 : -1;
+        (void)feed_at(7 + side * half[0], side * half[1] - 2, side * half[2]);
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1.4, (double)m->unit);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 7, (double)m->work.offset[0]);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, -2, (double)m->work.offset[1]);
+}
+
+/* A centre or a radius that is off by more than 1 % moves the readings. */
+static void a_hundredth_moves_the_readings(void)
+{
+    for (int sign = -1; sign <= 1; sign += 2) {
+        const double near[3] = {0, 0.0095 * sign, 0};
+        const double far[3] = {0, 0.0105 * sign, 0};
+        invcal_magnetometer *const m = settle(near, 1, 100);
+        look();
+        TEST_ASSERT_TRUE(m->work.offset[1] == 0 && m->unit == 1);
+        (void)settle(far, 1, 100);
+        look();
+        TEST_ASSERT_DOUBLE_WITHIN(2e-4, far[1], (double)m->work.offset[1]);
+        (void)settle(origin, 1 + 0.0095 * sign, 100);
+        look();
+        TEST_ASSERT_TRUE(m->work.offset[1] == 0 && m->unit == 1);
+        (void)settle(origin, 1 + 0.0105 * sign, 100);
+        look();
+        TEST_ASSERT_DOUBLE_WITHIN(2e-4, 1 + 0.0105 * sign, (double)m->unit);
+    }
+}
+
+/* Gaps: 45 degrees is not too wide for a solution, 60 is. An edge is 45 degrees from its faces, 60 from other
+ * edges. */
+static void a_wide_gap_gives_no_solution(void)
+{
+    invcal_magnetometer *m = begin_settled();
+
+    feed_cells(origin, 1.05, 10, FACES);
+    (void)feed_at(0.74, 0.74, 0);
+    (void)feed_at(0.74, 0, 0.74);
+    (void)feed_at(0, 0.74, 0.74);
+    forget_compared(63);
+    look();
+    TEST_ASSERT_DOUBLE_WITHIN(0.01, 1.05, (double)m->unit);
+
+    m = settle(origin, 1.05, 10);
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        const double x = (double)m->early.sum[k][0];
+        const double y = (double)m->early.sum[k][1];
+        if (x + y > 9.9 && (double)m->early.sum[k][2] == 0) {
+            memset(m->early.sum[k], 0, sizeof m->early.sum[k]);
+            m->early.count[k] = 0;
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT(150, samples_in(&m->early));
+    look();
+    TEST_ASSERT_TRUE(m->unit == 1);
+    TEST_ASSERT_TRUE(m->p[INVCAL_DK_X] == INVCAL_REAL(0.5));
+}
+
+/* Without a first solution 11 cells with gaps of 45 degrees suffice, two more than the parameters; 10 do not. */
+static void two_cells_more_than_parameters_give_a_first_solution(void)
+{
+    static const double edges[5][3] = {{1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {-1, 1, 0}, {-1, 0, 1}};
+
+    for (unsigned count = 4; count <= 5; count++) {
+        invcal_magnetometer *const m = begin_settled();
+        feed_cells(origin, 1, 10, FACES);
+        for (unsigned i = 0; i < count; i++) {
+            (void)feed_at(edges[i][0] * sqrt(0.5), edges[i][1] * sqrt(0.5),
+                          edges[i][2] * sqrt(0.5));
+        }
+        forget_compared(60 + count);
+        m->stage = FIRST;
+        look();
+        TEST_ASSERT_EQUAL_UINT(count < 5 ? FIRST : SECOND, m->stage);
+    }
+}
+
+/* Early samples whose cells differ by r stay while the mean of n r^2 / P over the cells is at most 1. */
+static void early_samples_stay_if_they_differ_by_chance(void)
+{
+    const unsigned n = 20;
+    const double power = 1e-4;
+
+    for (unsigned cell = 0; cell <= INVCAL_CELLS; cell++) { /* at last, all of them */
+        for (int is_more = 0; is_more < 2; is_more++) {
+            invcal_magnetometer *const m = settle(origin, 1, n);
+            const double sum = INVCAL_CELLS * power * (is_more ? 1.03 : 0.97); /* of n r^2 */
+            for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+                const double r = sqrt(sum / (cell < INVCAL_CELLS ? 1 : INVCAL_CELLS) / n);
+                if (cell == k || cell == INVCAL_CELLS) {
+                    m->early.sum[k][INVCAL_DK_X] += (invcal_real)(2 * n * r);
+                }
+            }
+            m->stage = FIRST;
+            feed_cells(origin, 1, 25, ALL);
+            forget_compared(810);
+            m->blocked = 1000;
+            m->products = (invcal_real)(1000 * power);
+            look();
+            TEST_ASSERT_EQUAL_UINT(SECOND, m->stage);
+            TEST_ASSERT_EQUAL_UINT(451 + (is_more ? 0 : 360), samples_in(&m->early));
+            TEST_ASSERT_EQUAL_UINT(0, samples_in(&m->late));
+        }
+    }
+}
+
+/* One early sample in each cell counts like many. */
+static void single_early_samples_are_compared(void)
+{
+    invcal_magnetometer *const m = settle(origin, 1.1, 1);
+
+    m->stage = FIRST;
+    feed_cells(origin, 1, 60, ALL);
+    forget_compared(1098);
+    m->blocked = 1000;
+    m->products = 1; /* 0.001; n r^2 is 0.011 */
+    look();
+    TEST_ASSERT_EQUAL_UINT(1081, samples_in(&m->early));
+}
+
+/* Before the second solution the late samples are kept apart; with it p is that of the late ones alone, around
+ * their centre. */
+static void late_samples_give_a_solution_of_their_own(void)
+{
+    static const double centre[3] = {0.05, 0, 0};
+    invcal_magnetometer *const m = settle(origin, 1, 50);
+
+    m->stage = FIRST;
+    feed_cells(origin, 1, 10, FACES); /* no edges yet */
+    forget_compared(960);
+    look();
+    TEST_ASSERT_EQUAL_UINT(FIRST, m->stage);
+    TEST_ASSERT_EQUAL_UINT(61, samples_in(&m->late));
+    TEST_ASSERT_EQUAL_UINT(900, samples_in(&m->early));
+
+    (void)settle(origin, 1, 50);
+    m->stage = FIRST;
+    m->squares = 1000;
+    feed_cells(centre, 1, 100, ALL);
+    forget_compared(2700);
+    m->due = m->samples + 1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(1.05, 0, 0));
+    TEST_ASSERT_EQUAL_UINT(SECOND, m->stage);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.05, (double)m->work.offset[0]);
+    for (int i = 0; i < 9; i++) {
+        const double sphere = i >= INVCAL_DK_X && i <= INVCAL_DK_Z ? 0.5 : 0;
+        TEST_ASSERT_DOUBLE_WITHIN(1e-4, sphere, (double)m->p[i]);
+    }
+    TEST_ASSERT_EQUAL_UINT(1801, samples_in(&m->early));
+}
+
+/* A solution that a calibration cannot hold is none. */
+static void a_solution_out_of_range_is_none(void)
+{
+    invcal_magnetometer *const m = begin_settled();
+
+    feed_cells(origin, 0.5, 10, ALL);
+    forget_compared(180);
+    for (int i = 0; i < 3; i++) {
+        m->work.matrix[i][i] = INVCAL_REAL(0.9e10); /* at most 1e10 */
+    }
+    m->stage = FIRST;
+    m->due = 181;
+    (void)feed_at(0.5 / 0.9e10, 0, 0);
+    TEST_ASSERT_EQUAL_UINT(181, m->samples);
+    TEST_ASSERT_EQUAL_UINT(FIRST, m->stage);
+    TEST_ASSERT_TRUE(m->unit == 1);
+    TEST_ASSERT_TRUE(m->p[INVCAL_DK_X] == INVCAL_REAL(0.5));
+}
+
+/* Late samples in nine cells, so that P alone tells, shifted by s along x: with w = n m / (n + m) they explain
+ * Q = w s^2 sum x^2, x^2 being 1 twice in the faces and 1/2 in two of three edges. */
+static invcal_magnetometer *step_along_x(double before, double since)
+{
+    const unsigned n = 100;
+    const double s = 0.01;
+    const double shifted[3] = {s, 0, 0};
+    invcal_magnetometer *const m = settle(origin, 1, n);
+    const double q = n / 2.0 * s * s * (2 + 0.5 + 0.5);
+
+    m->squares = 1000;
+    feed_cells(shifted, 1, n, FACES);
+    for (unsigned i = 0; i < n; i++) {
+        (void)feed_at(s + sqrt(0.5), sqrt(0.5), 0);
+        (void)feed_at(s + sqrt(0.5), 0, sqrt(0.5));
+        (void)feed_at(s, sqrt(0.5), -sqrt(0.5));
+    }
+    forget_compared(27 * n);
+    m->blocked = 1000;
+    m->before = (invcal_real)(before * q / 28);
+    m->products = (invcal_real)(since * q / 28) * 1000;
+    m->squares = m->products;
+    return m;
+}
+
+/* Q / P above 28 is a step. P is that from before the late samples, if there is one. */
+static void a_step_is_measured_by_what_came_before(void)
+{
+    static const struct {
+        double before;
+        double since;
+        int is_step;
+    } cases[] = {{0.95, 9, 1}, {1.05, 0.1, 0}, {0, 0.95, 1}, {0, 1.05, 0}, {0, 0, 0}};
+
+    for (unsigned k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        invcal_magnetometer *const m = step_along_x(cases[k].before, cases[k].since);
+        solve_the();
+        TEST_ASSERT_EQUAL_INT(cases[k].is_step ? INVCAL_STEP : INVCAL_UNDISTURBED,
+                              the.found.disturbance);
+        look();
+        TEST_ASSERT_EQUAL_UINT(cases[k].is_step, m->has_step);
+        look(); /* it is not forgotten */
+        TEST_ASSERT_EQUAL_UINT(cases[k].is_step, m->has_step);
+        solve_the();
+        TEST_ASSERT_EQUAL_INT(cases[k].is_step ? INVCAL_STEP : INVCAL_UNDISTURBED,
+                              the.found.disturbance);
+    }
+}
+
+/* So is one between the early samples and the late ones that replace them. */
+static void a_step_before_the_second_solution_is_seen(void)
+{
+    static const double shifted[3] = {0.05, 0, 0};
+    invcal_magnetometer *const m = settle(origin, 1, 50);
+
+    m->stage = FIRST;
+    m->squares = 1000;
+    feed_cells(shifted, 1, 50, ALL);
+    forget_compared(1800);
+    m->before = INVCAL_REAL(1e-4); /* Q = 25 s^2 6 = 0.375 */
+    look();
+    TEST_ASSERT_EQUAL_UINT(SECOND, m->stage);
+    TEST_ASSERT_EQUAL_UINT(1, m->has_step);
+}
+
+/* What a result says of its samples, at both sides of each limit. */
+static void limits_of_judgement_are_kept(void)
+{
+    static const struct {
+        double rms;
+        double alike;
+        unsigned compared;
+        unsigned left_out;
+        unsigned has_step;
+        invcal_disturbance disturbance;
+        invcal_verdict verdict;
+    } cases[] = {
+        {0.0305, 10.5, 100, 0, 0, INVCAL_PLACES, INVCAL_ROUGH},
+        {0.0295, 10.5, 100, 0, 0, INVCAL_UNDISTURBED, INVCAL_GOOD},
+        {0.0305, 9.5, 100, 0, 0, INVCAL_UNDISTURBED, INVCAL_GOOD},
+        {0.01, 2, 64, 0, 0, INVCAL_UNDISTURBED, INVCAL_GOOD},
+        {0.01, 2, 63, 0, 0, INVCAL_UNDISTURBED, INVCAL_NO_REDUNDANCY},
+        {0.01, 2, 100, 1, 0, INVCAL_PASSING, INVCAL_GOOD},
+        {0.01, 2, 100, 22, 0, INVCAL_PASSING, INVCAL_GOOD}, /* an eighth of 180: 22.5 */
+        {0.01, 2, 100, 23, 0, INVCAL_PASSING, INVCAL_ROUGH},
+        {0.01, 2, 100, 45, 0, INVCAL_PASSING, INVCAL_ROUGH}, /* a quarter: 45 */
+        {0.01, 2, 100, 46, 0, INVCAL_STEP, INVCAL_ROUGH},
+        {0.01, 2, 100, 0, 1, INVCAL_STEP, INVCAL_ROUGH},
+    };
+
+    for (unsigned k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        invcal_magnetometer *const m = settle(origin, 1, 10);
+        const double square = cases[k].rms * cases[k].rms;
+        m->blocked = cases[k].compared;
+        m->squares = (invcal_real)(cases[k].compared * square);
+        m->products = (invcal_real)(cases[k].compared * square * cases[k].alike);
+        m->left_out = cases[k].left_out;
+        m->has_step = (uint8_t)cases[k].has_step;
+        solve_the();
+        TEST_ASSERT_EQUAL_INT(cases[k].disturbance, the.found.disturbance);
+        TEST_ASSERT_EQUAL_INT(cases[k].verdict, the.quality.verdict);
+        TEST_ASSERT_EQUAL_UINT(180, the.found.samples);
+        TEST_ASSERT_EQUAL_UINT(cases[k].left_out, the.found.left_out);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, cases[k].rms, (double)the.found.rms);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-4, cases[k].compared < 64 ? 0 : cases[k].alike,
+                                  (double)the.found.alike);
+    }
+}
+
+/* Samples that were not compared, or do not differ at all, have no rms and are not alike. */
+static void without_residuals_nothing_is_alike(void)
+{
+    static const unsigned compared[] = {0, 1, 100};
+    static const double squares[] = {0, 0.04, 0};
+
+    for (unsigned k = 0; k < 3; k++) {
+        invcal_magnetometer *const m = settle(origin, 1, 10);
+        m->in_block = (uint16_t)(compared[k] % 100);
+        m->blocked = compared[k] - m->in_block;
+        m->squares = (invcal_real)squares[k];
+        solve_the();
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, k == 1 ? 0.2 : 0, (double)the.found.rms);
+        TEST_ASSERT_TRUE(the.found.alike == 0);
+    }
+}
+
+/* Sigma of the offset is over the field: in one twice as strong it is the same. I + S is twice as large there, and
+ * so is its sigma. */
+static void sigma_is_over_the_field(void)
+{
+    invcal_real sigma[INVCAL_PARAMETERS];
+
+    for (unsigned k = 0; k < 2; k++) {
+        const double radius = k ? 2 : 1;
+        invcal_magnetometer *const m = begin_settled();
+        m->squares = 1000000;
+        feed_cells(origin, radius, 10, ALL);
+        feed_cells(origin, radius * 1.02, 5, FACES); /* so that the cells scatter */
+        feed_cells(origin, radius * 0.97, 3, EDGES);
+        (void)feed_at(radius * 0.5, radius * sqrt(0.75), 0);
+        forget_compared(247);
+        solve_the();
+        TEST_ASSERT_DOUBLE_WITHIN(0.05 * radius, radius, (double)the.found.field);
+        TEST_ASSERT_TRUE(m->unit == 1);
+        for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+            TEST_ASSERT_TRUE(the.quality.sigma[i] > INVCAL_REAL(1e-5));
+            if (k) {
+                const double times = i < INVCAL_DK_X ? 1 : 2;
+                TEST_ASSERT_DOUBLE_WITHIN(1e-3, times, (double)(the.quality.sigma[i] / sigma[i]));
+            }
+            sigma[i] = the.quality.sigma[i];
+        }
+    }
+}
+
+/* An edge that is empty, with its faces, leaves their axes and the angle between them: one for each pair. */
+static void an_empty_edge_leaves_its_axes(void)
+{
+    static const unsigned angles[] = {INVCAL_GAMMA_XY, INVCAL_GAMMA_XZ, INVCAL_GAMMA_ZY};
+    static const unsigned pairs[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+
+    for (unsigned k = 0; k < 3; k++) {
+        const unsigned i = pairs[k][0];
+        const unsigned j = pairs[k][1];
+        invcal_magnetometer *const m = settle(origin, 1, 10);
+        for (unsigned cell = 0; cell < INVCAL_CELLS; cell++) {
+            const double a = (double)m->early.sum[cell][i];
+            const double b = (double)m->early.sum[cell][j];
+            if (a + b > 9.9 && a > -1 && b > -1) {
+                m->early.count[cell] = 0;
+            }
+        }
+        solve_the();
+        TEST_ASSERT_EQUAL_UINT(15, the.found.covered);
+        TEST_ASSERT_EQUAL_UINT(60, the.found.gap);
+        TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, the.quality.verdict);
+        TEST_ASSERT_EQUAL_UINT(1u << (INVCAL_DELTA_X + i) | 1u << (INVCAL_DELTA_X + j) |
+                                   1u << (INVCAL_DK_X + i) | 1u << (INVCAL_DK_X + j) |
+                                   1u << angles[k],
+                               the.quality.weak);
+    }
+}
+
+/* A position lies along the mean of its two readings, and has the root mean square of their calibrated lengths,
+ * whatever is nominal and whatever the calibration. */
+static void a_cell_has_the_length_of_its_calibrated_samples(void)
+{
+    static const invcal_calibration mixed = {{1, 2, 3},
+                                             {{1, INVCAL_REAL(0.2), INVCAL_REAL(-0.1)},
+                                              {INVCAL_REAL(0.1), 1, INVCAL_REAL(0.3)},
+                                              {INVCAL_REAL(-0.2), INVCAL_REAL(0.1), 1}}};
+    static const invcal_calibration c = {{INVCAL_REAL(1.2), INVCAL_REAL(1.9), INVCAL_REAL(3.1)},
+                                         {{INVCAL_REAL(1.1), INVCAL_REAL(0.3), INVCAL_REAL(-0.4)},
+                                          {INVCAL_REAL(-0.2), INVCAL_REAL(0.8), INVCAL_REAL(0.5)},
+                                          {INVCAL_REAL(0.6), INVCAL_REAL(-0.3), INVCAL_REAL(1.3)}}};
+    static const double reading[2][3] = {{2.6, 3.7, 5.1}, {2.5, 3.2, 5.6}};
+    invcal_magnetometer *const m = begin_settled();
+    double square[3] = {0, 0, 0}; /* of each, and of the mean */
+    double mean[3];
+    unsigned found = 0;
+
+    m->work = mixed;
+    for (int n = 0; n < 2; n++) {
+        (void)feed_at(reading[n][0], reading[n][1], reading[n][2]);
+    }
+    for (int j = 0; j < 3; j++) {
+        mean[j] = (reading[0][j] + reading[1][j]) / 2;
+    }
+    for (int n = 0; n < 3; n++) {
+        for (int i = 0; i < 3; i++) {
+            double eta = 0;
+            for (int j = 0; j < 3; j++) {
+                eta += (double)c.matrix[i][j] *
+                       ((n < 2 ? reading[n][j] : mean[j]) - (double)c.offset[j]);
+            }
+            square[n] += eta * eta;
+        }
+    }
+    const double ratio = sqrt((square[0] + square[1]) / 2 / square[2]);
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        invcal_real raw[3];
+        if (invcal_magnetometer_cell(m, &c, k, raw) == 2) {
+            found++;
+            for (int i = 0; i < 3; i++) {
+                const double offset = (double)c.offset[i];
+                TEST_ASSERT_DOUBLE_WITHIN(2e-5, offset + ratio * (mean[i] - offset),
+                                          (double)raw[i]);
+            }
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT(1, found);
+}
+
+/* A cell with one sample is where that was read; one that is read again is not new. */
+static void one_sample_is_a_cell(void)
+{
+    static const double centre[3] = {0.005, 0, 0};
+    invcal_magnetometer *const m = settle(centre, 1, 1);
+    double sum[3] = {0, 0, 0};
+
+    solve_the();
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        invcal_real raw[3];
+        TEST_ASSERT_EQUAL_UINT(1, invcal_magnetometer_cell(m, &the.calibration, k, raw));
+        for (int i = 0; i < 3; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-5, (double)m->early.sum[k][i], (double)raw[i]);
+            sum[i] += (double)raw[i];
+        }
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 18 * 0.005, sum[0]);
+    for (int n = 0; n < 3; n++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(0, 0, 1));
+    }
+}
+
 /* ---- edges -------------------------------------------------------------------------------------- */
 
 static void guidance_covers_every_cell(void)
@@ -879,6 +1546,29 @@ int main(void)
     RUN_LONG_TEST(what_contradicts_for_long_makes_it_rough);
     RUN_LONG_TEST(a_field_that_differs_from_place_to_place_is_named);
     RUN_LONG_TEST(noise_is_no_place);
+    if (ROOM(1, 0)) { /* their texts take 1.2 KB of it */
+        RUN_TEST(more_than_five_times_the_rms_is_left_out);
+        RUN_TEST(blocks_are_a_sixteenth_of_all);
+        RUN_TEST(looks_come_with_five_eighths_more);
+        RUN_TEST(full_counters_stay_in_their_range);
+        RUN_TEST(a_look_halves_what_is_against_an_older_solution);
+        RUN_TEST(the_box_gives_centre_and_unit);
+        RUN_TEST(a_hundredth_moves_the_readings);
+        RUN_TEST(a_wide_gap_gives_no_solution);
+        RUN_TEST(two_cells_more_than_parameters_give_a_first_solution);
+        RUN_TEST(early_samples_stay_if_they_differ_by_chance);
+        RUN_TEST(single_early_samples_are_compared);
+        RUN_TEST(late_samples_give_a_solution_of_their_own);
+        RUN_TEST(a_solution_out_of_range_is_none);
+        RUN_TEST(a_step_is_measured_by_what_came_before);
+        RUN_TEST(a_step_before_the_second_solution_is_seen);
+        RUN_TEST(limits_of_judgement_are_kept);
+        RUN_TEST(without_residuals_nothing_is_alike);
+        RUN_TEST(sigma_is_over_the_field);
+        RUN_TEST(an_empty_edge_leaves_its_axes);
+        RUN_TEST(a_cell_has_the_length_of_its_calibrated_samples);
+        RUN_TEST(one_sample_is_a_cell);
+    }
     RUN_LONG_TEST(guidance_covers_every_cell);
     RUN_LONG_TEST(any_unit_is_found_or_refused);
     RUN_SLOW_TEST(too_small_an_axis_is_refused);
