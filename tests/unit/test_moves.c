@@ -312,6 +312,471 @@ static void events_out_of_order_do_no_harm(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&w.moves, 1));
 }
 
+/* ---- to the sample: blocks in which a count is 2^-18 rad/s, and nothing is rounded -------------- */
+
+enum { EXACT_RATE = 8, EXACT_BLOCK = 8 };
+
+static void begin_at(int rate)
+{
+    invcal_calibration nominal = unit_nominal();
+
+    begin();
+    for (int i = 0; i < 3; i++) {
+        nominal.matrix[i][i] = INVCAL_REAL(1.0) / 262144;
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, &nominal, (invcal_real)rate));
+    w.rests.bits = 3;
+}
+
+static void begin_exactly(void)
+{
+    begin_at(EXACT_RATE);
+}
+
+static void feed(int32_t x, int32_t y, int32_t z)
+{
+    const int32_t raw[3] = {x, y, z};
+
+    invcal_moves_feed(&w.moves, raw);
+}
+
+/* The end of a block: eight samples of the accelerometer, however many the gyroscope has had. */
+static void end_block(invcal_event event, int is_quiet)
+{
+    w.rests.begin = w.rests.pended > 0 ? w.rests.begin : w.rests.time;
+    w.rests.time += EXACT_BLOCK;
+    w.rests.pended = is_quiet ? 2 : w.rests.pended;
+    w.rests.end = is_quiet ? w.rests.time : w.rests.end;
+    invcal_moves_follow(&w.moves, &w.rests, event);
+}
+
+static void block(int32_t x, int32_t y, int32_t z, invcal_event event, int is_quiet)
+{
+    for (int i = 0; i < EXACT_BLOCK; i++) {
+        feed(x, y, z);
+    }
+    end_block(event, is_quiet);
+}
+
+/* Ten quiet blocks, the last two of which do not count. */
+static void rest_exactly(int32_t x, int32_t y, int32_t z)
+{
+    for (int i = 0; i < 9; i++) {
+        block(x, y, z, INVCAL_SETTLING, 1);
+    }
+    block(x, y, z, INVCAL_READY, 1);
+}
+
+static void leave_exactly(void)
+{
+    for (int i = 0; i < 4; i++) {
+        block(0, 0, 0, INVCAL_MOVING, 0);
+    }
+    block(0, 0, 0, INVCAL_TAKEN, 0);
+    w.rests.pended = 0;
+}
+
+/* The blocks of a move before those that a test adds: two of the rest, and five. Those of the first are dropped. */
+enum { BEFORE = 7, BEFORE_FIRST = 5 };
+
+/* One sample of an angle. */
+static int32_t angle(double degrees)
+{
+    return (int32_t)lround(degrees * DEGREE * 262144 * (double)w.moves.rate);
+}
+
+/* So large that each is a segment. */
+static void large_turns(int count)
+{
+    for (int i = 0; i < count; i++) {
+        feed(angle(19), 0, 0);
+    }
+}
+
+static long samples_of_move(unsigned from, unsigned to)
+{
+    long samples = 0;
+
+    for (unsigned k = from; k < to; k++) {
+        samples += w.moves.segment[k].time / 2u;
+    }
+    return samples;
+}
+
+static void sum_of_move(unsigned from, unsigned to, int32_t sum[3])
+{
+    memset(sum, 0, 3 * sizeof sum[0]);
+    for (unsigned k = from; k < to; k++) {
+        for (int a = 0; a < 3; a++) {
+            sum[a] += w.moves.segment[k].v[a];
+        }
+    }
+}
+
+/* The bias is the mean of all but two blocks; the two, which contain motion perhaps, are the move's, which lasts
+ * until the next rest begins: 80 samples are 10 seconds. */
+static void a_move_is_what_lies_between_two_rests(void)
+{
+    for (int more = 0; more < 2; more++) {
+        int32_t sum[3];
+        begin_exactly();
+        for (int i = 0; i < 8; i++) {
+            block(80, -40, 16, INVCAL_SETTLING, 1);
+        }
+        TEST_ASSERT_EQUAL_INT(0, w.moves.count);
+        block(88, 0, 0, INVCAL_SETTLING, 1);
+        block(96, 0, 0, INVCAL_READY, 1);
+        TEST_ASSERT_TRUE(w.moves.bias[0] * 262144 == 80 && w.moves.bias[1] * 262144 == -40 &&
+                         w.moves.bias[2] * 262144 == 16);
+        for (int i = 0; i < 2; i++) { /* for the two that were dropped */
+            block(88, -48, 16, INVCAL_SETTLING, 1);
+        }
+        leave_exactly();
+        block(880, -40, 16, INVCAL_MOVING, 0);
+        block(80, 760, 16, INVCAL_MOVING, 0);
+        for (int i = 0; i < more; i++) {
+            feed(80, -40, 16);
+        }
+        block(80, -40, 1616, INVCAL_MOVING, 0);
+        rest_exactly(96, -56, 24);
+        TEST_ASSERT_EQUAL_INT(1, w.moves.count);
+        leave_exactly();
+        TEST_ASSERT_EQUAL_INT(2, w.moves.count);
+        TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&w.moves, 0));
+        TEST_ASSERT_EQUAL_INT(more ? INVCAL_MOVE_LONG : INVCAL_OK,
+                              invcal_moves_reason(&w.moves, 1));
+        TEST_ASSERT_EQUAL_INT(17, w.moves.rest[0].when);
+        TEST_ASSERT_EQUAL_INT(35, w.moves.rest[1].when);
+        TEST_ASSERT_EQUAL_INT(16, w.moves.rest[1].bias[0]);
+        TEST_ASSERT_EQUAL_INT(-16, w.moves.rest[1].bias[1]);
+        TEST_ASSERT_EQUAL_INT(8, w.moves.rest[1].bias[2]);
+        if (more) {
+            TEST_ASSERT_EQUAL_INT(0, w.moves.first);
+            continue;
+        }
+        TEST_ASSERT_EQUAL_INT((BEFORE + 3) * EXACT_BLOCK, samples_of_move(0, w.moves.first));
+        sum_of_move(0, w.moves.first, sum);
+        TEST_ASSERT_EQUAL_INT(2 * 1 + 5 * -10 + 100, sum[0]);
+        TEST_ASSERT_EQUAL_INT(2 * -1 + 5 * 5 + 100, sum[1]);
+        TEST_ASSERT_EQUAL_INT(5 * -2 + 200, sum[2]);
+    }
+}
+
+/* 0.5 degrees/s are 2287.6. */
+static void a_bias_may_change_by_half_a_degree(void)
+{
+    for (int i = 0; i < 12; i++) {
+        const int axis = i / 4;
+        const int is_more = i % 2;
+        const int sign = i % 4 < 2 ? 1 : -1;
+        int32_t x[3] = {0, 0, 0};
+        begin_exactly();
+        rest_exactly(0, 0, 0);
+        leave_exactly();
+        x[axis] = sign * (is_more ? 2296 : 2288);
+        block(x[0], x[1], x[2], INVCAL_SETTLING, 1);
+        x[axis] = sign * 2288;
+        rest_exactly(x[0], x[1], x[2]);
+        leave_exactly();
+        TEST_ASSERT_EQUAL_INT(is_more ? INVCAL_REST_DRIFT : INVCAL_OK,
+                              invcal_moves_reason(&w.moves, 1));
+        TEST_ASSERT_INT_WITHIN(is_more, sign * 2288, w.moves.rest[1].bias[axis]);
+        TEST_ASSERT_EQUAL_INT(is_more ? 0 : 1, w.moves.first);
+    }
+}
+
+/* All that is kept of a rest moves with it when the oldest go. */
+static void the_oldest_moves_go_with_their_segments(void)
+{
+    enum { GONE = 3, RESTS = INVCAL_MAX_MOVES + GONE };
+    unsigned at = 0;
+
+    begin_exactly();
+    for (int k = 0; k < RESTS; k++) {
+        for (int i = 0; i < k % 3; i++) {
+            feed(0, angle(19), 0);
+        }
+        block(0, 0, 64 * k, INVCAL_MOVING, 0);
+        rest_exactly(8 * k, 0, 0);
+        leave_exactly();
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_MOVES, w.moves.count);
+    for (int i = 0; i < INVCAL_MAX_MOVES; i++) {
+        const int k = i + GONE;
+        const int segments = i == 0 ? 0 : k % 3 == 2 ? 2 : 1;
+        int32_t sum[3];
+        TEST_ASSERT_EQUAL_INT(8 * k, w.moves.rest[i].bias[0]);
+        TEST_ASSERT_EQUAL_INT(16 * (k + 1), w.moves.rest[i].when);
+        TEST_ASSERT_EQUAL_INT(i == 0 ? -INVCAL_TOO_FEW : segments, w.moves.rest[i].move);
+        sum_of_move(at, at + (unsigned)segments, sum);
+        if (i > 0) {
+            TEST_ASSERT_EQUAL_INT(2 * (k - 1), sum[0]);
+            TEST_ASSERT_INT_WITHIN(1, k % 3 * 10866, sum[1]); /* 19 degrees */
+            TEST_ASSERT_EQUAL_INT(8 * k, sum[2]);
+            TEST_ASSERT_EQUAL_INT((BEFORE + 1) * EXACT_BLOCK + k % 3,
+                                  samples_of_move(at, at + (unsigned)segments));
+        }
+        at += (unsigned)segments;
+    }
+    TEST_ASSERT_EQUAL_UINT(at, w.moves.first);
+}
+
+/* A sample of 6 degrees closes a segment; neighbours are merged up to 20 degrees, on any axis. */
+static void segments_have_at_most_twenty_degrees(void)
+{
+    begin_exactly();
+    for (int a = 0; a < 3; a++) {
+        const int32_t nearly = angle(5.95), beyond = angle(6.05);
+        feed(a == 0 ? nearly : 0, a == 1 ? nearly : 0, a == 2 ? nearly : 0);
+        TEST_ASSERT_EQUAL_INT(1, w.moves.missing);
+        invcal_moves_gap(&w.moves);
+        feed(a == 0 ? -beyond : 0, a == 1 ? -beyond : 0, a == 2 ? -beyond : 0);
+        TEST_ASSERT_EQUAL_INT(0, w.moves.missing);
+    }
+    for (int i = 0; i < 6; i++) {
+        const int32_t each = angle(i % 2 ? 4.98 : 5.02); /* four of them: 19.92, 20.08 */
+        begin_exactly();
+        rest_exactly(0, 0, 0);
+        leave_exactly();
+        for (int k = 0; k < 12; k++) {
+            feed(i / 2 == 0 ? each : 0, i / 2 == 1 ? each : 0, i / 2 == 2 ? each : 0);
+            end_block(INVCAL_MOVING, 0);
+        }
+        rest_exactly(0, 0, 0);
+        leave_exactly();
+        TEST_ASSERT_EQUAL_INT(i % 2 ? 3 : 4, w.moves.rest[1].move);
+        TEST_ASSERT_EQUAL_INT(BEFORE_FIRST * EXACT_BLOCK + 12, samples_of_move(0, w.moves.first));
+    }
+}
+
+/* To the nearest 2^-15 rad; what is rounded off begins the next segment, and 1 rad is too much. */
+static void a_segment_is_rounded_to_the_nearest(void)
+{
+    static const struct {
+        int32_t counts; /* 64 are one */
+        int v;          /* INT16_MIN: refused */
+    } cases[] = {{64 * 5000 + 31, 5000},      {64 * 5000 + 33, 5001},
+                 {-64 * 5000 - 31, -5000},    {-64 * 5000 - 33, -5001},
+                 {64 * 32766 + 31, 32766},    {-64 * 32766 - 31, -32766},
+                 {64 * 32767 + 1, INT16_MIN}, {-64 * 32767 - 1, INT16_MIN}};
+
+    for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        for (int a = 0; a < 3; a++) {
+            const invcal_segment *s = w.moves.segment;
+            const int32_t x = cases[i].counts;
+            const int is_refused = cases[i].v == INT16_MIN;
+            begin_exactly();
+            feed(a == 0 ? x : 0, a == 1 ? x : 0, a == 2 ? x : 0);
+            TEST_ASSERT_EQUAL_INT(1, w.moves.used);
+            TEST_ASSERT_EQUAL_INT(2, s->time);
+            TEST_ASSERT_EQUAL_INT(is_refused ? INT16_MIN : a == 0 ? cases[i].v : 0, s->v[0]);
+            TEST_ASSERT_EQUAL_INT(is_refused ? INVCAL_MOUNTING : 0, s->kappa[0]);
+            TEST_ASSERT_TRUE(is_refused || s->v[a] == cases[i].v);
+            const double rest = is_refused ? 0 : x / 64.0 - cases[i].v;
+            TEST_ASSERT_TRUE((double)w.moves.v[a] * 32768 == rest);
+            TEST_ASSERT_TRUE((double)w.moves.rho[a] * 32768 == rest);
+        }
+    }
+}
+
+/* Rotations are put together by the series of mathematics_imu.md. */
+static void rotations_are_added_by_the_series(void)
+{
+    static const double turns[][3] = {
+        {0.08, 0.05, 0}, {-0.12, 0, 0.05}, {0.05, -0.1, -0.06}, {0.04, 0.09, -0.05}};
+    double rho[3] = {0, 0, 0};
+
+    begin_exactly();
+    for (int n = 0; n < 4; n++) {
+        int32_t raw[3];
+        double th[3], a[3], d[3];
+        for (int i = 0; i < 3; i++) {
+            raw[i] = (int32_t)lround(turns[n][i] * 262144 * EXACT_RATE);
+            th[i] = raw[i] / 262144.0 / EXACT_RATE;
+            d[i] = rho[i] - th[i];
+        }
+        const double dot = rho[0] * th[0] + rho[1] * th[1] + rho[2] * th[2];
+        for (int i = 0; i < 3; i++) {
+            a[i] = rho[(i + 1) % 3] * th[(i + 2) % 3] - rho[(i + 2) % 3] * th[(i + 1) % 3];
+        }
+        for (int i = 0; i < 3; i++) {
+            rho[i] += th[i] + (0.5 + dot / 24) * a[i] +
+                      (d[(i + 1) % 3] * a[(i + 2) % 3] - d[(i + 2) % 3] * a[(i + 1) % 3]) / 12;
+        }
+        invcal_moves_feed(&w.moves, raw);
+        TEST_ASSERT_EQUAL_INT(n + 1, w.moves.missing);
+        for (int i = 0; i < 3; i++) {
+            TEST_ASSERT_DOUBLE_WITHIN(3e-8, rho[i], (double)w.moves.rho[i]);
+        }
+    }
+}
+
+/* 127 segments are a move, and 24 of all are kept for the next. */
+static void a_move_and_the_table_have_so_many_segments(void)
+{
+    const int room = INVCAL_MAX_SEGMENTS - 24 - 1; /* one for the end, before it is merged */
+
+    for (int more = 0; more < 2; more++) {
+        begin_at(64);
+        rest_exactly(0, 0, 0);
+        leave_exactly();
+        large_turns(127 + more);
+        block(0, 0, 0, INVCAL_MOVING, 0);
+        rest_exactly(0, 0, 0);
+        leave_exactly();
+        TEST_ASSERT_EQUAL_INT(more ? -INVCAL_MOUNTING : 127, w.moves.rest[1].move);
+        begin_at(64);
+        rest_exactly(0, 0, 0);
+        leave_exactly();
+        for (int left = room + more; left > 0; left -= 16) {
+            large_turns(left < 16 ? left : 16);
+            block(0, 0, 0, INVCAL_MOVING, 0);
+            rest_exactly(0, 0, 0);
+            leave_exactly();
+        }
+        const unsigned last = w.moves.count - 1u;
+        TEST_ASSERT_EQUAL_INT(more ? INVCAL_NO_SPACE : INVCAL_OK,
+                              invcal_moves_reason(&w.moves, last));
+        TEST_ASSERT_EQUAL_INT(more ? (room + more - 1) / 16 * 16 : room, w.moves.first);
+        for (unsigned i = 1; i < last; i++) {
+            TEST_ASSERT_EQUAL_INT(16, w.moves.rest[i].move);
+        }
+    }
+}
+
+/* More than the table holds before any of it is settled: that move, and neither its rests nor the next one. */
+static void a_full_table_costs_the_current_move(void)
+{
+    begin_exactly();
+    rest_exactly(0, 0, 0);
+    leave_exactly();
+    block(0, 0, 0, INVCAL_MOVING, 0);
+    large_turns(INVCAL_MAX_SEGMENTS + 10);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_SEGMENTS, w.moves.used);
+    TEST_ASSERT_EQUAL_INT(0, w.moves.marks);
+    block(0, 0, 0, INVCAL_MOVING, 0);
+    for (int i = 0; i < 10; i++) { /* nine blocks fall out of the table */
+        block(16, 0, 0, INVCAL_SETTLING, 1);
+    }
+    rest_exactly(16, 0, 0);
+    leave_exactly();
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_moves_reason(&w.moves, 1));
+    TEST_ASSERT_EQUAL_INT(16, w.moves.rest[1].bias[0]);
+    block(0, 80, 0, INVCAL_MOVING, 0);
+    rest_exactly(8, 0, 0);
+    leave_exactly();
+    TEST_ASSERT_EQUAL_INT(1, w.moves.rest[2].move);
+    TEST_ASSERT_EQUAL_INT((BEFORE + 1) * EXACT_BLOCK, samples_of_move(0, w.moves.first));
+    TEST_ASSERT_EQUAL_INT(10, w.moves.segment[0].v[1]);
+    TEST_ASSERT_EQUAL_INT(8, w.moves.rest[2].bias[0]);
+}
+
+/* A reading at a rail, on any axis; the first reason is named. */
+static void a_rail_is_a_reading_that_clips(void)
+{
+    for (int i = 0; i < 12; i++) {
+        const int32_t x = (i / 6 ? 2000 : -1000) + (i / 3 % 2 ? 0 : i / 6 ? -1 : 1);
+        begin_exactly();
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&w.moves, -1000, 2000));
+        rest_exactly(0, 0, 0);
+        leave_exactly();
+        feed(i % 3 == 0 ? x : 0, i % 3 == 1 ? x : 0, i % 3 == 2 ? x : 0);
+        block(0, 0, 0, INVCAL_MOVING, 0);
+        if (i / 3 % 2) {
+            invcal_moves_gap(&w.moves);
+        }
+        rest_exactly(0, 0, 0);
+        leave_exactly();
+        TEST_ASSERT_EQUAL_INT(i / 3 % 2 ? INVCAL_REST_CLIPPED : INVCAL_OK,
+                              invcal_moves_reason(&w.moves, 1));
+    }
+}
+
+/* Samples that are lost in a rest: the move to it is refused, its bias is that of the others, and the next move
+ * is good. */
+static void a_gap_in_a_rest_costs_the_move_before(void)
+{
+    begin_exactly();
+    rest_exactly(0, 0, 0);
+    leave_exactly();
+    for (int i = 0; i < 4; i++) {
+        block(24, 0, 0, INVCAL_SETTLING, 1);
+    }
+    feed(1000, 1000, 1000);
+    invcal_moves_gap(&w.moves);
+    for (int i = 0; i < 5; i++) {
+        block(24, 0, 0, INVCAL_SETTLING, 1);
+    }
+    block(24, 0, 0, INVCAL_READY, 1);
+    leave_exactly();
+    rest_exactly(16, 0, 0);
+    leave_exactly();
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&w.moves, 1));
+    TEST_ASSERT_EQUAL_INT(24, w.moves.rest[1].bias[0]);
+    TEST_ASSERT_EQUAL_INT(1, w.moves.rest[2].move);
+    TEST_ASSERT_EQUAL_INT(BEFORE * EXACT_BLOCK, samples_of_move(0, w.moves.first));
+}
+
+/* The move goes on over it. */
+static void a_refused_rest_ends_no_move(void)
+{
+    int32_t sum[3];
+
+    begin_exactly();
+    rest_exactly(0, 0, 0);
+    leave_exactly();
+    for (int i = 0; i < 2; i++) {
+        feed(0, 64, 0);
+        end_block(INVCAL_SETTLING, 1);
+    }
+    for (int i = 0; i < 8; i++) {
+        feed(0, 0, 64);
+        end_block(i == 4 ? INVCAL_REFUSED : INVCAL_MOVING, 0);
+        w.rests.pended = i >= 4 ? 0 : w.rests.pended;
+    }
+    rest_exactly(16, 0, 0);
+    leave_exactly();
+    TEST_ASSERT_EQUAL_INT(2, w.moves.count);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_reason(&w.moves, 1));
+    TEST_ASSERT_EQUAL_INT(BEFORE_FIRST * EXACT_BLOCK + 10, samples_of_move(0, w.moves.first));
+    sum_of_move(0, w.moves.first, sum);
+    TEST_ASSERT_TRUE(sum[0] == 0 && sum[1] == 2 && sum[2] == 8);
+    TEST_ASSERT_EQUAL_INT(16, w.moves.rest[1].bias[0]);
+}
+
+/* Eight blocks stay apart; no event is no block, and time stops at 65535. */
+static void blocks_are_counted_as_far_as_they_can(void)
+{
+    begin_exactly();
+    for (int i = 1; i < 12; i++) {
+        invcal_moves_follow(&w.moves, &w.rests, INVCAL_NOTHING);
+        block(0, 0, 0, INVCAL_MOVING, 0);
+        TEST_ASSERT_EQUAL_INT(i, w.moves.blocks);
+        TEST_ASSERT_EQUAL_INT(i < 8 ? i : 8, w.moves.marks);
+        TEST_ASSERT_EQUAL_INT(i < 8 ? i : 8, w.moves.used - w.moves.fixed);
+    }
+    w.moves.blocks = 65533;
+    for (int i = 0; i < 4; i++) {
+        block(0, 0, 0, INVCAL_MOVING, 0);
+        TEST_ASSERT_EQUAL_UINT(i == 0 ? 65534 : 65535, w.moves.blocks);
+    }
+}
+
+/* Events that no detector brings about: a rest without a sample has no bias, and is one all the same. */
+static void a_rest_without_samples_has_no_bias(void)
+{
+    begin_exactly();
+    w.rests.pended = 0;
+    memset(w.moves.rest, 0x55, sizeof w.moves.rest);
+    end_block(INVCAL_TAKEN, 0);
+    TEST_ASSERT_EQUAL_INT(1, w.moves.count);
+    for (int a = 0; a < 3; a++) {
+        TEST_ASSERT_EQUAL_INT(0, w.moves.rest[0].bias[a]);
+    }
+    end_block(INVCAL_TAKEN, 0);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&w.moves, 1));
+}
+
 /* The detector itself, and another rate of the gyroscope: every sample of both. */
 static void the_session_says_where_rests_are(void)
 {
@@ -470,6 +935,19 @@ int main(void)
     RUN_TEST(stirring_fills_a_segment);
     RUN_TEST(a_segment_counts_no_more_than_it_can);
     RUN_TEST(events_out_of_order_do_no_harm);
+    RUN_TEST(a_move_is_what_lies_between_two_rests);
+    RUN_TEST(a_bias_may_change_by_half_a_degree);
+    RUN_TEST(the_oldest_moves_go_with_their_segments);
+    RUN_TEST(segments_have_at_most_twenty_degrees);
+    RUN_TEST(a_segment_is_rounded_to_the_nearest);
+    RUN_TEST(rotations_are_added_by_the_series);
+    RUN_TEST(a_move_and_the_table_have_so_many_segments);
+    RUN_TEST(a_full_table_costs_the_current_move);
+    RUN_TEST(a_rail_is_a_reading_that_clips);
+    RUN_TEST(a_gap_in_a_rest_costs_the_move_before);
+    RUN_TEST(a_refused_rest_ends_no_move);
+    RUN_TEST(blocks_are_counted_as_far_as_they_can);
+    RUN_TEST(a_rest_without_samples_has_no_bias);
     RUN_TEST(the_session_says_where_rests_are);
     RUN_TEST(xsens_is_as_the_solution_from_all_samples);
     RUN_TEST(mpu_is_as_the_batch);
