@@ -780,6 +780,7 @@ static void a_table_of_complete_moves_stays(void)
     leave_exactly();
     memset(w.moves.segment, 0x11, sizeof w.moves.segment);
     w.moves.first = w.moves.fixed = w.moves.used = INVCAL_MAX_SEGMENTS;
+    w.moves.marks = 0;
     large_turns(3);
     TEST_ASSERT_EQUAL_INT(INVCAL_MAX_SEGMENTS, w.moves.used);
     rest_exactly(0, 0, 0);
