@@ -306,9 +306,8 @@ void invcal_moves_restart(invcal_moves *m)
     invcal_zero(m, offsetof(invcal_moves, layout));
     m->fixed = m->first;
     m->used = m->first;
-    /* no move leads to the first rest */
+    /* no move leads to the first rest; wherever it ends, nothing of it is kept */
     m->fault = m->count > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
-    forget_rest(m);
 }
 
 /* ---- public functions --------------------------------------------------------------------------- */
@@ -381,7 +380,8 @@ void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_
     close_segment(moves, 1);
     moves->blocks = (uint16_t)(moves->blocks + (moves->blocks < UINT16_MAX));
     const unsigned bits = rests->bits;
-    const uint32_t resting = rests->pended > 0 ? (rests->time - rests->begin) >> bits : 0;
+    /* after a refused rest: since that began; eight blocks of motion make forget it */
+    const uint32_t resting = (rests->time - rests->begin) >> bits;
     const int is_told = event == INVCAL_READY || event == INVCAL_TAKEN;
     settle_until(moves, is_told ? ((rests->time - rests->end) >> bits) + CUT_OFF : LATE, resting);
     if (event == INVCAL_READY && moves->count == 0 && moves->still_samples > 0) {

@@ -366,6 +366,10 @@ static void contents_that_no_moves_have_are_refused(void)
         c.moves.rate = (invcal_real)rates[i];
         refuses(INVCAL_BAD_RATE, &c);
     }
+    for (unsigned i = 0; i < 2; i++) {
+        c.moves.rate = i ? 8000 : 8;
+        refuses(INVCAL_OK, &c);
+    }
     for (unsigned i = 0; i < 9; i++) {
         c.moves.nominal.matrix[i / 3][i % 3] = (invcal_real)NOT_A_NUMBER;
         refuses(INVCAL_BAD_NOMINAL, &c);
@@ -405,6 +409,12 @@ static void contents_that_no_moves_have_are_refused(void)
     refuses(INVCAL_DAMAGED, &c);
     c.moves.rest[2].move = 0;
     refuses(INVCAL_DAMAGED, &c);
+    c.moves.first = (uint16_t)(c.moves.first - c.moves.rest[2].move);
+    c.moves.rest[2].move = 0; /* neither segments nor a reason */
+    refuses(INVCAL_DAMAGED, &c);
+    c.moves.first = (uint16_t)(c.moves.first - c.moves.rest[2].move + 1);
+    c.moves.rest[2].move = 1;
+    refuses(INVCAL_OK, &c);
     c.moves.rest[0].move = 1;
     c.moves.first++;
     refuses(INVCAL_DAMAGED, &c);
@@ -418,6 +428,49 @@ static void contents_that_no_moves_have_are_refused(void)
     refuses(INVCAL_DAMAGED, &c);
     c.session.noise = 1;
     refuses(INVCAL_BAD_NOISE, &c);
+}
+
+/* Tables of which all is good, except that they would be larger than there is room for. */
+static void one_more_than_fits_is_refused(void)
+{
+    static invcal_imu_session c;
+
+    begin(12);
+    for (unsigned i = 0; i < INVCAL_MAX_MOVES; i++) {
+        both.moves.rest[i].when = 0;
+        both.moves.rest[i].move = -INVCAL_MOVE_GAP;
+    }
+    both.moves.count = INVCAL_MAX_MOVES;
+    memcpy(&c, &both, sizeof c);
+    refuses(INVCAL_OK, &c);
+    memset(c.moves.segment, 0xFF, sizeof c.moves.segment); /* as a rest: of a reason */
+    c.moves.blocks = UINT16_MAX;
+    c.moves.count++;
+    refuses(INVCAL_DAMAGED, &c);
+    for (unsigned more = 0; more < 2; more++) {
+        unsigned left = INVCAL_MAX_SEGMENTS + more;
+        c.moves.first = (uint16_t)left;
+        for (unsigned i = 1; left > 0; i++) {
+            const unsigned segments = left < 100 ? left : 100;
+            c.moves.rest[i].move = (int8_t)segments;
+            left -= segments;
+        }
+        refuses(more ? INVCAL_DAMAGED : INVCAL_OK, &c);
+    }
+}
+
+/* Also of the only rest there is. */
+static void the_move_of_a_reset_is_a_gap(void)
+{
+    begin(13);
+    take(2);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(keep(&both)));
+    memcpy(&both, &back, sizeof both);
+    (void)turn_to(tour[2]);
+    (void)turn_to(tour[3]);
+    TEST_ASSERT_TRUE(both.moves.count >= 2);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&both.moves, 0));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&both.moves, 1));
 }
 
 /* As many segments as fit into the table stay; INVCAL_MAX_MOVES rests too. */
@@ -592,6 +645,8 @@ int main(void)
     RUN_TEST(another_layout_is_named_so);
     RUN_SLOW_TEST(another_length_is_refused);
     RUN_TEST(contents_that_no_moves_have_are_refused);
+    RUN_TEST(one_more_than_fits_is_refused);
+    RUN_TEST(the_move_of_a_reset_is_a_gap);
     RUN_TEST(a_full_table_comes_back);
     RUN_LONG_TEST(any_content_does_no_harm);
     RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_keeps_both_together);

@@ -86,6 +86,6 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(twelve_quarter_turns_fit);
-    RUN_TEST(more_than_fit_are_dropped_or_refused);
+    RUN_SLOW_TEST(more_than_fit_are_dropped_or_refused);
     return UNITY_END();
 }
