@@ -424,6 +424,20 @@ static void without_redundancy_there_is_no_good(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, imu.verdict);
 }
 
+/* Both are 9 where nothing is found. */
+static invcal_status find_mounting(int8_t axes[3], invcal_real *scale)
+{
+    const invcal_calibration nominal = unit_nominal();
+    invcal_real raw[WORLD_RESTS][3];
+
+    for (int i = 0; i < 3 * w.count; i++) {
+        raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
+    }
+    axes[0] = axes[1] = axes[2] = 9;
+    *scale = 9;
+    return invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, scale);
+}
+
 /* Moves about the space diagonal look the same after the axes are exchanged in a circle. */
 static void moves_may_tell_no_way_from_another(void)
 {
@@ -692,37 +706,105 @@ static void an_axis_that_is_stuck_is_named(void)
     TEST_ASSERT_EQUAL_INT(3, axes[2]);
 }
 
-/* An axis that turns by 1 % of all, or by 100 units in all, is no more than stuck. Segments of x alone and of y;
- * z gets as much as is asked. */
+/* An axis is stuck if its square is below 1e4 + 1e-4 of all squares: 101^2 is below 10201.42, and not below
+ * 10200.82. One segment about each axis. */
 static void stuck_is_less_than_a_hundredth(void)
 {
     static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     static const double slanted[3] = {0.48, 0.6, 0.64};
-    const invcal_calibration nominal = unit_nominal();
-    invcal_real raw[WORLD_RESTS][3];
+    static const int others[2][2] = {{1001, 1001}, {1000, 999}};
+    int8_t axes[3];
+    invcal_real scale;
 
     for (int k = 0; k < 6; k++) {
-        const int of_turn = k % 2 == 0 ? 9000 : 200;
-        const double all = 2.0 * of_turn * of_turn;
-        const int little = (int)(sqrt(1e4 + 1e-4 * all) * (k < 2 ? 0.98 : k < 4 ? 1.03 : 1.3));
-        const int x[3] = {of_turn, 0, 0}, y[3] = {0, of_turn, 0}, z[3] = {0, 0, little};
-        int8_t axes[3] = {9, 9, 9};
-        invcal_real scale = 9;
+        const int is_stuck = k < 3;
+        const int of[3] = {101, others[!is_stuck][0], others[!is_stuck][1]};
         begin_exact(slanted);
-        add_exact(unit, x, 1);
-        add_exact(unit, y, 1);
-        add_exact(unit, z, 1);
-        for (int i = 0; i < 3 * w.count; i++) {
-            raw[i / 3][i % 3] = (invcal_real)w.mean[i / 3][i % 3];
+        for (int i = 0; i < 3; i++) {
+            int v[3] = {0, 0, 0};
+            v[(k + i) % 3] = of[i];
+            add_exact(unit, v, 1);
         }
-        const invcal_status status =
-            invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, &scale);
-        if (k < 2) {
+        const invcal_status status = find_mounting(axes, &scale);
+        if (is_stuck) {
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, status);
-            TEST_ASSERT_TRUE(axes[0] == 1 && axes[1] == 2 && axes[2] == 0 && scale == 1);
+            for (int i = 0; i < 3; i++) {
+                TEST_ASSERT_EQUAL_INT(i == k % 3 ? 0 : i + 1, axes[i]);
+            }
+            TEST_ASSERT_TRUE(scale == 1);
         } else {
-            TEST_ASSERT_TRUE(axes[2] != 0);
+            TEST_ASSERT_TRUE(axes[k % 3] != 0);
         }
+    }
+}
+
+static void a_single_segment_tells_what_is_stuck(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const double slanted[3] = {0.48, 0.6, 0.64};
+    const int v[3] = {0, 9000, 0};
+    int8_t axes[3];
+    invcal_real scale;
+
+    begin_exact(slanted);
+    add_exact(unit, v, 1);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, find_mounting(axes, &scale));
+    TEST_ASSERT_TRUE(axes[0] == 0 && axes[1] == 2 && axes[2] == 0 && scale == 1);
+}
+
+/* All 48 ways, and in degrees: of each the one that was built. Axis i of the accelerometer turns as `of[i]`
+ * of the gyroscope reads. */
+static void every_way_is_found(void)
+{
+    static const double slanted[3] = {0.48, 0.6, 0.64};
+    static const int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
+                                     {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    int8_t axes[3];
+    invcal_real scale;
+
+    for (int k = 0; k < 96; k++) {
+        const double size = k < 48 ? 1 : 57.29578;
+        const int v[2][3] = {{6000, 1000, -3000}, {-2000, 7000, 2500}};
+        double m[3][3] = {{0}};
+        for (int i = 0; i < 3; i++) {
+            m[i][orders[k / 8 % 6][i]] = (k >> i & 1) != 0 ? -size : size;
+        }
+        begin_exact(slanted);
+        for (int n = 0; n < 4; n++) {
+            int turn[3];
+            for (int i = 0; i < 3; i++) {
+                turn[i] = (int)lround(v[n % 2][i] / size);
+            }
+            add_exact((const double(*)[3])m, turn, 6 + n);
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, find_mounting(axes, &scale));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-4, size, (double)scale);
+        for (int i = 0; i < 3; i++) {
+            const int of = orders[k / 8 % 6][i] + 1;
+            TEST_ASSERT_EQUAL_INT((k >> i & 1) != 0 ? -of : of, axes[i]);
+        }
+    }
+}
+
+/* A way must be four times as good as the next. About z the device turns by 1 - 2 f of what is read: with z as
+ * it is f of twice that angle is left, with z turned round 1 - f. */
+static void the_next_way_has_four_times_the_squares(void)
+{
+    static const double level[3] = {0.8, 0.6, 0};
+    const int x[3] = {9000, 0, 0}, y[3] = {0, 9000, 0}, z[3] = {0, 0, 6554};
+    int8_t axes[3];
+    invcal_real scale;
+
+    for (int k = 0; k < 2; k++) {
+        const double f = 1 / (1 + sqrt(k == 0 ? 3.9 : 4.1));
+        const double m[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1 - 2 * f}};
+        begin_exact(level);
+        add_exact(m, z, 1);
+        add_exact(m, x, 5);
+        add_exact(m, y, 5);
+        TEST_ASSERT_EQUAL_INT(k == 0 ? INVCAL_UNDETERMINED : INVCAL_OK,
+                              find_mounting(axes, &scale));
+        TEST_ASSERT_EQUAL_INT(k == 0 ? 9 : 3, axes[2]);
     }
 }
 
@@ -1074,6 +1156,9 @@ int main(void)
     RUN_SLOW_TEST(degrees_taken_for_radians_are_named);
     RUN_SLOW_TEST(an_axis_that_is_stuck_is_named);
     RUN_TEST(stuck_is_less_than_a_hundredth);
+    RUN_TEST(a_single_segment_tells_what_is_stuck);
+    RUN_SLOW_TEST(every_way_is_found);
+    RUN_TEST(the_next_way_has_four_times_the_squares);
     RUN_TEST(a_single_move_tells_no_mounting);
     RUN_SLOW_TEST(samples_may_come_some_time_late);
     RUN_SLOW_TEST(a_gyroscope_that_is_dead_is_named);
