@@ -748,6 +748,7 @@ static void a_single_segment_tells_what_is_stuck(void)
 
     begin_exact(slanted);
     add_exact(unit, v, 1);
+    w.moves.segment[1].v[0] = 9000; /* of a move that has not ended */
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, find_mounting(axes, &scale));
     TEST_ASSERT_TRUE(axes[0] == 0 && axes[1] == 2 && axes[2] == 0 && scale == 1);
 }
@@ -795,17 +796,35 @@ static void the_next_way_has_four_times_the_squares(void)
     int8_t axes[3];
     invcal_real scale;
 
-    for (int k = 0; k < 2; k++) {
-        const double f = 1 / (1 + sqrt(k == 0 ? 3.9 : 4.1));
-        const double m[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1 - 2 * f}};
+    for (int k = 0; k < 4; k++) {
+        const double f = 1 / (1 + sqrt(k % 2 == 0 ? 3.9 : 4.1));
+        const double m[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, k < 2 ? 1 - 2 * f : 2 * f - 1}};
         begin_exact(level);
         add_exact(m, z, 1);
         add_exact(m, x, 5);
         add_exact(m, y, 5);
-        TEST_ASSERT_EQUAL_INT(k == 0 ? INVCAL_UNDETERMINED : INVCAL_OK,
+        TEST_ASSERT_EQUAL_INT(k % 2 == 0 ? INVCAL_UNDETERMINED : INVCAL_OK,
                               find_mounting(axes, &scale));
-        TEST_ASSERT_EQUAL_INT(k == 0 ? 9 : 3, axes[2]);
+        TEST_ASSERT_EQUAL_INT(k % 2 == 0 ? 9 : k < 2 ? 3 : -3, axes[2]);
     }
+}
+
+/* Two axes that turn little, and by 0.64 of what is read: no turn at all would be wrong by 0.64, the right
+ * way is by 0.36, which is not four times as good in squares. But that is no way. */
+static void an_axis_that_turns_turns_something(void)
+{
+    static const double m[3][3] = {{0.64, 0, 0}, {0, 1, 0}, {0, 0, 0.64}};
+    static const double steep[3] = {0.28, 0.96, 0};
+    const int x[3] = {6554, 0, 0}, y[3] = {0, 9000, 0}, z[3] = {0, 0, 6554};
+    int8_t axes[3];
+    invcal_real scale;
+
+    begin_exact(steep);
+    add_exact(m, x, 1);
+    add_exact(m, z, 1);
+    add_exact(m, y, 5);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, find_mounting(axes, &scale));
+    TEST_ASSERT_TRUE(axes[0] == 1 && axes[1] == 2 && axes[2] == 3 && scale == 1);
 }
 
 /* One move that turns about all axes tells no way, two of them do. */
@@ -1159,6 +1178,7 @@ int main(void)
     RUN_TEST(a_single_segment_tells_what_is_stuck);
     RUN_SLOW_TEST(every_way_is_found);
     RUN_TEST(the_next_way_has_four_times_the_squares);
+    RUN_TEST(an_axis_that_turns_turns_something);
     RUN_TEST(a_single_move_tells_no_mounting);
     RUN_SLOW_TEST(samples_may_come_some_time_late);
     RUN_SLOW_TEST(a_gyroscope_that_is_dead_is_named);
