@@ -236,6 +236,16 @@ static void errors_of_ten_percent_come_back_exactly(void)
         }
         tour_exact(m, 10294);
         tour_exact(m, 10000);
+        if (held) { /* of a rest only the direction counts then */
+            for (int k = 0; k < 3 * w.count; k++) {
+                w.mean[k / 3][k % 3] *= 1.25;
+            }
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+            expect_matrix(m, FLOAT_OR_DOUBLE(1e-6, 1e-12));
+            for (int k = 0; k < 3 * w.count; k++) {
+                w.mean[k / 3][k % 3] /= 1.25;
+            }
+        }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
         expect_matrix(m, FLOAT_OR_DOUBLE(1e-6, 1e-12));
         TEST_ASSERT_EQUAL_INT(6, imu.passes);
@@ -311,11 +321,10 @@ static void a_wobbling_hand_costs_little(void)
         double squares = 0;
         settle_settings(&settings, 1);
         for (int n = 0; n < runs; n++) {
-            world_begin(&w, 1000, 900u + (uint32_t)n);
+            world_begin(&w, 400, 900u + (uint32_t)n);
             world_without_noise(&w);
             w.wobble = 0.25;
             world_draw(&w, sizes[k], 0);
-            world_tour(&w);
             world_tour(&w);
             world_end(&w);
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
@@ -503,6 +512,147 @@ static void without_redundancy_there_is_no_good(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
     TEST_ASSERT_EQUAL_INT(0, imu.dof);
     TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, imu.verdict);
+}
+
+/* ---- residuals, closed form --------------------------------------------------------------------- */
+
+/* Turns about x, up across: what is off by[k] of turn k is seen in full. Priors of 1e-6 hold all parameters: these
+ * are the residuals. */
+static invcal_status solve_turns(const double *by, int turns, double prior_of_all,
+                                 invcal_imu_settings *settings)
+{
+    const int v[3] = {9000, 0, 0};
+    const double nominal = 5 * 9000 / 32768.0;
+    invcal_real prior[INVCAL_IMU_PARAMETERS];
+
+    for (int i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
+        prior[i] = (invcal_real)prior_of_all;
+    }
+    settings->held = 1;
+    settings->prior = prior;
+    begin_exact(upright);
+    for (int k = 0; k < turns; k++) {
+        const double m[3][3] = {{1 + by[k] / nominal, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        add_exact(m, v, 5);
+    }
+    const invcal_status status = world_solve(&w, settings, &imu);
+    settings->prior = NULL;
+    return status;
+}
+
+/* Of 12 moves and 9 priors for 9 unknowns, 24 rows of 33 have 24^2 / 33 degrees of freedom; what is stated counts
+ * as four. A turn of 1 s has 2 a^2 + N^2 + N^2 / 2 + (1.5 B)^2. */
+static void the_noise_of_moves_is_that_of_residuals_and_statement(void)
+{
+    const double dof = 24.0 * 24 / 33;
+
+    for (int k = 0; k < 4;
+         k++) { /* the variance of residuals 1.96 and 2.04 times the stated one, so of both */
+        const double ratio = k % 2 == 0 ? 1.96 : 2.04;
+        const int is_noisy = k >= 2;
+        invcal_imu_settings settings = {0, INVCAL_REAL(0.003), INVCAL_REAL(0.002),
+                                        INVCAL_REAL(0.001), 0};
+        double stated = 2 * 9e-6 + 4e-6 * 1.5 + 2.25 * 1e-6;
+        double by[12];
+        if (!is_noisy) {
+            settings.rate_noise = settings.instability = 0;
+            stated = 2 * 9e-6;
+        }
+        const double off = sqrt((ratio * (4 + dof) - 4) * stated / 12);
+        for (int i = 0; i < 12; i++) {
+            by[i] = i % 2 == 0 ? off : -off;
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, solve_turns(by, 12, 1e-6, &settings));
+        TEST_ASSERT_EQUAL_INT(k % 2 == 0 ? INVCAL_GOOD : INVCAL_ROUGH, imu.verdict);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-3 * sqrt(ratio * stated), sqrt(ratio * stated),
+                                  (double)imu.move_noise);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-3 * off, off / sqrt(2), (double)imu.move_rms);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-3 * off, off, (double)imu.move_max);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-8, 0.003, (double)imu.noise);
+        TEST_ASSERT_EQUAL_INT(24, imu.dof);
+        TEST_ASSERT_EQUAL_INT(12, imu.moves);
+        TEST_ASSERT_EQUAL_HEX32(0, imu.open | imu.left_out | imu.idle);
+    }
+}
+
+/* What only its prior tells has that as sigma: weak above 2.5 times the noise of a move, undetermined above 1000. */
+static void weak_and_undetermined_begin_at_their_bounds(void)
+{
+    static const double by[12] = {0};
+    static const double times[4] = {2.48, 2.52, 990, 1010};
+    const double noise = 1e-4;
+    /* without residuals, four of 4 + 24^2 / 33 */
+    const double of_move = sqrt(2 * 4 / (4 + 24.0 * 24 / 33)) * noise;
+
+    for (int k = 0; k < FLOAT_OR_DOUBLE(2, 4); k++) { /* of 1000 times a float has lost the pivot */
+        invcal_imu_settings settings = {0, (invcal_real)noise, 0, 0, 0};
+        const double sigma = times[k] * of_move;
+        const invcal_status status = solve_turns(by, 12, sigma, &settings);
+        TEST_ASSERT_EQUAL_INT(k == 3 ? INVCAL_UNDETERMINED : INVCAL_OK, status);
+        TEST_ASSERT_EQUAL_HEX32(k == 0 ? 0 : 0x1B6, imu.open);
+        if (status == INVCAL_OK) {
+            TEST_ASSERT_EQUAL_INT(k == 0 ? INVCAL_GOOD : INVCAL_WEAK, imu.verdict);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-3 * sigma, sigma, (double)imu.sigma[1]);
+        }
+    }
+}
+
+/* A move is apart if its square is 12.5 times the mean of the others', and they are six at least. */
+static void a_move_is_apart_beyond_its_bound(void)
+{
+    for (int k = 0; k < 4; k++) {
+        const int turns = k < 2 ? 7 : k == 2 ? 12 : 6;
+        const double ratio = k % 2 == 0 ? (k == 0 ? 12.2 : 12.8) : 12.8;
+        invcal_imu_settings settings = {0, INVCAL_REAL(0.003), 0, 0, 0};
+        double by[12];
+        for (int i = 0; i < turns; i++) {
+            by[i] = i % 2 == 0 ? 2e-3 : -2e-3;
+        }
+        by[3] = 2e-3 * sqrt(ratio);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, solve_turns(by, turns, 1e-6, &settings));
+        TEST_ASSERT_EQUAL_HEX32(k == 1 || k == 2 ? 1u << 4 : 0, imu.left_out);
+        TEST_ASSERT_EQUAL_INT(k == 1 || k == 2 ? turns - 1 : turns, imu.moves);
+        TEST_ASSERT_EQUAL_INT(k == 1 || k == 2 ? 7 : 6, imu.passes);
+        if (k == 0 || k == 3) {
+            TEST_ASSERT_EQUAL_INT(4, imu.worst);
+        }
+    }
+}
+
+/* The biases of 25 rests are G up + drift to a unit of 2^-18 rad/s; 12 rests tell them, 11 do not. */
+static void slopes_of_the_bias_are_those_of_closed_form(void)
+{
+    static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const int g[3][4] = {{40, -80, 120, 960}, {200, 60, -20, 0}, {-90, 10, 30, -480}};
+    static const int counts[3] = {25, 12, 11};
+    invcal_imu_settings settings;
+
+    settle_settings(&settings, 1);
+    begin_exact(upright);
+    tour_exact(unit, 10294);
+    tour_exact(unit, 10294);
+    for (int k = 0; k < 25; k++) {
+        for (int i = 0; i < 3; i++) {
+            w.moves.rest[k].bias[i] =
+                (int16_t)lround(g[i][0] * w.mean[k][0] + g[i][1] * w.mean[k][1] +
+                                g[i][2] * w.mean[k][2] + g[i][3] * k / 24.0);
+        }
+    }
+    for (int n = 0; n < 3; n++) {
+        const double span = (counts[n] - 1) / 24.0; /* the drift is that from first to last */
+        w.count = counts[n];
+        w.moves.count = (uint8_t)counts[n];
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+        for (int i = 0; i < 12; i++) {
+            const int of = g[i / 4][i % 4];
+            const double expected = n == 2 ? 0 : i % 4 == 3 ? of * span : of;
+            TEST_ASSERT_DOUBLE_WITHIN(n == 2 ? 0 : 1.5, expected,
+                                      (double)imu.slope[i / 4][i % 4] * 262144);
+            TEST_ASSERT_TRUE(n == 2 ? imu.slope_sigma[i / 4][i % 4] == 0
+                                    : imu.slope_sigma[i / 4][i % 4] * 262144 < 2);
+        }
+        TEST_ASSERT_EQUAL_INT(n != 2, imu.g_is_used);
+    }
 }
 
 /* Both are 9 where nothing is found. */
@@ -1249,6 +1399,10 @@ int main(void)
     RUN_TEST(next_to_one_axis_nothing_is_determined);
     RUN_TEST(a_bias_that_rests_do_not_tell_is_left_alone);
     RUN_TEST(without_redundancy_there_is_no_good);
+    RUN_TEST(the_noise_of_moves_is_that_of_residuals_and_statement);
+    RUN_TEST(weak_and_undetermined_begin_at_their_bounds);
+    RUN_TEST(a_move_is_apart_beyond_its_bound);
+    RUN_TEST(slopes_of_the_bias_are_those_of_closed_form);
     RUN_TEST(moves_may_tell_no_way_from_another);
     RUN_SLOW_TEST(errors_are_those_that_sigma_says);
     RUN_SLOW_TEST(noisy_moves_spoil_no_accelerometer);
