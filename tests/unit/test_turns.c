@@ -826,7 +826,7 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
  * solution weighs rests and moves by residuals of 37 rows. */
 static void errors_are_what_the_plan_says(void)
 {
-    enum { RUNS = 60 };
+    enum { RUNS = 30 };
     static world w;
     invcal_real sigma[18];
     uint32_t open;
@@ -843,7 +843,7 @@ static void errors_are_what_the_plan_says(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma, &open));
     for (unsigned run = 0; run < RUNS; run++) {
         invcal_imu imu;
-        world_begin(&w, 200, 100 + run);
+        world_begin(&w, 100, 100 + run);
         world_draw(&w, 0.01, 0.01);
         world_tour(&w);
         world_end(&w);
