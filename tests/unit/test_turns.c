@@ -562,6 +562,20 @@ static void turns_of_any_angle_tell_what_closed_form_says(void)
     }
 }
 
+/* Next to z, up or down: of a turn about x the angle is told but for the part of x along up. */
+static void next_to_the_vertical_nothing_is_lost(void)
+{
+    for (unsigned k = 0; k < 2; k++) {
+        const double length = sqrt(1 + 5e-6);
+        const invcal_real up[3] = {(invcal_real)(1e-3 / length), (invcal_real)(2e-3 / length),
+                                   (invcal_real)((k == 0 ? 1 : -1) / length)};
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, up, &perfect_held));
+        about(0, 90, 1);
+        TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-5, 1e-12),
+                                  PI * PI / 8 * (1 - 1e-6 / (length * length)), at(0, 0));
+    }
+}
+
 /* ---- noise, priors, prospects --------------------------------------------------------------------- */
 
 /* An angle of a turn of T has the variance 2 a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2. */
@@ -883,6 +897,7 @@ int main(void)
     RUN_TEST(of_opposite_directions_no_turn_is_the_shortest);
     RUN_TEST(bad_arguments_are_refused);
     RUN_TEST(turns_of_any_angle_tell_what_closed_form_says);
+    RUN_TEST(next_to_the_vertical_nothing_is_lost);
     RUN_TEST(the_noise_of_a_turn_is_that_of_the_design);
     RUN_TEST(a_prior_is_information);
     RUN_TEST(sigma_is_judged_at_its_bounds);
