@@ -840,7 +840,7 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
  * solution weighs rests and moves by residuals of 37 rows. */
 static void errors_are_what_the_plan_says(void)
 {
-    enum { RUNS = 30 };
+    enum { RUNS = 20 };
     static world w;
     invcal_real sigma[18];
     uint32_t open;
@@ -857,7 +857,7 @@ static void errors_are_what_the_plan_says(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma, &open));
     for (unsigned run = 0; run < RUNS; run++) {
         invcal_imu imu;
-        world_begin(&w, 100, 100 + run);
+        world_begin(&w, 100, 700 + run);
         world_draw(&w, 0.01, 0.01);
         world_tour(&w);
         world_end(&w);
