@@ -93,7 +93,8 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
 
     INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && axes && unit);
     invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, NULL, &out);
-    best.squares = best.next = INVCAL_REAL_MAX;
+    best.squares = INVCAL_REAL_MAX;
+    best.next = INVCAL_REAL_MAX;
     best.unit = 1;
     if (status == INVCAL_OK && !find_stuck(moves, best.axes)) {
         w.n = 0;
