@@ -8,11 +8,11 @@ void invcal_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine)
 {
     unsigned quarters = 0;
 
-    while (degrees > 45) { /* at most two steps, each exact */
+    while (degrees > 45) { /* at most eight steps, each exact */
         degrees -= 90;
         quarters += 1;
     }
-    while (degrees < -45) { /* at most two steps */
+    while (degrees < -45) { /* at most eight steps */
         degrees += 90;
         quarters += 3;
     }

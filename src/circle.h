@@ -7,7 +7,7 @@
 
 #include "invcal/invcal.h"
 
-/* Of -180 ... 180 degrees, to 1.2e-7 (float) and 2.2e-16 (double); 0 and 1 are exact. */
+/* Of -720 ... 720 degrees, to 1.2e-7 (float) and 2.2e-16 (double); 0 and 1 are exact. */
 void invcal_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine);
 
 #endif

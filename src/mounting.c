@@ -47,7 +47,7 @@ static int find_stuck(const invcal_moves *m, int8_t axes[3])
     return is_stuck;
 }
 
-/* The best way, and the sum of squares of the best with other axes. */
+/* The best way, and the sum of squares of the second best. */
 typedef struct {
     invcal_real squares, next, unit;
     int8_t axes[3];
@@ -55,14 +55,12 @@ typedef struct {
 
 static void compare(best_way *best, const int8_t axes[3], invcal_real unit, invcal_real squares)
 {
-    const int is_another = memcmp(axes, best->axes, sizeof best->axes) != 0;
-
     if (squares < best->squares) {
-        best->next = is_another ? best->squares : best->next;
+        best->next = best->squares;
         best->squares = squares;
         best->unit = unit;
         memcpy(best->axes, axes, sizeof best->axes);
-    } else if (is_another && squares < best->next) {
+    } else if (squares < best->next) {
         best->next = squares;
     } /* cppcheck-suppress misra-c2012-15.7 ; it is one of many */
 }
@@ -95,7 +93,8 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
 
     INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && axes && unit);
     invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, NULL, &out);
-    best.squares = best.next = INVCAL_REAL_MAX;
+    best.squares = INVCAL_REAL_MAX;
+    best.next = INVCAL_REAL_MAX;
     best.unit = 1;
     if (status == INVCAL_OK && !find_stuck(moves, best.axes)) {
         w.n = 0;

@@ -11,7 +11,6 @@
 #define RADIANS INVCAL_REAL(0.017453292519943296) /* in a degree */
 #define MOST_DEGREES INVCAL_REAL(720.0)
 #define QUARTER INVCAL_REAL(90.0)
-#define HALF INVCAL_REAL(180.0)
 #define USUAL_MEAN_NOISE INVCAL_REAL(3e-4) /* of a mean, as of invcal_imu_solve */
 #define USUAL_SECONDS INVCAL_REAL(1.5)     /* of a turn */
 #define VAGUE INVCAL_REAL(0.01) /* information of a parameter that is known to 10 times the noise */
@@ -135,19 +134,19 @@ static void way_back(const invcal_real n[3], invcal_real cosine, invcal_real sin
     }
 }
 
-/* Unit vectors perpendicular to up and to each other. */
+/* Unit vectors perpendicular to up and to each other (Duff and others, 2017). */
 static void find_across(const invcal_real up[3], invcal_real b[2][3])
 {
-    invcal_real axis[3] = {0, 0, 0};
-    unsigned least = 0;
+    const invcal_real sign = up[2] < 0 ? -1 : 1;
+    const invcal_real a = -1 / (sign + up[2]);
+    const invcal_real c = up[0] * up[1] * a;
 
-    for (unsigned i = 1; i < 3; i++) {
-        least = INVCAL_FABS(up[i]) < INVCAL_FABS(up[least]) ? i : least;
-    }
-    axis[least] = 1;
-    invcal_cross(up, axis, b[0]);
-    scale(b[0], 1 / INVCAL_SQRT(invcal_dot3(b[0], b[0])));
-    invcal_cross(up, b[0], b[1]);
+    b[0][0] = 1 + sign * up[0] * up[0] * a;
+    b[0][1] = sign * c;
+    b[0][2] = -sign * up[0];
+    b[1][0] = c;
+    b[1][1] = sign + up[1] * up[1] * a;
+    b[1][2] = -up[1];
 }
 
 static void tell_rest(invcal_real h[TURNS_ALL], const invcal_real up[3])
@@ -164,16 +163,12 @@ INVCAL_APART static void tell(const invcal_turns *turns, const invcal_turn *turn
     const invcal_real *n = turn->axis;
     const invcal_real angle = turn->degrees * RADIANS;
     const invcal_real root = 1 / INVCAL_SQRT(variance_of(turns, turn->degrees));
-    invcal_real degrees = turn->degrees;
     invcal_real cosine;
     invcal_real sine;
     invcal_real across[2][3];
     invcal_real g[INVCAL_PARAMETERS];
 
-    for (unsigned i = 0; i < 2; i++) { /* two full turns at most */
-        degrees -= degrees > HALF ? 2 * HALF : degrees < -HALF ? -2 * HALF : 0;
-    }
-    invcal_circle(degrees, &cosine, &sine);
+    invcal_circle(turn->degrees, &cosine, &sine);
     way_back(n, cosine, sine, turns->up, out->up);
     find_across(turns->up, across);
     for (unsigned k = 0; k < 2; k++) {

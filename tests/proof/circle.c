@@ -6,7 +6,7 @@
 
 void main(void)
 {
-    const invcal_real degrees = (invcal_real)Frama_C_double_interval(-180, 180);
+    const invcal_real degrees = (invcal_real)Frama_C_double_interval(-720, 720);
     invcal_real cosine;
     invcal_real sine;
 

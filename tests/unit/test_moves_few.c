@@ -7,21 +7,8 @@
 #undef INVCAL_MAX_MOVES
 #define INVCAL_MAX_SEGMENTS 100
 #define INVCAL_MAX_MOVES 14
-/* Beside those of the library. */
-#define invcal_moves_rails few_rails
-#define invcal_moves_feed few_feed
-#define invcal_moves_gap few_gap
-#define invcal_moves_follow few_follow
-#define invcal_moves_reason few_reason
-#define invcal_unpack few_unpack
-#define invcal_replay_move few_replay_move
-#define invcal_imu_begin few_begin
-#define invcal_imu_sum few_sum
-#define invcal_imu_settings_check few_settings_check
-#define invcal_moves_restart few_restart
+#include "gyro_tables.h"
 #include "gyro_world.h"
-#include "imu.c"
-#include "moves.c"
 #include "unity.h"
 
 void setUp(void)

@@ -60,7 +60,7 @@ static void xsens_is_as_the_solution_from_all_samples(void)
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, LOAD(xsens, 32768, 1 / (414.4 * 9.81744), 1 / 4772.0));
     TEST_ASSERT_TRUE(imu.moves >= 12);
-    TEST_ASSERT_TRUE(imu.move_rms < INVCAL_REAL(1.7e-3));
+    TEST_ASSERT_TRUE(imu.move_rms < INVCAL_REAL(1.6e-3));
     TEST_ASSERT_EQUAL_INT(1, imu.g_is_used);
     TEST_ASSERT_DOUBLE_WITHIN(3 * (double)imu.slope_sigma[1][0] + 0.006 * DEGREE, -0.154 * DEGREE,
                               (double)imu.slope[1][0]);
