@@ -201,7 +201,7 @@ void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
 }
 
 /* The row of cell k: (eta, 1, excess length of late samples). Returns its weight, the number of samples that
- * would give the same variance against an exact length; not above 0 if early or late has none. */
+ * would give the same variance against an exact length; 0 if early or late has none. */
 static invcal_real compare_late(const invcal_cell_fit *fit, unsigned k, invcal_real row[5])
 {
     const invcal_cell_tables early = {fit->tables.early, fit->tables.early};
@@ -210,6 +210,9 @@ static invcal_real compare_late(const invcal_cell_fit *fit, unsigned k, invcal_r
     const invcal_real m = invcal_number(late.late->count[k]);
     invcal_real h[INVCAL_PARAMETERS + 1];
 
+    if (!(n > 0 && m > 0)) {
+        return 0;
+    }
     (void)mean_row(&early, k, h);
     const invcal_real before = mean_square(&fit->triad, h, row);
     (void)mean_row(&late, k, h);
@@ -228,6 +231,7 @@ int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power)
     unsigned count = 0;
 
     invcal_zero(a, sizeof a);
+    invcal_zero(row, sizeof row);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         const invcal_real weight = compare_late(fit, k, row);
         if (weight > 0) {
