@@ -14,7 +14,7 @@ from browser import Browser
 WIDTH = 760
 # Each from one text to the other, as they begin; from the top if there is none.
 PARTS = {"report.png": ("", "As a constant for a firmware"),
-         "residuals.png": ("What is left: residuals", "Where the positions lie")}
+         "residuals.png": ("Residuals", "Where the positions lie")}
 TOP = """(text) => text === '' ? 0 : [...document.querySelectorAll('h2,p')].find((e) =>
     e.textContent.startsWith(text)).getBoundingClientRect().top + scrollY"""
 
