@@ -522,7 +522,7 @@ static invcal_status solve_turns(const double *by, int turns, double prior_of_al
                                  invcal_imu_settings *settings)
 {
     const int v[3] = {9000, 0, 0};
-    const double nominal = 5 * 9000 / 32768.0;
+    const double nominal = 5 * 9000.0 / 32768;
     invcal_real prior[INVCAL_IMU_PARAMETERS];
 
     for (int i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
