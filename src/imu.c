@@ -437,7 +437,7 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 }
 
 /* The variances by the residuals of each kind; the expected one counts as some of them. */
-static void weigh(invcal_imu_work *w)
+static void weigh_kinds(invcal_imu_work *w)
 {
     for (unsigned k = 0; k < INVCAL_KINDS; k++) {
         const invcal_real stated =
@@ -467,7 +467,7 @@ static int adapt(invcal_imu_work *w)
         w->out->left_out |= (uint32_t)1 << w->out->worst;
         w->apart++;
     } else {
-        weigh(w);
+        weigh_kinds(w);
     }
     return 1;
 }

@@ -632,8 +632,8 @@ static void stir(int n, double th[3])
     int32_t raw[3];
 
     for (int i = 0; i < 3; i++) {
-        raw[i] = (int32_t)lround(stirred[n][i] * 262144 * EXACT_RATE);
-        th[i] = raw[i] / 262144.0 / EXACT_RATE;
+        raw[i] = (int32_t)lround(stirred[n][i] * 262144 * (double)EXACT_RATE);
+        th[i] = raw[i] / 262144.0 / (double)EXACT_RATE;
     }
     invcal_moves_feed(&w.moves, raw);
 }
