@@ -254,7 +254,7 @@ static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a
             b[i] = (i == k ? 1 : 0) - up[0][k] * up[0][i];
         }
         for (unsigned i = 0; i < 3; i++) {
-            turn_back(r->s[i], b, &h[3 * i]);
+            turn_back(r->s[i], b, &h[3 * (size_t)i]);
         }
         invcal_cross(up[0], b, g);
         turn_back(r->c, g, &h[IMU_GYRO]);
