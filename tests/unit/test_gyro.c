@@ -1278,6 +1278,12 @@ static void residuals_beyond_what_was_stated_are_rough(void)
     world_end(&w);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
     TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, imu.verdict);
+    settings.rate_noise = INVCAL_REAL(1e-3); /* then it is the rests alone */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, imu.verdict);
+    settings.noise = 0;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, imu.verdict);
 }
 
 /* A move back to where it began, hardly turned. */
