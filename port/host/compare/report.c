@@ -109,9 +109,10 @@ static void write_drift(page *p, const compare_result *r, unsigned k)
 static void write_history(page *p, const compare_result *r, unsigned device)
 {
     const compare_device *d = &r->device[device];
-    static const char *const captions[3] = {"Offsets: differences from the oldest calibration. "
-                                            "Whiskers: 95 % interval of each calibration alone.",
-                                            "Scales, the same.", "Angles off square, the same."};
+    static const char offsets[] = "Offsets: differences from the oldest calibration. "
+                                  "Whiskers: 95 % interval of each calibration alone.";
+    static const char *const captions[3] = {offsets, "Scales, the same.",
+                                            "Angles off square, the same."};
     compare_picture picture = {r, device, 0};
     char name[COMPARE_NAME_MAX];
     char heading[COMPARE_NAME_MAX + 16];
