@@ -5,7 +5,7 @@
 #include "vector.h"
 
 /* Min h K h' of a position to keep: l = 9 of 20 without it in the sums, l / (1 + l) with it. */
-#define TELLING (INVCAL_REAL(9.0) / 29)
+#define INFORMATIVE (INVCAL_REAL(9.0) / 29)
 enum { DAYS = 88 }; /* after which a position is dropped */
 
 invcal_status invcal_background_init(invcal_background *background,
@@ -53,7 +53,7 @@ INVCAL_APART static invcal_event sift(invcal_background *b)
             which = i;
         }
     }
-    if (!(leverage > TELLING)) {
+    if (!(leverage > INFORMATIVE)) {
         drop_position(b, session->count - 1u);
         session->last = INVCAL_REFUSED;
         session->reason = INVCAL_REST_SAME;

@@ -7,9 +7,9 @@
 #include "sums.h"
 #include "vector.h"
 
-enum { SAMPLES_TELL = 24 };            /* degrees of freedom that the power of samples counts as */
-#define CELLS_SCATTER INVCAL_REAL(3.0) /* times a variance: more is not chance */
-#define STEP_TOLD                                                                                  \
+enum { POWER_DOF = 24 };               /* degrees of freedom of the power of samples */
+#define CELLS_SCATTER INVCAL_REAL(3.0) /* ratio of variances: above, it is not chance */
+#define STEP_CHI_SQUARE                                                                            \
     INVCAL_REAL(28.0) /* chi squared of 4, with a power known to a third; 18.5 if exact */
 #define STEP_F INVCAL_REAL(160.0) /* 4 times F of 4 and n - 4, for cells with a common error */
 enum { STEP_UNKNOWNS = 4, STEP_CELLS = 10 };
@@ -21,7 +21,7 @@ unsigned invcal_cells_count(const invcal_cell_tables *tables, unsigned k)
     return (unsigned)tables->early->count[k] + tables->late->count[k];
 }
 
-/* The cosine from cell k to the nearest that has samples. */
+/* The cosine of the angle from cell k to the nearest one with samples. */
 static invcal_real nearest_covered(const invcal_cell_tables *tables, unsigned k)
 {
     invcal_real nearest = -1;
@@ -49,7 +49,7 @@ invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst)
     *worst = 0;
     for (unsigned k = 1; k < INVCAL_CELLS; k++) {
         const invcal_real nearest = nearest_covered(tables, k);
-        if (nearest < gap || /* an empty one has the fewest already */
+        if (nearest < gap || /* no cell has fewer than an empty one */
             invcal_cells_count(tables, k) < invcal_cells_count(tables, *worst)) {
             gap = nearest;
             *worst = k;
@@ -60,7 +60,7 @@ invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst)
 
 /* ---- the solution ------------------------------------------------------------------------------- */
 
-/* The mean row of cell k, then J. Returns the number of samples; if 0, h is lost. */
+/* Computes the mean row of cell k, and J. Returns the number of samples; if 0, h is lost. */
 static unsigned mean_row(const invcal_cell_tables *tables, unsigned k,
                          invcal_real h[INVCAL_PARAMETERS + 1])
 {
@@ -74,7 +74,7 @@ static unsigned mean_row(const invcal_cell_tables *tables, unsigned k,
     return count;
 }
 
-/* A system like invcal_sums, but with mean rows no element repeats another. */
+/* A system like invcal_sums; but in a sum over mean rows no two elements are the same. */
 invcal_status invcal_cells_solve(invcal_cell_fit *fit)
 {
     invcal_real a[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
@@ -172,7 +172,7 @@ invcal_real invcal_cells_field(const invcal_cell_fit *fit)
 
 /* ---- judgement ---------------------------------------------------------------------------------- */
 
-/* Combines the scatter of the samples with that of the cells; uses the latter alone if it is clearly larger. */
+/* Combines the scatter of the samples with that of the cells. If the latter is clearly larger, it stays alone. */
 void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
 {
     invcal_quality *const q = &fit->quality;
@@ -190,12 +190,12 @@ void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
         return;
     }
     const invcal_real dof = invcal_number(q->dof);
-    const invcal_real told = invcal_number(SAMPLES_TELL);
+    const invcal_real of_power = invcal_number(POWER_DOF);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         k[r] = q->sigma[r] * q->sigma[r] / seen;
     }
-    q->noise = INVCAL_SQRT((dof * seen + told * expected) / (dof + told));
-    q->sigma_dof = (uint16_t)(q->dof + SAMPLES_TELL);
+    q->noise = INVCAL_SQRT((dof * seen + of_power * expected) / (dof + of_power));
+    q->sigma_dof = (uint16_t)(q->dof + POWER_DOF);
     q->verdict = INVCAL_GOOD;
     invcal_judge_parameters(k, (const invcal_real(*)[3])fit->triad.matrix, q);
 }
@@ -221,8 +221,8 @@ static invcal_real compare_late(const invcal_cell_fit *fit, unsigned k, invcal_r
     return n * m / (n + m);
 }
 
-/* Two tests: against the power, and, since samples after a step raise the power, against the other differences
- * of the cells. */
+/* Compares the squares that a step explains with the power, and with the other differences of the cells, since
+ * samples after a step raise the power. */
 int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power)
 {
     invcal_real a[INVCAL_PACKED_SIZE(STEP_UNKNOWNS + 1)];
@@ -245,7 +245,8 @@ int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power)
         return 0;
     }
     const invcal_real left = a[INVCAL_PACKED(STEP_UNKNOWNS, STEP_UNKNOWNS)];
-    const invcal_real told = total - left;
-    return told > STEP_TOLD * power ||
-           (count >= STEP_CELLS && told * invcal_number(count - STEP_UNKNOWNS) > STEP_F * left);
+    const invcal_real explained = total - left;
+    return explained > STEP_CHI_SQUARE * power ||
+           (count >= STEP_CELLS &&
+            explained * invcal_number(count - STEP_UNKNOWNS) > STEP_F * left);
 }

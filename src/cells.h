@@ -3,8 +3,8 @@
  * Internal: the cells of magnetometer.h, and their solution.
  *
  * A row is (x y z x^2 y^2 z^2 xy xz yz), of a sample or the mean of many. The equation of an ellipsoid is
- * linear in it, so it holds for the mean as well, however wide the cell. A mean of vectors would be too short.
- * Nor does a change of unit or centre cause an error.
+ * linear in it, so it also holds for the mean, however wide the cell is; a mean of vectors would be too short.
+ * Changes of unit or centre are exact.
  */
 #ifndef INVCAL_CELLS_H
 #define INVCAL_CELLS_H
@@ -46,7 +46,7 @@ static inline unsigned invcal_cell_of_inline(const invcal_real h[INVCAL_PARAMETE
     return first[least] + 2u * (h[a] < 0) + (h[b] < 0);
 }
 
-/* The same, inlined where it is called often, if speed matters. */
+/* Inlined where it is called often, if speed matters. */
 #ifdef INVCAL_FAST
 #define invcal_cell_of_often invcal_cell_of_inline
 #else
@@ -56,7 +56,7 @@ static inline unsigned invcal_cell_of_inline(const invcal_real h[INVCAL_PARAMETE
 /* The centre of a cell, a unit vector. */
 void invcal_cell_direction(unsigned k, invcal_real d[3]);
 
-/* A full cell is halved: the mean stays, and later samples count more. 16 bits hold the sum of two full cells. */
+/* A full cell is halved: its mean stays, and later samples count more. 16 bits hold two full cells. */
 enum { INVCAL_FULL_CELL = 16384 };
 void invcal_cells_halve(invcal_cells *cells, unsigned k);
 
@@ -90,10 +90,10 @@ typedef struct {
     const invcal_cells *late;
 } invcal_cell_tables;
 
-/* The number of samples in cell k, or about that. */
+/* The number of samples in cell k; less once it was halved. */
 unsigned invcal_cells_count(const invcal_cell_tables *tables, unsigned k);
 
-/* The cosine of the gap, 1 if there is none, and its cell, or the one with the fewest samples. */
+/* Returns the cosine of the gap, 1 if there is none. worst: its cell, or the one with the fewest samples. */
 invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst);
 
 /* The solution of cells, in the coordinates of their rows. */
@@ -107,7 +107,7 @@ typedef struct {
 /* Solves the tables: p and triad. Returns as invcal_calibrate. */
 invcal_status invcal_cells_solve(invcal_cell_fit *fit);
 
-/* The same, with the quality. */
+/* Solves them, with the quality. */
 invcal_status invcal_cells_calibrate(invcal_cell_fit *fit);
 
 /* Cell k as a position: along the mean, with the root-mean-square length of its samples.

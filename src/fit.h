@@ -55,14 +55,14 @@ static INVCAL_IN_HEADER void invcal_fit_row_inline(const invcal_fit *fit, unsign
 invcal_real invcal_fit_append(const invcal_fit *fit, invcal_column columns[INVCAL_MORE],
                               unsigned d);
 
-#define INVCAL_TOLD INVCAL_REAL(0.001)
+#define INVCAL_TOLERANCE INVCAL_REAL(0.001)
 
 static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *fit,
                                                              invcal_column columns[INVCAL_MORE],
                                                              unsigned d)
 {
     invcal_real *const x = columns[d];
-    const invcal_real least = INVCAL_TOLD * x[INVCAL_C + d];
+    const invcal_real least = INVCAL_TOLERANCE * x[INVCAL_C + d];
     const invcal_real beside = x[INVCAL_C + d] - invcal_leverage_often(fit->sums.sum, x);
     invcal_real left = beside;
 

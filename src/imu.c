@@ -18,22 +18,22 @@
 #define OPEN_SQUARE INVCAL_REAL(1e6)     /* of 1000 */
 #define BEYOND_4_SIGMA INVCAL_REAL(16.0) /* 4 sigma, squared */
 #define NOISE_OF_MEAN INVCAL_REAL(3e-4)  /* of a mean, if nothing is known */
-#define IMU_RIDGE INVCAL_REAL(6e-6)      /* of the trace: open is what only it determines */
-#define HELD_BY_RIDGE INVCAL_REAL(0.1)   /* a share */
+#define IMU_RIDGE INVCAL_REAL(6e-6)      /* of the trace */
+#define HELD_BY_RIDGE INVCAL_REAL(0.1)   /* open: the ridge gives more than this share */
 #define STATED_ROWS INVCAL_REAL(4.0)     /* residuals that a stated noise counts as */
-#define LITTLE INVCAL_REAL(0.01)         /* of a residual: with 0 rounding would count */
+#define LITTLE INVCAL_REAL(0.01)         /* of a residual; with 0, rounding errors would count */
 #define MUCH INVCAL_REAL(2.0)            /* times the stated variance: something is wrong */
 
 enum {
     IMU_ALL = INVCAL_IMU_PARAMETERS,
     IMU_GYRO = INVCAL_GYRO_PARAMETERS,
     LEAST_PASSES = 4, /* two steps, an update of the variances, a step */
-    PASSES = 10,      /* two steps, three times such a pair, two last steps */
+    PASSES = 10,      /* two steps, three pairs of update and step, two last steps */
     SETTLED = 2,      /* passes after which residuals are those of noise */
     MOST_APART = 3,   /* moves left out */
     LEAST_MOVES = 6,
     BIAS = 5,         /* unknowns of a bias: three of up, time, constant */
-    LEAST_RESTS = 12, /* for them */
+    LEAST_RESTS = 12, /* to determine them */
     SERIES_OF_TURN = INVCAL_DOUBLE ? 9 : 5
 };
 
@@ -95,12 +95,12 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     }
     (void)invcal_cofactors(m, cofactors);
     for (unsigned n = 0; n < count; n++) {
-        //@ assert \valid_read(segment); // as all of a move
+        //@ assert \valid_read(segment); // of this move
         const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
         invcal_zero(v, sizeof v);
         invcal_unpack(segment->v, INVCAL_V_UNIT, v);
         turn_back(r->c, up[0], f);
-        invcal_cross(f, v, th); /* on the way: half of it */
+        invcal_cross(f, v, th); /* half of it leads to the middle of the segment */
         for (unsigned i = 0; i < 3; i++) {
             f[i] += (th[i] - up[0][i] - up[1][i]) / 2;
         }
@@ -139,8 +139,8 @@ static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
     return at->move != -INVCAL_REST_DRIFT;
 }
 
-/* Slopes of an axis from their equations, L^-1 and p; square: mean square of a residual. */
-static void tell_slopes(invcal_imu *out, unsigned axis, const invcal_real *a, invcal_real square)
+/* Sets the slopes of an axis from L^-1 and p; square: mean square of a residual. */
+static void set_slopes(invcal_imu *out, unsigned axis, const invcal_real *a, invcal_real square)
 {
     const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
 
@@ -154,11 +154,11 @@ static void tell_slopes(invcal_imu *out, unsigned axis, const invcal_real *a, in
     }
 }
 
-/* By least squares over all rests. A rest's own bias has noise of variance s^2, which the fit has not; but the
- * fit does not follow how the bias wanders, W, apart from up and time. Residuals have the variance s^2 + W, half
- * the squares of their changes from rest to rest s^2. So s^2/2 of the variance of the mean of two residuals,
- * s^2/2 + W, is noise, and that share of the residual is subtracted from the bias: the best linear estimate for
- * the move between them. */
+/* Least squares over all rests. The measured bias of a rest has noise of variance s^2. The fit has less, but
+ * misses how the bias wanders apart from up and time, with variance W. Residuals have variance s^2 + W; half the
+ * squares of their changes from rest to rest give s^2. Of the variance of the mean of two residuals, s^2/2 + W,
+ * s^2/2 is noise. That share of the residual is subtracted from the bias, which is the best linear estimate for
+ * the move between two rests. */
 static void fit_bias(invcal_imu_work *w, unsigned axis)
 {
     const unsigned end = w->moves->count;
@@ -184,9 +184,9 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
     //@ loop unroll INVCAL_MAX_MOVES;
     for (unsigned i = w->begin; i < end; i++) {
-        const int is_told = has_bias_row(w, i, axis, h);
+        const int is_rest = has_bias_row(w, i, axis, h);
         residual[i] = invcal_dot(p, h, BIAS) + h[BIAS];
-        if (is_told) {
+        if (is_rest) {
             changes += (residual[i] - last) * (residual[i] - last);
             last = residual[i];
         }
@@ -200,7 +200,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     }
     w->felt[axis] = invcal_dot3(p, h); /* of the last rest */
     invcal_invert(a, BIAS);
-    tell_slopes(w->out, axis, a, square);
+    set_slopes(w->out, axis, a, square);
 }
 
 static void find_bias(invcal_imu_work *w)
@@ -226,7 +226,7 @@ static void add_row(invcal_imu_work *w, invcal_real h[IMU_ALL + 1], invcal_real 
     invcal_rank_one(w->pass.sum, h, w->n + 1, weight);
 }
 
-/* The length of up in a rest. */
+/* Adds the length of up in a rest. */
 static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real excess)
 {
     const invcal_real weight = 1 / w->noise_square;
@@ -240,7 +240,7 @@ static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real ex
     w->pass.kind[INVCAL_OF_RESTS]++;
 }
 
-/* The angles of a move perpendicular to up, for each axis: with b its perpendicular part,
+/* Adds the angles of a move perpendicular to up. For each axis, with b its perpendicular part,
  * b'y = b'S de + (g1 D(u1) + g0 D(u0)) dp, g1 = C'(u0 x b), g0 = b x a. The three rows have rank two. */
 static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a[3],
                        const invcal_real up[2][3], const invcal_real y[3], invcal_real weight)
@@ -268,7 +268,8 @@ static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a
     }
 }
 
-/* The rotation from a to up0: 3 / (2 + cos) times the sine is the angle up to its fifth power. */
+/* Adds a move. Its residual is the rotation from a to up0: 3 / (2 + cos) times the sine is the angle up to its
+ * fifth power. */
 static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *segment,
                      const invcal_real up[2][3])
 {
@@ -310,7 +311,7 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     }
 }
 
-/* Each parameter has its nominal value with the standard deviation of the prior. */
+/* Adds a row per parameter: its nominal value, with the standard deviation of the prior. */
 static void add_prior(invcal_imu_work *w)
 {
     const invcal_real *prior = w->settings->prior;
@@ -392,7 +393,7 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     w->moves = moves;
     w->out = out;
     w->settings = s;
-    w->is_told = settings != NULL;
+    w->is_stated = settings != NULL;
     out->accelerometer = *accelerometer;
     for (unsigned i = 0; i < IMU_GYRO; i += 4) {
         out->parameter[i] = 1;
@@ -410,8 +411,8 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     return status == INVCAL_OK ? invcal_nominal_check(accelerometer) : status;
 }
 
-/* The unknowns of the accelerometer are those of the readings calibrated so far: A = (I + S)^-1 follows it. To
- * first order, since another step follows. */
+/* The unknowns of the accelerometer refer to the readings as calibrated so far, so A = (I + S)^-1 is multiplied
+ * from the left; to first order, since another step follows. */
 static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 {
     const invcal_real *p = &w->pass.sum[INVCAL_PACKED(w->n, 0)];
@@ -436,7 +437,7 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
     return invcal_behind(&before, &w->out->accelerometer);
 }
 
-/* The variances by the residuals of each kind; the expected one counts as some of them. */
+/* Estimates the variance of each kind from its residuals. The expected variance counts as some more of them. */
 static void weigh_kinds(invcal_imu_work *w)
 {
     for (unsigned k = 0; k < INVCAL_KINDS; k++) {
@@ -450,8 +451,9 @@ static void weigh_kinds(invcal_imu_work *w)
     }
 }
 
-/* Leaves out a move that is far from the others; or updates the variances, more than once: weighed wrongly, each
- * kind disturbs the residuals of the other. A step comes between. Returns 0 if there is nothing to change. */
+/* Leaves out a move that is far from the others, or else updates the variances. It does so more than once, since
+ * wrong weights of one kind disturb the residuals of the other; a step comes between. Returns 0 if there is
+ * nothing to change. */
 static int adapt(invcal_imu_work *w)
 {
     const unsigned moves = w->pass.kind[INVCAL_OF_MOVES] / 2;
@@ -472,7 +474,7 @@ static int adapt(invcal_imu_work *w)
     return 1;
 }
 
-/* Of Gauss-Newton: sums all equations; then takes a step, unless the equations are to be changed first. */
+/* A Gauss-Newton pass: sums all equations, then takes a step unless the equations change first. */
 static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
 {
     if (w->out->passes == 1) {
@@ -500,7 +502,7 @@ static invcal_status iterate(invcal_imu_work *w)
 
     while (w->out->passes < most + 2 * w->apart) { /* at most 16 */
         const invcal_status status = make_pass(w, &size);
-        if (status != INVCAL_OK) { /* after the first pass: it has diverged */
+        if (status != INVCAL_OK) { /* after the first pass it means divergence */
             return w->out->passes > 0 ? INVCAL_MOUNTING : status;
         }
         if (size < STEP) {
@@ -512,7 +514,7 @@ static invcal_status iterate(invcal_imu_work *w)
     return w->pass.residuals < ABSURD_TURN && most < PASSES ? INVCAL_OK : INVCAL_MOUNTING;
 }
 
-/* sigma; parameters with a larger K than `most` are open. Returns the largest K. */
+/* Computes sigma. Parameters whose K exceeds `most` are open. Returns the largest K. */
 static invcal_real judge_imu(invcal_imu_work *w, invcal_real most)
 {
     invcal_real largest = 0;
@@ -529,10 +531,10 @@ static invcal_real judge_imu(invcal_imu_work *w, invcal_real most)
     return largest;
 }
 
-/* Names the open parameters: those that only a small ridge determines. */
+/* Finds the open parameters: those that only a small ridge determines. */
 static void name_open(invcal_imu_work *w)
 {
-    (void)invcal_imu_sum(w); /* it was accepted before */
+    (void)invcal_imu_sum(w); /* it succeeded before */
     const invcal_real ridge = IMU_RIDGE * invcal_trace(w->pass.sum, w->n);
     for (unsigned i = 0; i < w->n; i++) {
         w->pass.sum[INVCAL_PACKED(i, i)] += ridge;
@@ -541,7 +543,7 @@ static void name_open(invcal_imu_work *w)
     (void)judge_imu(w, HELD_BY_RIDGE / ridge);
 }
 
-/* The bias is that of the last rest; without the effect of acceleration there, if the moves were corrected for it. */
+/* The offset is the bias of the last rest, without the effect of acceleration if the moves were corrected. */
 static void deliver(invcal_imu_work *w)
 {
     invcal_imu *out = w->out;
@@ -559,8 +561,8 @@ static void deliver(invcal_imu_work *w)
     out->dof = (uint16_t)(w->pass.rows - w->n);
     if (out->open != 0) {
         out->verdict = INVCAL_WEAK;
-    } else if (w->is_told && (w->variance[INVCAL_OF_MOVES] > MUCH ||
-                              (w->settings->noise > 0 && w->variance[INVCAL_OF_RESTS] > MUCH))) {
+    } else if (w->is_stated && (w->variance[INVCAL_OF_MOVES] > MUCH ||
+                                (w->settings->noise > 0 && w->variance[INVCAL_OF_RESTS] > MUCH))) {
         out->verdict = INVCAL_ROUGH;
     } else if (out->dof == 0) {
         out->verdict = INVCAL_NO_REDUNDANCY;
@@ -591,6 +593,6 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
         out->noise = INVCAL_SQRT(of_rests);
         out->move_noise = INVCAL_SQRT(of_moves);
         deliver(&w);
-    } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to tell */
+    } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to add */
     return status;
 }

@@ -11,20 +11,19 @@
 #include "sums.h"
 #include "vector.h"
 
-/* No solution: the box of the readings gives the place of the cells. Then a first solution, from samples that
- * were compared with nothing; then one from samples after it only. */
+/* Without a solution, the box of the readings places the cells. The first solution is from samples that were
+ * compared with nothing, the second from later samples only. */
 enum { NO_SOLUTION, FIRST_SOLUTION, SECOND_SOLUTION };
 enum { FIRST_LOOK = 100, LARGEST_BLOCK = 4096 };
 #define FULL_COUNT UINT32_C(16777216)
-/* Residuals of the first solution before there are samples: a tenth of the field, counted as that many samples; and
- * the sum of their squares. */
+/* Until there are residuals: eight of a tenth of the field, and the sum of their squares. */
 enum { DIFFER_COUNT = 8 };
 #define DIFFER_SQUARES INVCAL_REAL(0.08)
 #define CONTRADICTS INVCAL_REAL(25.0) /* square of 5 */
 #define FAR INVCAL_REAL(0.01)
 #define WIDE_GAP INVCAL_REAL(0.6)      /* a cosine: more than 45 degrees */
-#define PLACES_RMS INVCAL_REAL(0.03)   /* more than the noise of any magnetometer, */
-#define PLACES_ALIKE INVCAL_REAL(10.0) /* if neighbours have a common error */
+#define PLACES_RMS INVCAL_REAL(0.03)   /* above the noise of any magnetometer */
+#define PLACES_ALIKE INVCAL_REAL(10.0) /* and common to this many samples in a row */
 enum { POWER_SAMPLES = 64 };
 
 invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
@@ -50,8 +49,8 @@ static invcal_cell_tables both_tables(const invcal_magnetometer *m)
 
 /* ---- residuals of samples ----------------------------------------------------------------------- */
 
-/* The mean square of a sum of eta r over a block, over samples: if they are independent, that of r; if n in a
- * row have a common error, n times that. 0: unknown. */
+/* The mean square of the sum of eta r over a block, per sample. That is the mean square of r if samples are
+ * independent, and n times that if n in a row have a common error. 0: unknown. */
 static invcal_real power_of(const invcal_magnetometer *m)
 {
     return m->blocked >= POWER_SAMPLES ? m->products / (invcal_real)m->blocked : 0;
@@ -88,7 +87,7 @@ static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETER
 
 /* ---- looks at all samples ----------------------------------------------------------------------- */
 
-/* The centre moves by `shift`, and `scale` becomes 1. Returns 0 if that is impossible. */
+/* Moves the centre by shift and makes scale 1. Returns 0 if that is impossible. */
 static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invcal_real scale)
 {
     invcal_calibration c = {{shift[0], shift[1], shift[2]},
@@ -125,7 +124,7 @@ static void recentre_by_box(invcal_magnetometer *m)
     }
 }
 
-/* Returns whether there is a solution. Only before the second is its quality checked. */
+/* Returns whether there is a solution. Its quality is checked only before the second one. */
 static int is_found(const invcal_magnetometer *m, invcal_cell_fit *fit)
 {
     if (m->stage == SECOND_SOLUTION) {
@@ -144,8 +143,8 @@ static int is_far(const invcal_cell_fit *fit)
              INVCAL_FABS(invcal_cells_field(fit) - 1) < FAR);
 }
 
-/* Solves table `one` and the late samples, and moves the readings to the unit sphere. p is then the solution by
- * which samples are left out. Returns 0 if there is none. */
+/* Solves table `one` and the late samples, and moves the readings to the unit sphere. Samples are then compared
+ * with p. Returns 0 if there is no solution. */
 static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
 {
     invcal_cell_fit fit = {.tables = {one, &m->late}};
@@ -168,8 +167,8 @@ static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
     return 1;
 }
 
-/* Drops the early samples unless the means of their cells differ from the solution by no more than their own
- * chance: squares of variance power / n. As the solution errs as well, some are dropped without need. */
+/* Drops the early samples unless the means of their cells agree with the solution: the variance of a mean is
+ * power / n. Since the solution has errors too, some are dropped without need. */
 static void drop_unlike(invcal_magnetometer *m)
 {
     const invcal_real power = power_of(m);
@@ -187,8 +186,8 @@ static void drop_unlike(invcal_magnetometer *m)
     }
 }
 
-/* Samples that were not compared with a solution may be disturbed: they are compared as soon as later ones cover
- * all sides as well. */
+/* The first samples were compared with nothing and may be disturbed. They are compared as soon as later samples
+ * cover all sides too. */
 static void look_at_samples(invcal_magnetometer *m)
 {
     const int is_first = m->stage == NO_SOLUTION;
@@ -209,7 +208,7 @@ static void look_at_samples(invcal_magnetometer *m)
     }
     end_block(m);
     m->before = power_of(m);
-    m->squares /= 2; /* from an older solution */
+    m->squares /= 2; /* residuals of an older solution count half */
     m->products /= 2;
     m->blocked /= 2;
 }
@@ -275,7 +274,7 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
 
 /* ---- result ------------------------------------------------------------------------------------- */
 
-/* The only angles between faces and edges; with samples in nine cells no larger ones occur. */
+/* Faces and edges have only these angles; with samples in nine cells, none is larger. */
 static uint8_t degrees_of(invcal_real cosine)
 {
     return cosine > INVCAL_REAL(0.8)    ? 0u
@@ -284,7 +283,7 @@ static uint8_t degrees_of(invcal_real cosine)
                                         : 90u;
 }
 
-static void tell_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
+static void fill_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
                        invcal_magnetometer_found *found)
 {
     const invcal_real power = power_of(m);
@@ -308,8 +307,8 @@ static void tell_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
     }
 }
 
-/* The parameters that an empty cell leaves to the others: offset and scale of the axes along it, and the angle
- * between two. */
+/* The parameters that an empty cell leaves to the other cells: offset and scale of its axes, and the angle between
+ * two. */
 static uint16_t parameters_along(unsigned cell)
 {
     invcal_real along[3];
@@ -360,7 +359,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
     if (status != INVCAL_OK) {
         return status;
     }
-    tell_found(m, &fit, &f);
+    fill_found(m, &fit, &f);
     invcal_cells_weigh(&fit, power_of(m));
     for (unsigned i = 0; i < 3; i++) {
         fit.quality.sigma[i] /= invcal_cells_field(&fit);
@@ -377,7 +376,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
     return status;
 }
 
-/* A calibration of raw counts, after the inverse of work, is one of the coordinates of the cells. */
+/* The calibration of raw counts, after the inverse of work, calibrates the coordinates of the cells. */
 unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
                                   const invcal_calibration *calibration, unsigned k,
                                   invcal_real raw[3])

@@ -4,12 +4,12 @@
 #include "vector.h"
 
 #define DEGREES INVCAL_REAL(57.29578)
-#define CLEAR INVCAL_REAL(4.0)   /* sum of squares of the second best way over the best */
+#define CLEAR INVCAL_REAL(4.0)   /* min ratio of the squares of the second best way and the best */
 #define NO_TURN INVCAL_REAL(1e4) /* 0.2 degrees, squared, in units of a segment */
-#define STUCK INVCAL_REAL(1e-4)  /* share of all squares: an axis with less never turns */
+#define STUCK INVCAL_REAL(1e-4)  /* an axis with a smaller share of all squares never turns */
 enum { SIGNS = 8, ORDERS = 6, WAYS = SIGNS * ORDERS, LEAST_TURNS = 2 };
 
-/* Way k of 48: row i of M is the axis `of`, with its sign. */
+/* Sets M to way k of 48: row i has one element, at of[i]. */
 static void set_way(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axes[3])
 {
     const unsigned order = k / SIGNS;
@@ -27,7 +27,7 @@ static void set_way(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axe
     }
 }
 
-/* Sets gyroscope axes that never turn to 0, the others to themselves. Returns whether there is one. */
+/* Sets axes that never turn to 0, the others to themselves. Returns whether one never turns. */
 static int find_stuck(const invcal_moves *m, int8_t axes[3])
 {
     invcal_real square[3] = {0, 0, 0};

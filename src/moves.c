@@ -9,11 +9,10 @@
 #define LONGEST_MOVE INVCAL_REAL(10.0) /* seconds */
 
 enum {
-    LATE = 8,    /* blocks that are not merged: a rest is TAKEN 7 blocks after its end */
-    CUT_OFF = 2, /* newest blocks of a rest, which do not count: TRIM of rests.c */
-    MOST_CHANGE =
-        2288,   /* of the bias from rest to rest, 0.5 degrees/s: if more, one was not a rest */
-    SPARE = 24, /* segments kept free for those that are not merged */
+    LATE = 8,            /* blocks that are not merged: a rest is TAKEN 7 blocks after its end */
+    CUT_OFF = 2,         /* last blocks of a rest, which are ignored: TRIM of rests.c */
+    MOST_CHANGE = 2288,  /* bias from rest to rest, 0.5 degrees/s: above it, one was no rest */
+    SPARE = 24,          /* segments kept free for those that are not merged */
     MOST_SEGMENTS = 127, /* of a move: seven turns */
     MOST_SAMPLES = INT16_MAX,
     NOWHERE = UINT16_MAX,
@@ -45,7 +44,7 @@ static INVCAL_OFTEN void turn(invcal_real rho[3], const invcal_real th[3])
 
 /* ---- segments ----------------------------------------------------------------------------------- */
 
-/* Rounded; 0 if it is too large. */
+/* Rounds x. Returns 0 if it is too large. */
 static int pack(invcal_real x, int16_t *out)
 {
     if (x > -32767 && x < 32767) {
@@ -58,7 +57,7 @@ static int pack(invcal_real x, int16_t *out)
     return 0;
 }
 
-/* v, and the rest of the rotation rho; 0 if either is too large. */
+/* Packs v, and what rho has beyond it. Returns 0 if either is too large. */
 static int pack_segment(const invcal_real rho[3], const invcal_real v[3], invcal_segment *out)
 {
     int fits = 1;
@@ -127,8 +126,8 @@ static void find_fault(invcal_moves *m, unsigned status)
     }
 }
 
-/* Closes the current segment; its rounding error begins the next. If the table is full, the oldest that is not
- * merged is lost, and with it the moves of that one and this one. */
+/* Closes the current segment. Its rounding error is carried to the next. If the table is full, the oldest segment
+ * that is not merged is lost, and with it the moves to which that one and this one belong. */
 INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 {
     if (m->used >= INVCAL_MAX_SEGMENTS && m->fixed < INVCAL_MAX_SEGMENTS) {
@@ -137,7 +136,7 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
         find_fault(m, INVCAL_NO_SPACE);
         m->spoilt = INVCAL_NO_SPACE;
     }
-    if (m->used >= INVCAL_MAX_SEGMENTS) { /* of stored bytes */
+    if (m->used >= INVCAL_MAX_SEGMENTS) { /* resumed from stored bytes */
         return;
     }
     invcal_segment *s = &m->segment[m->used];
@@ -164,7 +163,7 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 
 /* ---- rests and moves ---------------------------------------------------------------------------- */
 
-/* No rest is going on. */
+/* The device is not at rest. */
 INVCAL_APART static void forget_rest(invcal_moves *m)
 {
     m->cut = NOWHERE;
@@ -172,7 +171,7 @@ INVCAL_APART static void forget_rest(invcal_moves *m)
     invcal_zero(m->still, sizeof m->still);
 }
 
-/* Why the oldest segment that is not merged is unusable for a move. */
+/* Why a move cannot use the oldest segment that is not merged. */
 static unsigned find_reason(const invcal_moves *m)
 {
     const invcal_segment *s = &m->segment[m->fixed];
@@ -183,7 +182,7 @@ static unsigned find_reason(const invcal_moves *m)
                                                               : INVCAL_OK;
 }
 
-/* A segment of a rest. */
+/* Adds a segment of a rest. */
 static void add_still(invcal_moves *m, const invcal_segment *s)
 {
     if (m->cut == NOWHERE) {
@@ -195,8 +194,8 @@ static void add_still(invcal_moves *m, const invcal_segment *s)
     }
 }
 
-/* Settles the oldest segment that is not merged. It is kept even if it belongs to a rest, which may still be
- * refused. */
+/* Decides about the oldest segment that is not merged. It is kept even if it belongs to a rest, since the rest may
+ * yet be refused. */
 static void settle(invcal_moves *m, int is_rest)
 {
     invcal_segment *s = &m->segment[m->fixed];
@@ -219,7 +218,7 @@ static void settle(invcal_moves *m, int is_rest)
     }
 }
 
-/* Settles all but the newest blocks. The rest, if there is one, began `resting` blocks ago. */
+/* Settles all but the newest blocks. A rest, if any, began `resting` blocks ago. */
 static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 {
     /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
@@ -228,8 +227,8 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
     }
 }
 
-/* From now on the bias of the first rest is subtracted from v. The newest blocks, which still contain it, are
- * dropped: they are quiet. */
+/* From now on the bias of the first rest is subtracted from v. The newest blocks still contain it. They are at
+ * rest, so they can be dropped. */
 static void subtract(invcal_moves *m)
 {
     const invcal_real pace = m->rate / (invcal_real)m->still_samples;
@@ -256,14 +255,14 @@ static void drop_oldest(invcal_moves *m)
     m->rest[0].move = -INVCAL_TOO_FEW;
 }
 
-/* The bias of a rest. Returns whether it is far from that of the one before. */
+/* Measures the bias of a rest. Returns whether it is far from that of the rest before. */
 static int measure_bias(const invcal_moves *m, int16_t bias[3])
 {
     const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / (invcal_real)m->still_samples;
     const invcal_still *last = &m->rest[m->count > 0 ? m->count - 1 : 0];
     int is_far = 0;
 
-    for (unsigned i = 0; i < 3; i++) { /* without a sample: 0 / 0, and so 0 */
+    for (unsigned i = 0; i < 3; i++) { /* 0 / 0 without a sample: packed as 0 */
         (void)pack(m->still[i] * pace, &bias[i]);
         const int32_t change = (int32_t)bias[i] - last->bias[i];
         is_far |= change > MOST_CHANGE || change < -MOST_CHANGE;
@@ -271,7 +270,7 @@ static int measure_bias(const invcal_moves *m, int16_t bias[3])
     return is_far;
 }
 
-/* The move ends where the rest began. */
+/* Keeps the move, which ended where the rest began. */
 static void keep_move(invcal_moves *m)
 {
     const unsigned end = m->cut != NOWHERE ? m->cut : m->fixed;
@@ -306,7 +305,7 @@ void invcal_moves_restart(invcal_moves *m)
     invcal_zero(m, offsetof(invcal_moves, layout));
     m->fixed = m->first;
     m->used = m->first;
-    /* no move leads to the first rest; wherever it ends, nothing of it is kept */
+    /* no move leads to the first rest, so nothing before it is kept */
     m->fault = m->count > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
 }
 
@@ -342,7 +341,7 @@ invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high)
     return INVCAL_OK;
 }
 
-/* A sample holds for the time since the one before: the right end point rule. */
+/* A sample is the rate since the sample before: right end point rule. */
 void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3])
 {
     invcal_real th[3];
@@ -380,10 +379,10 @@ void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_
     close_segment(moves, 1);
     moves->blocks = (uint16_t)(moves->blocks + (moves->blocks < UINT16_MAX));
     const unsigned bits = rests->bits;
-    /* after a refused rest: since that began; eight blocks of motion make forget it */
+    /* A refused rest counts as rest until eight blocks of motion have passed. */
     const uint32_t resting = (rests->time - rests->begin) >> bits;
-    const int is_told = event == INVCAL_READY || event == INVCAL_TAKEN;
-    settle_until(moves, is_told ? ((rests->time - rests->end) >> bits) + CUT_OFF : LATE, resting);
+    const int has_rest = event == INVCAL_READY || event == INVCAL_TAKEN;
+    settle_until(moves, has_rest ? ((rests->time - rests->end) >> bits) + CUT_OFF : LATE, resting);
     if (event == INVCAL_READY && moves->count == 0 && moves->still_samples > 0) {
         subtract(moves);
     }

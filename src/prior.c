@@ -53,17 +53,18 @@ static invcal_real row_of(const update *prior, unsigned r)
 
 /* Positions and prior to L. If the positions alone leave parameters open, the noise is raised until the
  * prior just exceeds rounding of the largest sums: with less, rounding errors would count as data. */
-static invcal_status factor_with(const invcal_real *told, update *prior, invcal_real l[SYSTEM])
+static invcal_status factor_with(const invcal_real *of_positions, update *prior,
+                                 invcal_real l[SYSTEM])
 {
-    const invcal_real largest = invcal_largest_diagonal(told, INVCAL_PARAMETERS);
+    const invcal_real largest = invcal_largest_diagonal(of_positions, INVCAL_PARAMETERS);
 
-    memcpy(l, told, SYSTEM * sizeof *l);
+    memcpy(l, of_positions, SYSTEM * sizeof *l);
     if (invcal_factor(l, INVCAL_PARAMETERS, INVCAL_PARAMETERS, 30 * INVCAL_FLOOR) != INVCAL_OK) {
         const invcal_real resolved = prior->widest * INVCAL_SQRT(4 * INVCAL_EPSILON * largest);
         prior->resolved = prior->resolved >= resolved ? prior->resolved : resolved;
         prior->noise = prior->noise >= resolved ? prior->noise : resolved;
     }
-    memcpy(l, told, SYSTEM * sizeof *l);
+    memcpy(l, of_positions, SYSTEM * sizeof *l);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         l[INVCAL_PACKED(r, r)] += row_of(prior, r);
     }

@@ -14,26 +14,26 @@
 #define USUAL_MEAN_NOISE INVCAL_REAL(3e-4) /* of a mean, as of invcal_imu_solve */
 #define USUAL_SECONDS INVCAL_REAL(1.5)     /* of a turn */
 #define VAGUE INVCAL_REAL(0.01) /* information of a parameter that is known to 10 times the noise */
-#define HELD_BY_VAGUE INVCAL_REAL(0.1) /* a share: open is what only that determines */
-#define CLEARLY INVCAL_REAL(1.001)     /* if turns differ by less, the first wins */
-#define NO_ARC INVCAL_REAL(0.09)  /* sine squared: closer, or closer to opposite, is no candidate */
-#define NO_SINE INVCAL_REAL(1e-6) /* squared: of directions that are opposite, or the same */
+#define HELD_BY_VAGUE INVCAL_REAL(0.1) /* open: VAGUE gives more than this share */
+#define CLEARLY INVCAL_REAL(1.001)     /* if merits differ by less, the first turn wins */
+#define NO_ARC INVCAL_REAL(0.09) /* sine squared: candidates are farther apart, and from opposite */
+#define NO_SINE INVCAL_REAL(1e-6)     /* sine squared of the same or opposite directions */
 #define WEAK_SQUARE INVCAL_REAL(6.25) /* of 2.5 */
 #define OPEN_SQUARE INVCAL_REAL(1e6)  /* of 1000 */
 
 enum {
     TURNS_ALL = INVCAL_IMU_PARAMETERS,
     TURNS_GYRO = INVCAL_GYRO_PARAMETERS,
-    TOLD = 3, /* rows: two angles of a turn, the length of the rest after it */
+    TURN_ROWS = 3, /* rows: two angles of a turn, the length of the rest after it */
     SIZE = INVCAL_PACKED_SIZE(TURNS_ALL)
 };
 
-/* The information in a turn; rows are over their standard deviations. */
+/* The equations of a turn, each divided by its standard deviation. */
 typedef struct {
-    invcal_real h[TOLD][TURNS_ALL];
+    invcal_real h[TURN_ROWS][TURNS_ALL];
     unsigned rows;
     invcal_real up[3]; /* after it */
-} told;
+} turn_rows;
 
 /* ---- directions and angles ---------------------------------------------------------------------- */
 
@@ -44,8 +44,8 @@ static void scale(invcal_real v[3], invcal_real times)
     }
 }
 
-/* From 0 to 180 degrees. The error of a first guess has a small sine, and x + x^3/6 is the angle up to the
- * fifth power: 19 degrees become 0.02, and these become 0. */
+/* The angle, 0 to 180 degrees, by two corrections of a guess. The error of the guess has a small sine x, and
+ * x + x^3/6 is the angle up to its fifth power: 19 degrees become 0.02, and these become 0. */
 static invcal_real angle_of(invcal_real cosine, invcal_real sine)
 {
     invcal_real degrees = QUARTER * (1 - cosine);
@@ -60,7 +60,7 @@ static invcal_real angle_of(invcal_real cosine, invcal_real sine)
     return degrees;
 }
 
-/* Returns the square of the sine; below NO_SINE, or for a vector that is not a direction, out is lost. */
+/* Returns the square of the sine. If it is below NO_SINE, or not a number, out is lost. */
 static invcal_real turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out)
 {
     invcal_cross(up, from, out->axis);
@@ -112,7 +112,7 @@ invcal_status invcal_tour(unsigned i, invcal_turn *out)
 
 /* ---- the information in a turn ------------------------------------------------------------------ */
 
-/* The variance of each of its two angles, over that of a position mean. */
+/* The variance of each of the two angles of a turn, over that of a position mean. */
 static invcal_real variance_of(const invcal_turns *turns, invcal_real degrees)
 {
     const invcal_real quarters = INVCAL_FABS(degrees) / QUARTER;
@@ -149,7 +149,7 @@ static void find_across(const invcal_real up[3], invcal_real b[2][3])
     b[1][2] = -up[1];
 }
 
-static void tell_rest(invcal_real h[TURNS_ALL], const invcal_real up[3])
+static void make_rest_row(invcal_real h[TURNS_ALL], const invcal_real up[3])
 {
     invcal_zero(h, TURNS_GYRO * sizeof *h);
     memcpy(&h[TURNS_GYRO], up, 3 * sizeof *up);
@@ -158,7 +158,8 @@ static void tell_rest(invcal_real h[TURNS_ALL], const invcal_real up[3])
 
 /* The rows of imu.c for a turn exactly about one axis n: then S = J th n', with
  * J th = sin + (th - sin) n n' + (1 - cos) [n x]. */
-INVCAL_APART static void tell(const invcal_turns *turns, const invcal_turn *turn, told *out)
+INVCAL_APART static void make_turn_rows(const invcal_turns *turns, const invcal_turn *turn,
+                                        turn_rows *out)
 {
     const invcal_real *n = turn->axis;
     const invcal_real angle = turn->degrees * RADIANS;
@@ -191,8 +192,8 @@ INVCAL_APART static void tell(const invcal_turns *turns, const invcal_turn *turn
             h[TURNS_GYRO + i] = root * (h[TURNS_GYRO + i] + g[i]);
         }
     }
-    tell_rest(out->h[2], out->up);
-    out->rows = turns->n == TURNS_ALL ? TOLD : 2;
+    make_rest_row(out->h[2], out->up);
+    out->rows = turns->n == TURNS_ALL ? TURN_ROWS : 2;
 }
 
 static invcal_status check(const invcal_turn *turn)
@@ -203,7 +204,7 @@ static invcal_status check(const invcal_turn *turn)
     return INVCAL_FABS(turn->degrees) <= MOST_DEGREES ? INVCAL_OK : INVCAL_BAD_PROGRAM;
 }
 
-static void add_rows(invcal_real *sum, unsigned n, const told *rows)
+static void add_rows(invcal_real *sum, unsigned n, const turn_rows *rows)
 {
     for (unsigned k = 0; k < rows->rows; k++) {
         invcal_rank_one(sum, rows->h[k], n, 1);
@@ -212,12 +213,12 @@ static void add_rows(invcal_real *sum, unsigned n, const told *rows)
 
 invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
 {
-    told rows;
+    turn_rows rows;
 
     INVCAL_ASSERT(turns && turn);
     const invcal_status status = check(turn);
     if (status == INVCAL_OK) {
-        tell(turns, turn, &rows);
+        make_turn_rows(turns, turn, &rows);
         add_rows(turns->sum, turns->n, &rows);
         scale(rows.up, 1 / INVCAL_SQRT(invcal_dot3(rows.up, rows.up)));
         memcpy(turns->up, rows.up, sizeof turns->up);
@@ -255,7 +256,7 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
     memcpy(turns->up, up, sizeof turns->up);
     if (turns->n == TURNS_ALL) {
         invcal_real h[TURNS_ALL];
-        tell_rest(h, up);
+        make_rest_row(h, up);
         invcal_rank_one(turns->sum, h, TURNS_ALL, 1);
     }
     for (unsigned i = 0; s->prior && i < turns->n; i++) {
@@ -285,7 +286,7 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
     }
     if (status == INVCAL_OK) {
         begin_turns(turns, w.settings);
-        for (unsigned i = 0; i < SIZE; i++) { /* more than 9 unknowns need, which does no harm */
+        for (unsigned i = 0; i < SIZE; i++) { /* with 9 unknowns the surplus is never read */
             turns->sum[i] = w.noise_square * w.pass.sum[i];
         }
         invcal_apply(accelerometer, &w.raw[3 * (size_t)last], turns->up);
@@ -296,7 +297,7 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
 
 /* ---- merit and sigma ---------------------------------------------------------------------------- */
 
-/* L^-1 of the sums, plus a vague prior of each parameter. */
+/* Turns the sums, plus a vague prior of each parameter, into L^-1. */
 static invcal_status invert_sums(invcal_real *a, unsigned n, invcal_real vague, invcal_real floor)
 {
     for (unsigned i = 0; i < n; i++) {
@@ -309,10 +310,10 @@ static invcal_status invert_sums(invcal_real *a, unsigned n, invcal_real vague, 
     return status;
 }
 
-/* det(I + Y Y') = det(A + H'H) / det A, of Y' = L^-1 H'. Rows are lost. */
-static invcal_real merit_of(const invcal_real *inverse, unsigned n, told *rows)
+/* det(A + H'H) / det A = det(I + Y Y'), Y' = L^-1 H'. rows is lost. */
+static invcal_real merit_of(const invcal_real *inverse, unsigned n, turn_rows *rows)
 {
-    invcal_real gram[INVCAL_PACKED_SIZE(TOLD)];
+    invcal_real gram[INVCAL_PACKED_SIZE(TURN_ROWS)];
     invcal_real root = 1;
     invcal_real *at = gram;
 
@@ -335,7 +336,7 @@ static invcal_real merit_of(const invcal_real *inverse, unsigned n, told *rows)
 void invcal_turns_next(const invcal_turns *turns, invcal_turn *out)
 {
     invcal_real inverse[SIZE];
-    told rows;
+    turn_rows rows;
     invcal_turn turn;
     invcal_real up[3];
     invcal_real best = 0;
@@ -347,9 +348,9 @@ void invcal_turns_next(const invcal_turns *turns, invcal_turn *out)
     *out = turn;
     for (unsigned n = 0; n < INVCAL_DIRECTIONS; n++) {
         if (invcal_direction(n, up) && turn_to(turns->up, up, &turn) >= NO_ARC) {
-            tell(turns, &turn, &rows);
+            make_turn_rows(turns, &turn, &rows);
             const invcal_real merit = merit_of(inverse, turns->n, &rows);
-            if (!(merit <= CLEARLY * best)) { /* any, were all NaN */
+            if (!(merit <= CLEARLY * best)) { /* the last one, if all are NaN */
                 best = merit;
                 *out = turn;
             }
@@ -380,7 +381,7 @@ invcal_status invcal_turns_sigma(const invcal_turns *turns, const invcal_turn *t
                                  invcal_real sigma[INVCAL_IMU_PARAMETERS], uint32_t *open)
 {
     invcal_real a[SIZE];
-    told rows;
+    turn_rows rows;
     invcal_status status = INVCAL_UNDETERMINED;
 
     INVCAL_ASSERT(turns && sigma && open);
@@ -391,7 +392,7 @@ invcal_status invcal_turns_sigma(const invcal_turns *turns, const invcal_turn *t
         if (usable != INVCAL_OK) {
             return usable;
         }
-        tell(turns, turn, &rows);
+        make_turn_rows(turns, turn, &rows);
     }
     memcpy(a, turns->sum, sizeof a);
     add_rows(a, turns->n, &rows);

@@ -97,7 +97,7 @@ void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real w
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        fewer than nine positions;
  *   INVCAL_UNDETERMINED   the positions leave parameters open;
- *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid, or on none of a triad: see
+ *   INVCAL_NOT_ELLIPSOID  the readings do not lie on an ellipsoid, or on none of a triad: see
  *                         invcal_calibrate;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
  * Cost: 2,900 instructions. Stack: about 180 bytes. */
@@ -106,8 +106,8 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
 
 /* ---- the system of equations -------------------------------------------------------------------
  *
- * A symmetric system of n unknowns, A p = -b, in one packed triangle. Row n, if there is one, is b'
- * and then the constant: the factorisation of A includes it, and so solves half of the system. */
+ * A symmetric system of n unknowns, A p = -b, in one packed triangle. Row n, if present, is b'
+ * and the constant: factoring it with A does the forward substitution. */
 
 /* A pivot below this, over the largest element of the diagonal, cannot be told from rounding
  * error. */
@@ -142,8 +142,8 @@ void invcal_invert(invcal_real *l, unsigned n);
 /* A^-1(r,r) from L^-1. */
 invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r);
 
-/* h K h' from L^-1 of nine parameters: what a row adds to those in the sums. h becomes y = L^-1 h; the
- * result is its squared length. */
+/* The leverage h K h' of a row, from L^-1 of the nine parameters: what it adds to the rows in the sums. h becomes
+ * y = L^-1 h; the result is its squared length. */
 invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PARAMETERS]);
 
 /* ---- rounding errors ---------------------------------------------------------------------------
@@ -155,10 +155,10 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
  *     |sigma / exact - 1|    <= INVCAL_LOSS_SIGMA  INVCAL_EPSILON condition
  *     |length - exact|       <= INVCAL_LOSS_LENGTH INVCAL_EPSILON sqrt(condition)
  *
- * the last for the positions of the solution, over field, and so for its residuals. Sums and
- * Cholesky give the exact solution of equations H'H p = -H'J that are off by some epsilon of their
- * largest element; (H'H)^-1 makes that epsilon times condition in p, and H (H'H)^-1 its root in
- * the lengths (Higham, Accuracy and Stability of Numerical Algorithms, 10.1 and 20.4). The
+ * the last for the positions that were solved, over field, and so for the residuals. Sums and Cholesky
+ * solve exactly some equations H'H p = -H'J whose elements are wrong by a few epsilon of the largest one.
+ * (H'H)^-1 turns that into epsilon condition in p, and H (H'H)^-1 into epsilon sqrt(condition) in the
+ * lengths (Higham, Accuracy and Stability of Numerical Algorithms, 10.1 and 20.4). The
  * theory's factors grow with the number of positions; these are measured (make numerics: 30,000
  * random sets, 50 digits).
  *
@@ -175,8 +175,8 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
 /* ---- causes of a refusal -------------------------------------------------------------------- */
 
 /* Which parameters the positions leave open: INVCAL_TOO_FEW, INVCAL_UNDETERMINED. Adds a small ridge
- * to H'H: a parameter of which the ridge contributes more than a tenth is not determined by the
- * data. Only a hint, never a verdict: noise makes parameters look determined that are not.
+ * to H'H: if it contributes more than a tenth of a parameter's information, the data do not determine that
+ * parameter. This is a hint, never a verdict: noise can make an open parameter look determined.
  *
  * raw      3 count numbers, as for invcal_calibrate. Skips those that are not readings.
  * count    any; no positions leave all nine open.
@@ -212,7 +212,7 @@ void invcal_deviation(const invcal_calibration *calibration, const invcal_calibr
 
 /* Lengths do not determine how the calibrated frame is turned against the case. The symmetric
  * correction is closest to the axes of nominal; this turns it into the upper triangular one, as in
- * imu_tk: only the x sensor feels a field along the calibrated x axis. Offsets, lengths and sigma
+ * imu_tk: only the x sensor responds to a field along the calibrated x axis. Offsets, lengths and sigma
  * stay the same.
  *
  * calibration  as for invcal_deviation. Stays unchanged if it is not a calibration.
@@ -248,19 +248,19 @@ void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality 
 /* Is `found` the better of two calibrations? For a device that recalibrates now and then.
  *
  * Returns 1 if its verdict is no worse, and the sum of the squares of its nine 95 % intervals,
- * invcal_coverage of sigma_dof times sigma, is smaller: so a sigma that is small by luck does not
- * win. 0 otherwise, and for equals. Cost: 160 instructions. Stack: about 60 bytes. */
+ * invcal_coverage of sigma_dof times sigma, is smaller, so that a sigma that happens to be small does
+ * not decide. 0 otherwise, also if they are equal. Cost: 160 instructions. Stack: about 60 bytes. */
 int invcal_improves(const invcal_quality *found, const invcal_quality *present);
 
 /* ---- without some of the positions -------------------------------------------------------------- */
 
 /* invcal_calibrate_judged without the search for systematic errors, all of which stay unchecked, and
- * without counting directions: the rest is good if no position contradicts the others. Takes half the
- * flash, for a device like an ATmega328P that cannot hold all of it.
+ * without counting directions: the verdict is good if no remaining position contradicts the others. Takes half
+ * the flash, for a device like an ATmega328P.
  *
  * out  may be nominal.
  *
- * The rest as invcal_calibrate_judged. Cost: 110,000 instructions for 18 positions. */
+ * Everything else as for invcal_calibrate_judged. Cost: 110,000 instructions for 18 positions. */
 invcal_status invcal_calibrate_robust(const invcal_real *raw, unsigned count,
                                       const invcal_calibration *nominal, invcal_real noise,
                                       invcal_calibration *out, invcal_quality *quality);
@@ -271,7 +271,7 @@ invcal_status invcal_calibrate_robust(const invcal_real *raw, unsigned count,
  *           all later ones count. quality.left_out repeats it; quality.worst is an index into raw,
  *           which includes those left out.
  *
- * The rest as invcal_calibrate. */
+ * Everything else as for invcal_calibrate. */
 invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
                                        const invcal_calibration *nominal, invcal_real noise,
                                        invcal_calibration *out, invcal_quality *quality);
@@ -290,13 +290,13 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
  * noise       standard deviation of a position mean on each axis, over field, above 0 and below 1:
  *             the weight of the prior. If the residuals show more noise, solves again with theirs.
  *             If the positions alone leave parameters open, raises it to what the number type
- *             resolves next to the prior, in float sqrt(count) / 2000 of the widest: with less,
- *             rounding errors would count as data.
+ *             resolves next to the prior, in float sqrt(count) / 2000 of the widest prior: with
+ *             less, rounding errors would count as data.
  * prior       standard deviation of each parameter's deviation from nominal, over field, 1 or rad,
  *             up to about 0.2 (above that, p is no longer -X); 0: not known. Not all are 0.
- * quality     sigma never exceeds the prior. dof counts the data only: a parameter supplied by the
- *             prior costs no position; rounded down. noise may have been raised. condition is that
- *             of the rows with the prior; it may be infinite with priors of very different width.
+ * quality     sigma never exceeds the prior. dof counts data only, rounded down: a parameter supplied
+ *             by the prior uses up no position. noise may have been raised. condition includes the
+ *             rows of the prior; it may be infinite if priors differ very much in width.
  * from_prior  bit r: parameter r is determined by the prior more than by the data.
  *
  * Returns as invcal_calibrate; INVCAL_BAD_PRIOR if a number is negative or not finite, or all are
@@ -310,10 +310,10 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
 
 /* ---- six faces ----------------------------------------------------------------------------------
  *
- * Each axis up and down once, the usual procedure, determines offsets and scales, but none of the
+ * The usual procedure, each axis once up and once down, determines offsets and scales, but none of the
  * three angles: on a face the product of two readings is nearly 0. The angles are taken from the data
- * sheet: 0, with a standard deviation of g. That leaves in a calibrated length the error
- * gamma_xy xy + gamma_xz xz + gamma_zy zy, which is
+ * sheet: 0, with a standard deviation of g. The error left in a calibrated length is
+ * gamma_xy xy + gamma_xz xz + gamma_zy zy:
  *
  *     with a face up          0                      on an edge, midway between two axes   g / 2
  *     on a corner, the most   g / sqrt(3)            over all directions, rms              g / sqrt(5)
@@ -465,18 +465,18 @@ invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_ca
 /* ---- where to turn next ------------------------------------------------------------------------
  *
  * Of 26 directions - the 6 faces, 12 edges and 8 corners of a cube - the next is the one with the
- * largest h K h', K = (H'H)^-1 of the positions so far: it multiplies det H'H by the most,
- * 1 + h K h' (greedy D-optimal design). A small ridge on H'H makes that work from the first
- * position on. Nine such positions determine everything, sqrt(K(r,r)) at most 3.01; eighteen come
+ * largest h K h', K = (H'H)^-1 of the positions so far: it multiplies det H'H by
+ * 1 + h K h', more than any other (greedy D-optimal design). With a small ridge on H'H, K exists from the
+ * first position on. Nine such positions determine everything, sqrt(K(r,r)) at most 3.01; eighteen come
  * within 0.3 of the largest possible log det H'H. Hand errors of 10 degrees cost little. From 14
- * positions on, their order shows a drift: to fit it too would make sigma 1.16 times as large. */
+ * positions on, their order lets a drift be detected: fitting it as well would increase sigma 1.16 times. */
 
 /* The direction to take next.
  *
  * raw, count  the positions so far; none at the beginning. Skips those that are not readings.
  *
- * Of directions with about the same information, the closest to the last position: the opposite one
- * counts 1.6 % less. None within 26 degrees of it. */
+ * Of directions with about the same information it takes the closest to the last position: the opposite one
+ * counts 1.6 % less. It takes none within 26 degrees of the last position. */
 void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                  invcal_real up[3]);
 
@@ -513,8 +513,8 @@ void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibr
  * A rest needs 2 seconds (from 32 Hz on; 5 at 10 Hz). About 0.5 s are trimmed at its beginning,
  * 0.3 s at its end.
  *
- * Begin a stream at rest, if you can: its beginning counts as noise until something quieter comes,
- * and in motion of several g the first second may look like a rest.
+ * Begin a stream at rest, if you can: its beginning counts as noise until something quieter follows, and if
+ * the device moves at several g, the first second may look like a rest.
  */
 #define INVCAL_RATE_MIN 8    /* samples per second */
 #define INVCAL_RATE_MAX 8000 /* the same */
@@ -531,7 +531,7 @@ typedef struct {
 
 /* Begins a stream.
  *
- * rate  samples per second, INVCAL_RATE_MIN ... INVCAL_RATE_MAX; to 10 % is good enough.
+ * rate  samples per second, INVCAL_RATE_MIN ... INVCAL_RATE_MAX; an error of 10 % does no harm.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RATE for any other. */
 invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate);
@@ -586,7 +586,7 @@ int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3]);
 
 /* ---- in the background -------------------------------------------------------------------------
  *
- * The same for a device that nobody calibrates on purpose: feed it samples for days. A rest in a
+ * The same for a device that is never calibrated on purpose: feed it samples for days. A rest in a
  * well covered direction is refused (INVCAL_REFUSED, INVCAL_REST_SAME); the table keeps the most
  * informative positions, up to INVCAL_MAX_POSITIONS - 1; old positions are dropped before new ones,
  * and after 88 days in any case. */
@@ -604,7 +604,7 @@ invcal_status invcal_background_init(invcal_background *background,
  * a rest it compares the positions kept: up to 40,000 instructions. */
 invcal_event invcal_background_feed(invcal_background *background, const int32_t raw[3]);
 
-/* A day has gone by. */
+/* Call it once a day: positions become a day older. */
 void invcal_background_age(invcal_background *background);
 
 #ifdef __cplusplus

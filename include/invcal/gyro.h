@@ -2,9 +2,10 @@
  *
  * invcal/gyro.h: the gyroscope, from the same moves.
  *
- * Between two rests the gyroscope must turn one way up into the other. Twelve quarter turns between the
- * six faces determine the nine elements of its matrix and the nine parameters of the accelerometer, in one
- * solution and without a previous calibration. No sample is stored: a move is kept as a few segments.
+ * The turn that the gyroscope measures between two rests must take the up direction of the first into that of
+ * the second. Twelve quarter turns between the six faces determine the nine elements of its matrix and the
+ * nine parameters of the accelerometer, in one solution and without a previous calibration. No sample is
+ * stored: a move is kept as a few segments.
  *
  *     static invcal_imu_session both;                         3.7 kB; or a separate session and moves
  *     invcal_imu_record record;
@@ -29,10 +30,10 @@
  * invcal_turns_sigma how accurately turns, made or planned, determine the 18.
  *
  * The two sensors may be sampled at different rates. Feed samples in the order in which they were taken.
- * Those of the accelerometer may be up to 0.1 s late at no cost, since a rest ends 0.3 s before motion was
- * noticed; those of the gyroscope 0.02 s: with 0.05 s the error is twice as large. Lose no sample while a
- * memory is written: the device is in motion then. Let the sensor keep them for a second (FIFO), or an
- * interrupt; otherwise call invcal_moves_gap, and make the move again.
+ * Those of the accelerometer may be up to 0.1 s late at no cost, since a rest ends 0.3 s before motion is
+ * noticed; those of the gyroscope 0.02 s: with 0.05 s the error doubles. Lose no sample while a memory is
+ * written, since the device is in motion then: let the sensor (FIFO) or an interrupt buffer a second of them.
+ * Otherwise call invcal_moves_gap, and make the move again.
  *
  * invcal.h states the rules and units; mathematics_imu.md derives this.
  */
@@ -45,9 +46,9 @@
 extern "C" {
 #endif
 
-/* Segments of all moves together, 64 to 1000, 14 bytes each; a quarter turn takes five or six, and 24 are kept
- * free for the current move. If memory is short, 100 segments and 14 rests hold twelve quarter turns in 1.7 kB.
- * Default 192; on AVR 120, and 16 rests as of the session, so that 8 KB of RAM suffice for the solution. */
+/* Segments of all moves together, 64 to 1000, 14 bytes each. A quarter turn takes five or six, and 24 are kept
+ * free for the current move. Default 192; on AVR 120, with 16 rests, so that the solution fits into 8 KB of RAM.
+ * If memory is short, 100 segments and 14 rests hold twelve quarter turns in 1.7 kB. */
 #if defined(__AVR__) && !defined(INVCAL_MAX_SEGMENTS)
 #define INVCAL_MAX_SEGMENTS 120
 #endif
@@ -57,7 +58,7 @@ extern "C" {
 #ifndef INVCAL_MAX_SEGMENTS
 #define INVCAL_MAX_SEGMENTS 192
 #endif
-/* Rests, and so moves, that are kept: 4 to 32; 10 bytes each. */
+/* Rests that are kept, and so moves, 4 to 32, 10 bytes each. Default 32; on AVR 16. */
 #ifndef INVCAL_MAX_MOVES
 #define INVCAL_MAX_MOVES 32
 #endif
@@ -153,7 +154,8 @@ void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3]);
 void invcal_moves_gap(invcal_moves *moves);
 
 /* Call it after every sample of the accelerometer, with its event. INVCAL_TAKEN ends a move, and its rest
- * gives the bias. A refused rest ends none. If there are INVCAL_MAX_MOVES rests, the oldest is dropped.
+ * determines the bias. A refused rest does not end the move. If there are INVCAL_MAX_MOVES rests, the oldest is
+ * dropped.
  *
  * rests  the detector of the accelerometer's samples.
  * event  from invcal_session_feed or invcal_rests_feed, or ..._finish: INVCAL_NOTHING costs nothing.
@@ -178,8 +180,8 @@ typedef struct {
     invcal_real noise;       /* standard deviation of a position mean, over field; 0: unknown */
     invcal_real rate_noise;  /* noise density, rad/s/sqrt(Hz) */
     invcal_real instability; /* of the bias, rad/s */
-    const invcal_real
-        *prior; /* 18 standard deviations from nominal, 0 or infinite: unknown; or null */
+    /* 18 standard deviations from nominal, 0 or infinite: unknown; or null */
+    const invcal_real *prior;
 } invcal_imu_settings;
 
 /* If nothing is known: a consumer gyroscope, 0.005 degrees/s/sqrt(Hz) and 20 degrees/h. */
@@ -195,8 +197,9 @@ typedef struct {
      * order of invcal.h, to first order: invcal_deviation gives them exactly */
     invcal_real parameter[INVCAL_IMU_PARAMETERS];
     invcal_real sigma[INVCAL_IMU_PARAMETERS]; /* standard deviations; 0 for what is held */
-    /* Of the bias, axis by axis, at the nominal rate: g-sensitivity, rad/s per field along x, y, z; and its drift from the first
-     * rest to the last, rad/s. They are 0 with fewer than 12 rests. */
+    /* of the bias of each axis: g-sensitivity, rad/s per field along x, y, z; drift from the first rest to the
+     * last, rad/s. At the nominal rate: multiply by M for the calibrated one, which differs by the scale error.
+     * All 0 with fewer than 12 rests */
     invcal_real slope[3][4];
     invcal_real slope_sigma[3][4]; /* standard deviations; 0 with fewer than 12 rests */
     invcal_real noise;             /* of a position mean, used for sigma, over field */
@@ -205,8 +208,8 @@ typedef struct {
     invcal_real move_max;          /* the largest, both axes together, rad */
     uint32_t left_out; /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
     uint32_t idle;     /* bit i: it did not turn: INVCAL_REST_SAME */
-    uint32_t
-        open; /* bit r: parameter r is undetermined; or weak: sigma above 2.5 noise and 2.5 move_noise */
+    /* bit r: parameter r is undetermined; or weak: sigma above 2.5 noise and 2.5 move_noise */
+    uint32_t open;
     uint16_t dof;      /* degrees of freedom of the residuals */
     uint8_t worst;     /* the rest that the move of move_max led to */
     uint8_t moves;     /* number of moves used */
@@ -217,16 +220,16 @@ typedef struct {
 
 /* Solves both sensors, or the gyroscope with a calibrated accelerometer.
  *
- * raw            means of the rests, as for invcal_calibrate. The last of them belongs to the last rest of
- *                moves, the one before to the one before, and so on: surplus ones of either are ignored.
+ * raw            means of the rests, as for invcal_calibrate. They are paired with the rests of moves from
+ *                the end: the last with the last. If there are more of one, its oldest are ignored.
  * count          number of means.
  * accelerometer  nominal calibration, or the one that is held.
- * settings       INVCAL_IMU_USUAL, and what is known better; or null.
- * out            the result; must not contain what accelerometer points to.
+ * settings       INVCAL_IMU_USUAL, with the values that you know; or null.
+ * out            the result; must not contain *accelerometer.
  *
- * It takes 4 to 10 Gauss-Newton passes, and two more for each move that is left out: at most three, whose residual
- * is beyond 5 sigma of the others', if there are more than six moves. In up to three of them rests and moves are
- * weighed against each other by their residuals.
+ * It takes 4 to 10 Gauss-Newton passes. Up to three of these weigh rests and moves against each other by their
+ * residuals. If there are more than six moves, it leaves out up to three whose residuals exceed 5 sigma of the
+ * others'; each takes two more passes.
  *
  * Returns INVCAL_OK; else out is lost:
  *   INVCAL_BAD_NOMINAL    the accelerometer's;
@@ -241,22 +244,22 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
                                const invcal_imu_settings *settings, invcal_imu *out);
 
 /* Finds how the axes of the gyroscope are mounted against those of the accelerometer: exchanged axes or
- * wrong signs are the most common mistake. Tries all 48 ways, in rad and in degrees.
+ * wrong signs are the most common mistake. Tries all 48 mountings, in rad and in degrees.
  *
- * axes   out: gyroscope axis |axes[i]| - 1 turns about accelerometer axis i, the opposite way if it is
- *        negative. 1, 2, 3 is right. 0: gyroscope axis i never turns, and the search ends.
+ * axes   out: gyroscope axis |axes[i]| - 1 measures turns about accelerometer axis i, reversed if axes[i] is
+ *        negative. 1, 2, 3 is right. If gyroscope axis i never turns, axes[i] is 0, and the search ends.
  * unit   out: 1; or 57.3, if readings are that many times too small: nominal was for degrees.
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves do not distinguish the ways, nothing is
- * written. Cost: 96 passes, each a third of one of a solution. Stack: about 2,500 bytes. */
+ * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves do not distinguish the mountings, and
+ * nothing is written. Cost: 96 passes, each a third of one of a solution. Stack: about 2,500 bytes. */
 invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
                                   const invcal_calibration *accelerometer,
                                   const invcal_moves *moves, int8_t axes[3], invcal_real *unit);
 
 /* ---- what survives a reset: the moves -----------------------------------------------------------
  *
- * Moves are useless without the means of their rests, and the last of these belong to the last of those:
- * so both are kept together, in one slot, and after a power failure both are old or both are new (store.h).
+ * Moves are useless without the means of their rests, so both are kept together, in one slot: after a power
+ * failure both are old or both are new (store.h).
  * All rests and moves that were taken survive. The move during the reset is refused, INVCAL_MOVE_GAP: the
  * next rest begins another.
  *
@@ -389,8 +392,8 @@ enum {
 
 /* A turn about an axis that is fixed in the device. */
 typedef struct {
-    invcal_real
-        axis[3]; /* unit vector in the axes of the device, which turns about it right-handed */
+    /* unit vector in the axes of the device, which turns about it right-handed */
+    invcal_real axis[3];
     invcal_real degrees; /* angle, at most 720 */
     invcal_real up[3];   /* unit vector that points up after it */
 } invcal_turn;
@@ -419,7 +422,7 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
 /* Begins a plan with the rests and moves measured so far: arguments as for invcal_imu_solve.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW: no rest; and as invcal_imu_solve for its arguments.
- * Cost: a summation of invcal_imu_solve. Stack: about 2,500 bytes. */
+ * Cost: a pass of invcal_imu_solve. Stack: about 2,500 bytes. */
 invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, unsigned count,
                                  const invcal_calibration *accelerometer, const invcal_moves *moves,
                                  const invcal_imu_settings *settings);

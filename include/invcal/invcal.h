@@ -117,8 +117,8 @@ typedef float invcal_real; /* double with INVCAL_DOUBLE */
 #define INVCAL_FABS fabsf               /* the other one */
 #endif
 
-/* The options are part of the names of the functions that every use of a structure begins with: if
- * they differ, linking fails, and nothing is written past the end of a structure. */
+/* The options are part of the names of the functions with which each structure is first used: if those of
+ * program and library differ, linking fails, instead of a write past the end of a structure. */
 #define INVCAL_CHOSEN(name, choice) INVCAL_CHOSEN_(name, INVCAL_REAL_NAME, choice)
 #define INVCAL_CHOSEN_(name, real, choice) INVCAL_CHOSEN__(name, real, choice) /* step of it */
 #define INVCAL_CHOSEN__(name, real, choice) name##_##real##_##choice           /* step of it */
@@ -148,9 +148,9 @@ typedef enum {
     INVCAL_NOT_FINITE,    /* a reading is NaN or infinite */
     INVCAL_TOO_FEW,       /* too few positions, or too few of something else */
     INVCAL_UNDETERMINED,  /* the positions leave some parameters open: invcal_undetermined */
-    INVCAL_NOT_ELLIPSOID, /* the readings lie on no ellipsoid that a sensor triad can produce */
+    INVCAL_NOT_ELLIPSOID, /* the readings do not lie on an ellipsoid that a sensor triad can produce */
 
-    /* a static interval that is no position */
+    /* a static interval that was not accepted as a position */
     INVCAL_OUT_OF_RANGE, /* a reading is shorter than 0.1 or longer than 10 times the field */
     INVCAL_REST_SHORT,   /* motion came before it was READY */
     INVCAL_REST_DRIFT,   /* readings creep: a slow turn, or settling */
@@ -186,7 +186,7 @@ typedef enum {
     INVCAL_MOVE_GAP,    /* samples were lost in it */
     INVCAL_MOVE_LONG,   /* it took more than 10 s */
     INVCAL_MOVE_APART,  /* it contradicts the others */
-    INVCAL_MOUNTING,    /* the gyroscope turns otherwise than the accelerometer */
+    INVCAL_MOUNTING,    /* axes of the gyroscope and accelerometer do not match, or degrees */
     INVCAL_STATUS_COUNT /* their number; not a status */
 } invcal_status;
 
@@ -213,8 +213,8 @@ const char *invcal_parameter_name(unsigned parameter);
 
 /* ---- a calibration, and its use ---------------------------------------------------------------- */
 
-/* A correction: calibrated = matrix (raw - offset). The same structure states what is known
- * beforehand: the *nominal* calibration of a data sheet, or an earlier one to be renewed. */
+/* A correction: calibrated = matrix (raw - offset). The same structure holds the start:
+ * the *nominal* calibration of a data sheet, or an earlier one to be renewed. */
 typedef struct {
     invcal_real offset[3];    /* raw reading in no field, raw counts */
     invcal_real matrix[3][3]; /* over field per raw count, by rows */
@@ -257,10 +257,10 @@ typedef enum {
     INVCAL_DRIFT,         /* the offset changes from the first position to the last */
     INVCAL_QUADRATIC,     /* an axis with component x of the field reads size x^2 too much */
     INVCAL_CUBIC,         /* the same with x^3 */
-    INVCAL_HYSTERESIS     /* an axis turned upwards into position reads more than one turned down */
+    INVCAL_HYSTERESIS     /* an axis reads more if turned up into position than if turned down */
 } invcal_systematic;
 
-/* May the calibration be used? The larger, the worse; if two apply, it is the larger. */
+/* Whether the calibration may be used. Larger is worse; if several apply, it is the largest. */
 typedef enum {
     INVCAL_GOOD,          /* every parameter is determined, and checked by further positions */
     INVCAL_NO_REDUNDANCY, /* as many directions as unknowns: determined, but nothing checks it */
@@ -291,18 +291,18 @@ typedef struct {
     uint16_t sigma_dof;    /* degrees of freedom behind sigma, for invcal_coverage */
     uint16_t worst;        /* the position of max, from 0 */
     invcal_mask left_out;  /* bit i: position i contradicts the others, and was left out */
-    invcal_mask suspected; /* bit i: one of these positions is wrong, perhaps position i */
+    invcal_mask suspected; /* bit i: suspect i; at least one of them is wrong */
     /* of the systematic error, over field: the growth of the offset from the first position to the
      * last; the coefficient of x^2 or x^3; the excess of "up" over "down" */
     invcal_real size;
-    invcal_real noise; /* standard deviation of a position mean on each axis behind sigma, over
-                          field: stated and observed noise combined, or the observed alone if it is
-                          clearly larger or nearly zero against the stated; 1, the whole field, if
-                          there is neither */
-    invcal_real rms;   /* of the residuals |calibrated| - 1 over the positions */
-    invcal_real max;   /* the largest of these, without its sign */
-    /* of the information on the nine: tr K tr K^-1 with K = sigma^2 / noise^2, an upper bound of the
-     * condition. The best possible is 130 */
+    /* on which sigma is based: standard deviation of a position mean on each axis, over field. Stated and
+     * observed noise combined; the observed alone if it is clearly larger, or nearly zero; 1, the whole
+     * field, if there is neither */
+    invcal_real noise;
+    invcal_real rms; /* of the residuals |calibrated| - 1 over the positions */
+    invcal_real max; /* the largest absolute value of these */
+    /* of the normal equations: tr K tr K^-1, K the covariance over noise^2, an upper bound of their condition
+     * number. The best possible value is 130 */
     invcal_real condition;
     invcal_real sigma[INVCAL_PARAMETERS]; /* standard deviation of delta (over field), dk (1) and
                                              gamma (rad) against nominal: the Cramer-Rao bound */
@@ -345,7 +345,7 @@ invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
  *   INVCAL_TOO_FEW        fewer than nine;
  *   INVCAL_UNDETERMINED   the positions leave parameters open, to the precision of the number type:
  *                         invcal_undetermined names them;
- *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid (but a hyperboloid, for example), on none
+ *   INVCAL_NOT_ELLIPSOID  the readings do not lie on an ellipsoid (but a hyperboloid, for example), on none
  *                         of a triad (a semi-axis below about 1/10 of nominal or of another one, or
  *                         a centre beyond ten times the field), or scatter by a tenth of the field.
  * Cost: 18,000 instructions for 18 positions. Stack: about 620 bytes. */
@@ -441,9 +441,9 @@ typedef struct {
     } rest;                    /* the current one */
 } invcal_rests;
 
-/* A session: 560 bytes (float, 24 positions). mean and count may be read. nominal may be replaced,
- * as means are in counts, by one with which all of them are readings (invcal_bad_reading, expert.h).
- * invcal_session_is_good uses it from the next position on. */
+/* A session: 560 bytes (float, 24 positions). mean and count may be read. Since means
+ * are in counts, nominal may be replaced by one with which all of them are readings (invcal_bad_reading,
+ * expert.h). invcal_session_is_good uses it from the next position on. */
 typedef struct {
     /* saved: store.h */
     uint32_t layout;            /* identifies the build's layout of this structure */
@@ -464,7 +464,7 @@ typedef struct {
 /* Begins a session for a sensor with zero at 0 and the same scale on all axes.
  *
  * counts  raw counts per field: 16384 for a sensor of +-2 g and 16 bits.
- * rate    samples per second, 8 ... 8000; to 10 % is good enough.
+ * rate    samples per second, 8 ... 8000; an error of 10 % does no harm.
  *
  * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. */
 invcal_status invcal_session_init(invcal_session *session, invcal_real counts, unsigned rate);
@@ -523,8 +523,8 @@ const char *invcal_session_why(const invcal_session *session);
 
 /* Which orientation to take next: of 26 directions - the faces, edges and corners of a cube - the
  * one that adds the most information (mathematics_programs.md, "Guidance"); of equals, the nearest to the
- * current orientation. A position that is READY and still held counts as taken. There is no need to
- * be exact: the table holds what was measured, and the next direction allows for it.
+ * current orientation. A position that is READY and still held counts as taken. It need not
+ * be hit exactly: the next direction is computed from the orientations measured.
  *
  * up  out: the direction to point upwards, in the frame of the case: a unit vector.
  *
@@ -557,16 +557,16 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality);
 
-/* Is it enough? 1 if the result of invcal_session_solve is good, and its sigma rests on 3 degrees of
- * freedom or a stated noise. Solves only if a position was taken since the last call. */
+/* Are there enough positions? Returns 1 if the result of invcal_session_solve is good, and its sigma is based on
+ * 3 degrees of freedom or a stated noise. Solves only if a position was taken since the last call. */
 int invcal_session_is_good(invcal_session *session);
 
-/* Is it as good as wanted? 1 if it is good, and every sigma, widened for few degrees of freedom, is
- * within the target: sigma of delta (over field), dk (1), gamma (rad). Solves on every call: call it
+/* Is it accurate enough? Returns 1 if it is good, and every sigma, widened for few degrees of freedom, is within
+ * its target: sigma of delta (over field), dk (1), gamma (rad). Solves on every call: call it
  * after a position was taken. */
 int invcal_session_reaches(const invcal_session *session, const invcal_real target[3]);
 
-/* The same in one number: 1 if it is good, and invcal_accuracy, with the same gravity, is at most
+/* The same in one number: returns 1 if it is good, and invcal_accuracy, with the same gravity, is at most
  * need. Solves on every call: call it after a position was taken. */
 int invcal_session_meets(const invcal_session *session, invcal_real need, invcal_real gravity);
 

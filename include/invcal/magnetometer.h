@@ -2,7 +2,7 @@
  *
  * invcal/magnetometer.h: a magnetometer calibrates itself while it is moved.
  *
- * Nobody holds a compass still in twelve orientations: it is waved for a minute. Its samples lie on the same
+ * A compass is not held still in twelve orientations, but waved for a minute. Its samples lie on the same
  * ellipsoid as positions (invcal.h), but neighbours have a common error, and the hand prefers some directions.
  * So they are spread evenly: 18 cells of equal size around the faces and edges of a cube each hold the mean of
  * their rows (mathematics_magnetometer.md), and the cells are the positions.
@@ -13,8 +13,8 @@
  *             invcal_magnetometer_next(&magnetometer, along)                    turn through the white part
  *     invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found)
  *
- * Turn it slowly, within a minute or so, until each side of the case has pointed along the field: away from
- * iron and electric currents. Remaining disturbances are left out or named.
+ * Turn it slowly, within a minute or so, until each side of the case has pointed along the field. Keep
+ * away from iron and electric currents. Disturbed samples are left out, or the disturbance is reported.
  *
  * The length of the field need not be known: calibrated readings have length 1. invcal_scale with the field in
  * uT, from a map, converts them to uT; with found.field it keeps the scale of nominal, so that only offset and
@@ -160,8 +160,8 @@ unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
  *
  *     a R m = s    the same for all,    (R, s) minimise  sum (a R m - s)^2
  *
- * R turns m to the axes of a. A tilt-compensated compass depends on it: an error of a degree is one of a
- * degree of heading or more.
+ * R turns m into the axes of a. A tilt-compensated compass depends on it: an error of a degree in R causes a
+ * heading error of a degree or more.
  *
  *     invcal_dip_init(&dip);
  *     ... for each instant: invcal_dip_add(&dip, a, m);           calibrated, of any length

@@ -78,7 +78,7 @@ typedef struct {
 invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
                           const invcal_quality *quality);
 
-/* Loads it. For the rest of the record, use invcal_store_load and invcal_record_decode.
+/* Loads it. For its other contents, use invcal_store_load and invcal_record_decode.
  *
  * Returns INVCAL_OK; as invcal_store_load; as invcal_record_decode. INVCAL_NO_SPACE or
  * INVCAL_OTHER_VERSION: it holds something else. Stack: about 500 bytes. */
@@ -144,7 +144,7 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
 
 /* Loads them.
  *
- * capacity  of bytes.
+ * capacity  size of the buffer.
  * size      out: how many were stored.
  *
  * Returns INVCAL_OK;
@@ -159,7 +159,7 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
 invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint32_t capacity,
                                 uint32_t *size);
 
-/* Erases both slots, last the one that a load would take. If power fails, or the first slot cannot
+/* Erases both slots, the one that a load would take last. If power fails, or the first slot cannot
  * be erased, a load finds that one or nothing; never the older one.
  *
  * Returns INVCAL_OK; INVCAL_BAD_STORE; INVCAL_IO if a callback failed, or a slot still holds
@@ -175,8 +175,8 @@ invcal_status invcal_store_erase(const invcal_store *store);
  * 33000). Decoding and encoding again gives the same bytes: nothing more is lost.
  *
  * It begins with its kind, its version (now 2) and its length, and ends with the CRC-32 (IEEE 802.3, as
- * zlib) of all before it. Later versions may change everything else. So any version can tell sound
- * bytes of another one from damaged ones. Any change of the rest, even a new verdict, gets a new
+ * zlib) of all before it. Later versions may change everything else. So any version can distinguish
+ * sound bytes of another one from damaged ones. Any other change, even a new verdict, gets a new
  * version number, and later releases keep a function to read every version released before.
  *
  * The CRC detects one to four wrong bits, any run of up to 32 wrong bits, and any two bytes exchanged.

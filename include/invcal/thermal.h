@@ -35,7 +35,7 @@ extern "C" {
 #error "INVCAL_THERMAL_DEGREE must be 0, 1 or 2"
 #endif
 
-/* The degree counts, and the number of positions, since quality has a bit for each. */
+/* Both are part of the names: the degree, and the number of positions, since quality has a bit for each. */
 #define INVCAL_THERMAL_CHOSEN(name)                                                                \
     INVCAL_THERMAL_CHOSEN_(name, INVCAL_THERMAL_DEGREE, INVCAL_MAX_POSITIONS)
 #define INVCAL_THERMAL_CHOSEN_(name, degree, positions)                                            \

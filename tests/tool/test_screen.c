@@ -408,7 +408,7 @@ static void the_verdict_so_far_is_told(void)
                              line_text(21));
     now.status = INVCAL_NOT_ELLIPSOID;
     draw();
-    TEST_ASSERT_EQUAL_STRING("so far    No result: the readings lie on no ellipsoid",
+    TEST_ASSERT_EQUAL_STRING("so far    No result: the readings do not lie on an ellipsoid",
                              line_text(21));
     for (unsigned n = 0; n < 6; n++) {
         know(1, 1, 1);

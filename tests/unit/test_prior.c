@@ -77,6 +77,20 @@ static void what_a_prior_holds_is_never_hopeless(void)
     }
 }
 
+/* Six faces of an ideal sensor give H'H = diag(2 2 2 2 2 2 0 0 0), and noise of a tenth of the prior adds 0.01 for
+ * each angle. The traces are 12.03 and, of the inverse, 303. */
+static void the_condition_counts_the_rows_of_the_prior(void)
+{
+    const triad_truth none = {{0}};
+    random_source unused = random_start(0);
+    reading_set set;
+    outcome o;
+
+    read_positions(&none, faces, 6, 0, &unused, &set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate(&set, 1e-3, of_angles, &o));
+    TEST_ASSERT_DOUBLE_WITHIN(0.1, 12.03 * 303, (double)o.quality.condition);
+}
+
 /* A prior of many fields says nothing, and the noise that it would be resolved beside is no noise of a
  * reading: what it alone holds is weak, however often it is solved. */
 static void a_prior_wider_than_reason_is_weak(void)
@@ -418,6 +432,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(a_partial_prior_needs_as_many_positions_as_it_leaves_open);
     RUN_TEST(what_a_prior_holds_is_never_hopeless);
+    RUN_TEST(the_condition_counts_the_rows_of_the_prior);
     RUN_TEST(a_prior_wider_than_reason_is_weak);
     RUN_TEST(what_no_prior_holds_may_be_hopeless);
     RUN_TEST(what_hardly_shows_is_solved_or_refused_as_open);

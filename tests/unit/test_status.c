@@ -28,11 +28,11 @@ static void every_status_has_a_text_of_its_own(void)
 static void a_text_belongs_to_its_status(void)
 {
     TEST_ASSERT_EQUAL_STRING("done", invcal_status_text(INVCAL_OK));
-    TEST_ASSERT_EQUAL_STRING("the readings lie on no ellipsoid",
+    TEST_ASSERT_EQUAL_STRING("the readings do not lie on an ellipsoid",
                              invcal_status_text(INVCAL_NOT_ELLIPSOID));
     TEST_ASSERT_EQUAL_STRING("nothing new: the same place as before",
                              invcal_status_text(INVCAL_REST_SAME));
-    TEST_ASSERT_EQUAL_STRING("the nominal calibration is unusable",
+    TEST_ASSERT_EQUAL_STRING("the nominal calibration is invalid",
                              invcal_status_text(INVCAL_BAD_NOMINAL));
     TEST_ASSERT_EQUAL_STRING("the direction is not a unit vector",
                              invcal_status_text(INVCAL_BAD_DIRECTION));

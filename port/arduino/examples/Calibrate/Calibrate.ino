@@ -71,7 +71,7 @@ static const __FlashStringHelper *why()
     case INVCAL_REST_SHORT:
         return F("too short: hold it still longer");
     case INVCAL_REST_DRIFT:
-        return F("it creeps: turned slowly, or not settled");
+        return F("it drifts: turned slowly, or not settled");
     case INVCAL_REST_CLIPPED:
         return F("at the end of the sensor's range");
     case INVCAL_REST_FROZEN:
