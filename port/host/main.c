@@ -132,7 +132,8 @@ static int run_help(int argc, char **argv)
         return EXIT_GOOD;
     }
     if (argc > 1 + is_all) {
-        return message_usage(NULL, "'%s': one operand too many", argv[1 + is_all]);
+        return message_usage(NULL, "'%s': one operand too many: help takes one command, and all",
+                             argv[1 + is_all]);
     }
     const tool_command *c = find_command(argv[0]);
     return c ? print_help_of(c, is_all ? ALL_HELP : BRIEF_HELP) : refuse_unknown(argv[0]);
@@ -155,7 +156,7 @@ static int run(int argc, char **argv)
         return refuse_unknown(argv[1]);
     }
     if (argc > 2) {
-        return message_usage(NULL, "'%s': one operand too many", argv[2]);
+        return message_usage(NULL, "'%s': one operand too many: %s stands alone", argv[2], argv[1]);
     }
     if (is_help) {
         print_help();

@@ -53,6 +53,12 @@ for heading in 'mag_x_uT,mag_y_uT,mag_z_uT' 'mx (µT),my (µT),mz (µT)'; do
     run calibrate --magnetometer "$work/ut.csv"
     check "magnetometer: $heading" matches "$work/stdout" 'field 49\.[0-9]* µT'
 done
+run calibrate --magnetometer "$work/ut.csv" --gravity 48 --need 5
+check "magnetometer: a stated field has the unit of the column" matches "$work/stdout" 'field 48 µT$'
+check "magnetometer: the scale, too" matches "$work/stdout" '^scale x .* µT per µT$'
+check "magnetometer: and the need" matches "$work/stdout" 'PASS: length within [0-9.]+ of 5\.0 µT'
+run calibrate --magnetometer "$work/ut.csv" --gravity 0.48
+check "magnetometer: unless it is far from the readings" matches "$work/stdout" 'field 0\.48 field units$'
 { echo 'mx,my,mz'; echo 'uT,uT,uT'; sed 1,2d "$work/ut.csv"; } > "$work/row.csv"
 run calibrate --magnetometer "$work/row.csv" --json
 check "magnetometer: units in a row of their own" matches "$work/stdout" '"unit": "uT"'

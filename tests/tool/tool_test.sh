@@ -44,7 +44,7 @@ refuses "a value for an option that has none is refused" 2 '--json: takes no val
 refuses "an option given twice is refused" 2 "--gravity: given twice; $see" \
     calibrate "$good" --positions --gravity 9.8 --gravity=9.8
 refuses "a missing operand is refused" 2 "LOG is missing; $see" calibrate --positions
-refuses "an operand too many is refused" 2 "'more': one operand too many" \
+refuses "an operand too many is refused" 2 "'more': one operand too many: it takes only LOG; options begin with --" \
     calibrate "$good" more --positions
 refuses "apply without a log is refused" 2 'LOG is missing; see invcal apply --help' apply cal.json
 refuses "apply with an option is refused" 2 '--json: unknown option' apply --json a b

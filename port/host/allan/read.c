@@ -143,6 +143,11 @@ static double find_unit(allan_result *r, const allan_wish *wish)
 {
     const double field = wish->gravity > 0 ? wish->gravity : UNIT_STANDARD_GRAVITY;
 
+    if (r->seen.is_gyro) {
+        r->gravity = (double)NAN;
+        r->unit = r->seen.turn > 0 ? unit_turn_words(r->seen.turn) : unit_words(r->seen.unit);
+        return 1;
+    }
     if (wish->unit != UNIT_UNKNOWN) {
         r->seen.unit = wish->unit;
         r->seen.unit_from = UNIT_FROM_OPTION;
@@ -260,14 +265,32 @@ static int find_dwells(allan_result *r, double wanted)
     return EXIT_GOOD;
 }
 
+/* The unit of a gyroscope is in its header alone. */
+static int check_gyro(const allan_result *r, const allan_wish *wish)
+{
+    const char *option = wish->lsb > 0                ? "--lsb"
+                         : wish->unit != UNIT_UNKNOWN ? "--unit"
+                         : wish->gravity > 0          ? "--gravity"
+                                                      : NULL;
+
+    return r->seen.is_gyro && option
+               ? message_usage(
+                     "allan",
+                     "%s: is for an accelerometer, but %s %s %s are of a gyroscope: leave "
+                     "it out; the header can state their unit, such as gx (deg/s)",
+                     option, r->seen.name[COLUMN_X], r->seen.name[COLUMN_Y], r->seen.name[COLUMN_Z])
+               : EXIT_GOOD;
+}
+
 static int evaluate(allan_result *r, const allan_wish *wish)
 {
-    const double unit = find_unit(r, wish) * log_read.unit;
-    int failure = check_rest(r);
+    int failure = check_gyro(r, wish);
+    failure = failure ? failure : check_rest(r);
 
     if (failure) {
         return failure;
     }
+    const double unit = find_unit(r, wish) * log_read.unit;
     find_rows(r, wish->taus > 0 ? wish->taus : INVCAL_ALLAN_TAUS, unit);
     failure = find_noise(r, unit);
     return failure ? failure : find_dwells(r, wish->sigma);

@@ -95,7 +95,7 @@ static const option options[OPTIONS] = {
     [JSON] = {"--json", 0},
     [QUIET] = {"--quiet", 0},
 };
-static const char *const operands[] = {"A", "B"};
+static const char *const operands[] = {"SET", "a second SET"};
 static const option_syntax syntax = {"plan", options, OPTIONS, operands, 2, 2};
 
 #define WORD_MAX 4200u
@@ -303,7 +303,8 @@ static int check_allan(const request *r)
     }
     for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (r->value[others[i]]) {
-            return message_usage(syntax.command, "%s: cannot be combined with --allan",
+            return message_usage(syntax.command,
+                                 "%s: cannot be combined with --allan: leave one out",
                                  options[others[i]].name);
         }
     }
@@ -332,7 +333,7 @@ static int check_several(const request *r, unsigned several)
     }
     for (unsigned i = 0; i < sizeof all / sizeof all[0]; i++) {
         if (value[all[i]] && all[i] != several) {
-            return message_usage(syntax.command, "%s: cannot be combined with %s",
+            return message_usage(syntax.command, "%s: cannot be combined with %s: leave one out",
                                  options[several].name, options[all[i]].name);
         }
     }
@@ -372,7 +373,8 @@ static int check_turns(const request *r)
     }
     for (unsigned i = 0; i < sizeof none / sizeof none[0] && is_asked; i++) {
         if (r->value[none[i]]) {
-            return message_usage(syntax.command, "%s: cannot be combined with --moves",
+            return message_usage(syntax.command,
+                                 "%s: cannot be combined with --moves: leave one out",
                                  options[none[i]].name);
         }
     }
@@ -392,12 +394,13 @@ static int check_demands(const request *r)
         return usage(GRID, "needs --optimal");
     }
     if (value[GRID] && value[LIMITS]) {
-        return usage(GRID, "cannot be combined with --limits");
+        return usage(GRID, "cannot be combined with --limits: leave one out");
     }
     if (value[WEIGHTS] && is_choice) {
         return usage(WEIGHTS, "needs a named set; leave out --limits, --budget, --allan");
     }
-    return value[CSV] && value[JSON] ? usage(CSV, "cannot be combined with --json") : EXIT_GOOD;
+    return value[CSV] && value[JSON] ? usage(CSV, "cannot be combined with --json: leave one out")
+                                     : EXIT_GOOD;
 }
 
 /* What does not go together. */
@@ -414,7 +417,11 @@ static int check(const request *r)
         return failure;
     }
     if (!value[COMPARE] && r->operand[0]) {
-        return message_usage(syntax.command, "'%s': one operand too many", r->operand[0]);
+        return message_usage(
+            syntax.command,
+            "'%s': one operand too many: a set is an option, such as --edges; only "
+            "--compare takes its name",
+            r->operand[0]);
     }
     if (value[COMPARE] && !r->operand[0]) {
         return usage(COMPARE, "takes two sets, for example: --compare per-group:8 per-group:6");

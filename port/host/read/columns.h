@@ -22,6 +22,7 @@ typedef struct {
                                        * empty: none */
     char gyro[3][HEADING_NAME_MAX];   /* of a gyroscope, as in the header; empty: there is none */
     double turn; /* rad/s in one of its units, if the headings state it; else 0 */
+    int is_gyro; /* x, y and z themselves are those of a gyroscope; `turn` is theirs */
     char chosen[COLUMNS_CHOICE_MAX]; /* by --columns, as it was stated; empty: it was not */
     unsigned others;                 /* columns that have a heading, but are ignored */
     int states_foreign_unit;         /* the headings state a unit that unit.h does not know */
