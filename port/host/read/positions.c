@@ -163,6 +163,18 @@ int positions_read(positions *p, const char *path)
     return failure;
 }
 
+double positions_noise(const positions *p, const invcal_calibration *nominal)
+{
+    double square = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            square += nominal->matrix[i][j] * nominal->matrix[i][j] * p->noise_square[j] / 3;
+        }
+    }
+    return sqrt(square);
+}
+
 void positions_free(positions *p)
 {
     free(p->mean);

@@ -7,6 +7,7 @@
 
 #include <stdint.h>
 
+#include "invcal/invcal.h"
 #include "read/columns.h"
 
 #define POSITIONS_MAX 65534u /* what invcal_calibrate takes */
@@ -52,6 +53,10 @@ int positions_read(positions *p, const char *path);
 
 /* Adds one. EXIT_GOOD; EXIT_FILE, with a message, above POSITIONS_MAX or without memory. */
 int positions_add(positions *p, const double mean[3], const position_origin *origin);
+
+/* The noise of a position mean, the root mean square over axes, where `nominal` makes something of readings in input
+ * units. */
+double positions_noise(const positions *p, const invcal_calibration *nominal);
 
 void positions_free(positions *p);
 

@@ -126,7 +126,7 @@ static double noise_behind(double q, double v)
     return (low + high) / 2;
 }
 
-void rests_end(positions *p, const samples *log, rests_summary *summary)
+void rests_noise(positions *p)
 {
     for (unsigned i = 0; i < 3 && p->count > 0; i++) {
         p->noise_square[i] /= p->count;
@@ -135,6 +135,11 @@ void rests_end(positions *p, const samples *log, rests_summary *summary)
             p->noise_square[i] += floor_square(p->quantum, s);
         }
     }
+}
+
+void rests_end(positions *p, const samples *log, rests_summary *summary)
+{
+    rests_noise(p);
     p->bytes = log->table.bytes;
     p->crc = log->table.crc;
     summary->gaps = log->gaps;

@@ -61,6 +61,7 @@ static int read_live(const request *r, positions *data, rests_summary *log, turn
     wish.sensor = r->sensor;
     wish.zero = r->value[ASK_ZERO] ? r->zero : NULL;
     wish.lsb = r->value[ASK_LSB] ? r->lsb : NULL;
+    wish.stated = r->settings.noise;
     wish.mean_sigma = r->mean_sigma;
     if (r->value[ASK_ALLAN]) {
         const int failure = noise_file_read(r->value[ASK_ALLAN], noise);
