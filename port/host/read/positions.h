@@ -42,6 +42,7 @@ typedef struct {
                                variance of a position mean, input units squared, finite */
     double scatter;         /* of a log: sum over the positions of the variance of a sample, */
     double quantum;         /* and the smallest step of a reading, input units; 0: not known */
+    double floor_square;    /* what rounding to it adds to each noise_square, however long a rest */
 } positions;
 
 /* Reads a table of position means ("-": standard input).

@@ -132,7 +132,8 @@ void rests_noise(positions *p)
         p->noise_square[i] /= p->count;
         if (p->quantum > 0) {
             const double s = noise_behind(p->quantum, p->scatter / p->count);
-            p->noise_square[i] += floor_square(p->quantum, s);
+            p->floor_square = floor_square(p->quantum, s);
+            p->noise_square[i] += p->floor_square;
         }
     }
 }
