@@ -183,10 +183,18 @@ for unit in rad/s deg/s mdeg/s; do
 done
 run allan "$work/turn.csv" --columns gx,gy,gz
 check "gyroscope: without a unit" matches "$work/stdout" '^white noise N, input units/√Hz '
-for option in '--lsb 2' '--unit g' '--gravity 9.8'; do
-    refuses "gyroscope: $option" 2 "${option% *}: is for an accelerometer, but gx gy gz are of a gyroscope: leave it out" \
+for option in '--unit g' '--gravity 9.8'; do
+    # shellcheck disable=SC2086 # words
+    refuses "gyroscope: $option" 2 "${option% *}: gx gy gz are columns of a gyroscope; --lsb states rad/s per input unit: leave" \
         allan "$work/turn.csv" --columns gx,gy,gz $option
 done
+refuses "gyroscope: two units" 2 '--lsb: gx gy gz .* whose unit the header states: leave it out' \
+    allan "$work/turn_unit.csv" --columns gx,gy,gz --lsb 2
+run allan "$work/turn.csv" --columns gx,gy,gz
+counts=$(awk '/^white noise N, input units/ { print $6 }' "$work/stdout")
+run allan "$work/turn.csv" --columns gx,gy,gz --lsb 0.5
+check "gyroscope: --lsb" near 0.001 "$(awk '/^white noise N, rad.s/ { print $5 }' "$work/stdout")" \
+    "$(awk -v n="$counts" 'BEGIN { print n / 2 }')"
 refuses "an end before the beginning" 2 '--to: is before --from' allan "$work/rest.csv" --from 3 --to 2
 refuses "a part with nothing in it" 1 'no sample within' allan "$work/rest.csv" --from 5000
 refuses "a result over the log" 2 'would overwrite LOG' allan "$work/rest.csv" --out "$work/rest.csv"
