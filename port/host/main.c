@@ -39,12 +39,13 @@ static void guard_streams(void)
 
 static void print_help(void)
 {
-    static const char *const head[] = {
-        "usage: invcal COMMAND ...\n"
-        "\n"
-        "Calibrates accelerometer triads from static positions, by gravity alone.\n"
-        "\n",
-        NULL};
+    static const char *const head[] = {"usage: invcal COMMAND ...\n"
+                                       "\n"
+                                       "Calibrates accelerometers from static positions, by "
+                                       "gravity alone; also gyroscopes, by the\n"
+                                       "turns between these, and magnetometers.\n"
+                                       "\n",
+                                       NULL};
     static const char *const tail[] = {
         "\n"
         "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 input unreadable or\n"
@@ -57,7 +58,7 @@ static void print_help(void)
     }
     putchar('\n');
     wrapped_printf(stdout, 28, "  invcal COMMAND --help     purpose, common options, an example");
-    wrapped_printf(stdout, 28, "  invcal COMMAND --help all everything");
+    wrapped_printf(stdout, 28, "  invcal COMMAND --help all all options, in detail");
     wrapped_printf(stdout, 28, "  invcal help COMMAND [all] the same");
     wrapped_printf(stdout, 28, "  invcal --version          the version");
     help_print(stdout, tail);

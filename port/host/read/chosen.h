@@ -12,9 +12,9 @@
 
 /* The option, for help texts. */
 #define CHOSEN_OPTION                                                                              \
-    "  --columns X,Y,Z     columns of LOG to use, by name or number: ax,ay,az or 2,3,4;\n"         \
-    "                      others by meaning: t=1,x=2,y=3,z=4,temperature=5; t=none ignores\n"     \
-    "                      the column of time\n"
+    "  --columns X,Y,Z     columns of LOG to use, by name or number: ax,ay,az or 2,3,4. State\n"   \
+    "                      others by what they are: t=1,x=2,y=3,z=4,temperature=5; t=none or\n"    \
+    "                      temperature=none ignores one\n"
 
 /* Reads the option: three names or numbers from 1 for x, y, z, or each with its meaning, in any order.
  * What it does not name is found as ever; null: all is. One of the others may be `none`: it is as if it was
