@@ -349,7 +349,7 @@ bad_line "thousands separators" "column 1 \(x\): '1,234.5' has thousands separat
 bad_line "thousands separators of Switzerland" "column 2 \(y\): '1'234' .* thousands separators" \
     "x;y;z\n1;1'234;3\n"
 
-bad "a gyro alone" 'record both; its noise alone shows invcal allan --columns gyroADC\[0\],gyroADC\[1\],gyroADC\[2\]$' \
+bad "a gyro alone" 'record both in one log. .*invcal allan --columns gyroADC\[0\],gyroADC\[1\],gyroADC\[2\]$' \
     'time (us),gyroADC[0],gyroADC[1],gyroADC[2],wx,wy,wz,gx,gy,gz\n0,1,2,3,4,5,6,7,8,9\n'
 bad "two axes" 'bad\.csv:1: the header names no columns x, y, z .*such as --columns 2,3,4; there are: ax, ay, gz$' \
     'ax,ay,gz\n1,2,3\n'
@@ -409,6 +409,8 @@ write_positions 1 'x (mg),y (mg),z (mg)' "$x"
 refuses "a header that states another unit than that of the readings" 1 \
     'pos\.csv:2: position 1 reads 0\.0[0-9]* of the field with the scale of the stated unit; check the unit in the header, or state --unit' \
     calibrate "$work/pos.csv" --positions
+refuses "an option that states another unit" 1 'with the scale of the stated unit; check --unit: counts' \
+    calibrate "$work/pos.csv" --positions --unit mg
 run calibrate "$work/pos.csv" --positions --unit g --json
 check "--unit puts it right" near 1e-9 "$(field offset)" '0.02 -0.03 0.05'
 

@@ -331,7 +331,7 @@ ends_on_interrupt() {
     done
 }
 check "watch: an interrupt ends the stream at any moment" ends_on_interrupt
-refuses "watch: no set" 2 "'cubes' is not a set of positions" watch - --plan cubes
+refuses "watch: no set" 2 "'cubes' is not a set of positions: give edges, faces, .*directions:FILE" watch - --plan cubes
 refuses "watch: a set that leaves parameters open" 2 'plan: the positions leave' watch - --plan faces
 refuses "watch: one standard input for two" 2 'plan: only one input' watch - --plan directions:-
 refuses "watch: a set that is not there" 3 'nowhere' watch - --plan directions:nowhere

@@ -211,7 +211,7 @@ refuses "magnetometer: its frame alone" 2 '--frame: accelerometer needs --magnet
 accepts "magnetometer: a need in parts" calibrate --magnetometer "$work/both.csv" --need 1%
 check "magnetometer: is judged" matches "$work/stdout" 'PASS: length within 0\.[0-9]+ of 1\.0 % of the field'
 accepts "magnetometer: and in the unit of the readings" calibrate --magnetometer "$work/both.csv" --need 0.005
-check "magnetometer: is the same" matches "$work/stdout" 'PASS: length within 0\.00[0-9]+ of 0\.0050 field units'
+check "magnetometer: is the same" matches "$work/stdout" 'PASS: length within 0\.00[0-9]+ of 0\.0050 input units'
 refuses "magnetometer: a need of gravity" 2 'the field .--gravity. is not gravity' \
     calibrate --magnetometer "$work/both.csv" --need 1mg
 

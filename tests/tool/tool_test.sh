@@ -67,6 +67,7 @@ refuses_value --gravity -inf "'-inf' is not a finite number"
 for v in nine 9.8x 0x9 9,8 '9.8,' ' 9.8' 1e 1e+ . + 1.2.3; do
     refuses_value --gravity "$v" '(is not a decimal number|is empty|has a decimal comma|1 number expected)'
 done
+refuses_value --gravity 9,81 'decimals are written with a point, such as 9.81'
 refuses_value --gravity 1e999 "'1e999' is too large"
 refuses_value --zero 1,2 '3 numbers separated by commas expected'
 refuses_value --zero 1,2,3,4 '3 numbers separated by commas expected'
@@ -766,9 +767,9 @@ bad_json() { # bad_json SENTENCE TEXT PATTERN
 }
 m='"matrix": [[2, 0, 0], [0, 2, 0], [0, 0, 2]]'
 o='"offset": [1, 2, 3]'
-bad_json "empty" '' '2: a JSON object, .* but the file ends here'
-bad_json "no object" '[1, 2]' '1: a JSON object'
-bad_json "no text in JSON" 'offset: 1' '1: a JSON object'
+bad_json "empty" '' '2: is empty: name a file that invcal wrote with --out'
+bad_json "no object" '[1, 2]' '1: is not a JSON object: name a file that invcal wrote'
+bad_json "no text in JSON" 'offset: 1' '1: is not a JSON object'
 bad_json "without offset" "{$m}" '.: no member "offset"'
 bad_json "without matrix" "{$o}" '.: no member "matrix"'
 bad_json "without members" '{}' '.: no member "offset"'
@@ -808,7 +809,7 @@ bad_json "an error in the third line" "{$o,
  \"other\": [true, false, null],
  \"matrix\": [[1, 0, 0], [0, 1, 0], [0, 0, x]]}" "3: 'x' is not a decimal number"
 bad_json "a refusal in place of a calibration" '{"error": "too few", "reason": "", "undetermined": []}' \
-    '1: no member "offset": not a calibration'
+    '1: no member "offset": not a calibration: make one with invcal calibrate --out$'
 head -c 4096 /dev/urandom > "$work/bad.json"
 refuses "apply: a calibration of random bytes" 3 'bad\.json:' apply "$work/bad.json" "$work/log.csv"
 refuses "apply: a missing calibration" 3 'nowhere\.json: cannot be read' apply \

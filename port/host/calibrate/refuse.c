@@ -149,6 +149,7 @@ static void say_out_of_range(const calibrate_result *r, refusal *why)
     const nominal_choice *nominal = &r->nominal;
     const int by_range = nominal->zero == NOMINAL_RANGE && nominal->lsb == NOMINAL_RANGE;
     const int by_unit = nominal->lsb == NOMINAL_UNIT;
+    const int by_option = by_unit && r->data->seen.unit_from == UNIT_FROM_OPTION;
     double v[3];
 
     invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)why->position], v);
@@ -166,8 +167,9 @@ static void say_out_of_range(const calibrate_result *r, refusal *why)
     snprintf(why->remedy, REFUSAL_MAX, "%s",
              by_range
                  ? "look for an outlier, add positions in all directions, or state --zero and --lsb"
-             : by_unit ? "check the unit in the header, or state --unit"
-                       : "check --gravity, the nominal zero and scale, and their units");
+             : by_option ? "check --unit: counts, for readings of an ADC"
+             : by_unit   ? "check the unit in the header, or state --unit"
+                         : "check --gravity, the nominal zero and scale, and their units");
     why->wants_positions = by_range;
 }
 

@@ -525,8 +525,13 @@ static int read_degree(request *r)
 {
     const unsigned which = r->value[ASK_CUBIC] ? ASK_CUBIC : ASK_QUADRATIC;
 
-    if (r->value[ASK_ROBUST] && (r->value[which] || r->value[ASK_THERMAL] || r->value[ASK_PRIOR])) {
-        return request_usage(r, ASK_ROBUST, "needs nine free parameters: leave out the prior");
+    for (unsigned i = 0; i < 3 && r->value[ASK_ROBUST]; i++) {
+        const unsigned others[] = {which, ASK_THERMAL, ASK_PRIOR};
+        if (r->value[others[i]]) {
+            return message_usage(r->syntax->command,
+                                 "--robust: needs nine free parameters: leave out %s",
+                                 options[others[i]].name);
+        }
     }
     if (r->value[ASK_ROBUST] && r->is_live) {
         return request_usage(r, ASK_ROBUST, "is an option of invcal calibrate only");

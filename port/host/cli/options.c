@@ -174,8 +174,10 @@ int options_numbers(const option_syntax *syntax, unsigned which, const char *val
         }
     }
     if (rest || (n < wanted && !(single && n == 1))) {
-        return message_usage(syntax->command, "%s %s: %u number%s expected%s", name, value, wanted,
-                             wanted > 1 ? "s separated by commas" : "", single ? ", or one" : "");
+        return message_usage(
+            syntax->command, "%s %s: %u number%s expected%s%s", name, value, wanted,
+            wanted > 1 ? "s separated by commas" : "", single ? ", or one" : "",
+            wanted == 1 ? "; decimals are written with a point, such as 9.81" : "");
     }
     if (single) {
         *single = n < wanted;

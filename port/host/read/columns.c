@@ -224,8 +224,8 @@ static void say_none(const table *t, columns_kind kind)
     }
     if (!linear && find_set(t, 0, (origins){OF_GYROSCOPE, OF_GYROSCOPE}, gyro) < t->columns) {
         message("%s:%lu: the header names a gyroscope (%s, ..), but no accelerometer (x, y, z; ax, "
-                "ay, az; acc_x, ..): a gyroscope is calibrated together with an accelerometer: "
-                "record both; its noise alone shows invcal allan --columns %s,%s,%s",
+                "ay, az; acc_x, ..), with which it is calibrated: record both in one log. A "
+                "gyroscope alone: invcal apply --gyro, invcal allan --columns %s,%s,%s",
                 t->name, t->line, headings[gyro[0]].name, headings[gyro[0]].name,
                 headings[gyro[1]].name, headings[gyro[2]].name);
     } else if (linear) {

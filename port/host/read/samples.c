@@ -73,6 +73,9 @@ static int next_row(samples *s, double v[SAMPLES_NUMBERS])
             return 1;
         }
     }
+    message("%s:%lu: %u lines in a row cannot be read: is it the right file, and are x, y, z the "
+            "right columns? --columns states them",
+            s->table.name, s->table.line, SKIPPED_MAX);
     return -1;
 }
 

@@ -46,9 +46,10 @@ static int is_field_in_input_units(const calibrate_result *r)
 {
     const double scale = r->nominal.calibration.matrix[0][0];
 
-    return r->magnetometer && r->data->seen.unit != UNIT_UNKNOWN &&
-           (!r->is_field_stated ||
-            (r->nominal.lsb == NOMINAL_RANGE && scale > 1 / CLOSE && scale < CLOSE));
+    return r->magnetometer &&
+           (r->is_field_stated
+                ? r->nominal.lsb == NOMINAL_RANGE && scale > 1 / CLOSE && scale < CLOSE
+                : r->nominal.lsb == NOMINAL_UNIT || r->data->seen.unit != UNIT_UNKNOWN);
 }
 
 const char *calibrate_field_unit(const calibrate_result *result)
