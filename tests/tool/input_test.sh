@@ -456,7 +456,10 @@ copy 'Zeit;Beschl. 1;Beschl. 2;Beschl. 3;Drehrate 1;Drehrate 2;Drehrate 3\r' \
     't * 1000 ";" x ";" y ";" z ";" n % 2 ";0;0\r"'
 remedied "the same, and a gyroscope" own.csv --accelerometer-only
 copy 'time,ax,ay,az' '"24.11.2026 12:00:" t "," x "," y "," z'
-remedied "times in another form" short.csv --rate 100
+options=$(sed -n '/^| times in another form/s/.*[`]\(--columns t=none\)[`].*[`]\(--rate 100\)[`].*/\1 \2/p' "$manual")
+# shellcheck disable=SC2086 # words
+run calibrate "$work/log.csv" ${options:-none} --json
+check "times in another form: the manual's options" near 0.2 "$(field offset)" "$plain_offset"
 copy '' '"X: " x "\tY: [" y "] Z: " z'
 cp "$work/dress.csv" "$work/log.txt"
 remedied "words or brackets around" log.csv
