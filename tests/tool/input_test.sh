@@ -396,7 +396,7 @@ refuses "calibrate LOG: several sensors of ArduPilot in one table" 3 "$turns" ca
 refuses "apply: several sensors of ArduPilot in one table" 3 "$turns" apply "$work/simple.json" "$work/bad.csv"
 printf 'time,x,y,z\n0,1,2,3\n1000,1,2,3\n2000,1,2,3\n3000,1,2,3\n' > "$work/bad.csv"
 refuses "calibrate LOG: times without a unit that are no seconds" 3 \
-    'bad\.csv:2: the times advance by 1000, .* put the unit into the heading \(t_ms, t_us\), state --rate' \
+    'bad\.csv:2: the times advance by 1000, .* put the unit into the heading \(t_ms, t_us\), or state --rate$' \
     calibrate "$work/bad.csv"
 for u in furlong '' m/s gauss mgal; do
     [ -z "$u" ] || refuses "--unit $u is refused by its name" 2 \

@@ -52,7 +52,7 @@ refuses "apply of two standard inputs is refused" 2 'only one input' apply - -
 refuses "calibrate with two standard inputs is refused" 2 'only one input' \
     calibrate - --positions --nominal -
 refuses "position means without --positions are refused, and what to do" 1 \
-    'no rest of two seconds.* if each row is the mean of a position, add --positions' \
+    'no rest of two seconds.*; if each row is the mean of a position, add --positions; if each is a sample, state --rate, record' \
     calibrate "$good"
 
 refuses_value() { # refuses_value OPTION VALUE PATTERN

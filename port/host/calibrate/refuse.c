@@ -278,16 +278,18 @@ int calibrate_no_rest(calibrate_result *r)
 
     snprintf(least, sizeof least, "%.2g", rests_least(log->rate));
     append(why->reason, REFUSAL_MAX,
-           "no rest of %s seconds in %lu samples, %.6g s at %.6g samples per second%s",
-           strcmp(least, "2") == 0 ? "two" : least, log->samples, log->seconds, log->rate,
-           log->is_rate_known ? "" : " (a guess)");
+           "no rest of %s seconds in %lu sample%s, %.6g s at %.6g samples per second%s",
+           strcmp(least, "2") == 0 ? "two" : least, log->samples, log->samples == 1 ? "" : "s",
+           log->seconds, log->rate, log->is_rate_known ? "" : " (a guess)");
     if (log->gaps > 0) {
         append(why->reason, REFUSAL_MAX, "; %lu gaps", log->gaps);
     }
     add_rests(r->data, why);
     if (log->samples < FEW_SAMPLES) {
-        append(why->remedy, REFUSAL_MAX,
-               "; if each row is the mean of a position, add --positions");
+        snprintf(why->remedy, REFUSAL_MAX,
+                 "if each row is the mean of a position, add --positions; if each is a sample, "
+                 "%srecord for longer, and hold each position still for %.2g s or longer",
+                 log->is_rate_known ? "" : "state --rate, ", rests_least(log->rate) + 1);
     }
     why->wants_positions = 1;
     return EXIT_DATA;
