@@ -39,12 +39,13 @@ static void guard_streams(void)
 
 static void print_help(void)
 {
-    static const char *const head[] = {
-        "usage: invcal COMMAND ...\n"
-        "\n"
-        "Calibrates accelerometer triads from static positions, by gravity alone.\n"
-        "\n",
-        NULL};
+    static const char *const head[] = {"usage: invcal COMMAND ...\n"
+                                       "\n"
+                                       "Calibrates accelerometers from static positions, by "
+                                       "gravity alone; also gyroscopes, by the\n"
+                                       "turns between these, and magnetometers.\n"
+                                       "\n",
+                                       NULL};
     static const char *const tail[] = {
         "\n"
         "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 input unreadable or\n"
@@ -57,7 +58,7 @@ static void print_help(void)
     }
     putchar('\n');
     wrapped_printf(stdout, 28, "  invcal COMMAND --help     purpose, common options, an example");
-    wrapped_printf(stdout, 28, "  invcal COMMAND --help all everything");
+    wrapped_printf(stdout, 28, "  invcal COMMAND --help all all options, in detail");
     wrapped_printf(stdout, 28, "  invcal help COMMAND [all] the same");
     wrapped_printf(stdout, 28, "  invcal --version          the version");
     help_print(stdout, tail);
@@ -132,7 +133,8 @@ static int run_help(int argc, char **argv)
         return EXIT_GOOD;
     }
     if (argc > 1 + is_all) {
-        return message_usage(NULL, "'%s': one operand too many", argv[1 + is_all]);
+        return message_usage(NULL, "'%s': one operand too many: help takes one command, and all",
+                             argv[1 + is_all]);
     }
     const tool_command *c = find_command(argv[0]);
     return c ? print_help_of(c, is_all ? ALL_HELP : BRIEF_HELP) : refuse_unknown(argv[0]);
@@ -155,7 +157,7 @@ static int run(int argc, char **argv)
         return refuse_unknown(argv[1]);
     }
     if (argc > 2) {
-        return message_usage(NULL, "'%s': one operand too many", argv[2]);
+        return message_usage(NULL, "'%s': one operand too many: %s stands alone", argv[2], argv[1]);
     }
     if (is_help) {
         print_help();

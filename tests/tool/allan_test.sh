@@ -169,6 +169,32 @@ refuses "a time that is no number" 2 'is not a decimal number' allan "$work/rest
 refuses "sigma 0" 2 '--sigma 0: must be above 0' allan "$work/rest.csv" --sigma 0
 refuses "a unit that is none" 2 '--unit ft: must be g' allan "$work/rest.csv" --unit ft
 refuses "two units" 2 '--lsb: states the unit' allan "$work/rest.csv" --unit g --lsb 1
+# A gyroscope: the unit is in its header alone. The figures are those of the table without a header.
+sed 's/^t,x,y,z/t,gx,gy,gz/' "$work/rest.csv" > "$work/turn.csv"
+for unit in rad/s deg/s mdeg/s; do
+    sed "1s|gx,gy,gz|gx ($unit),gy ($unit),gz ($unit)|" "$work/turn.csv" > "$work/turn_unit.csv"
+    run allan "$work/turn_unit.csv" --columns gx,gy,gz --out "$work/out/turn.json"
+    printed=$(echo "$unit" | sed 's/deg/°/')
+    check "gyroscope: $unit" matches "$work/stdout" "^white noise N, $printed/√Hz "
+    check "gyroscope: and nothing is an acceleration" lacks "$work/stdout" 'm/s²|µg|velocity'
+    check "gyroscope: $unit in JSON" matches "$work/out/turn.json" "^  \"unit\": \"$unit\","
+    refuses "gyroscope: $unit is no noise of an accelerometer" 3 "turn.json: is the noise of a gyroscope \\($unit\\): run" \
+        plan --limits 1,1,1 --allan "$work/out/turn.json"
+done
+run allan "$work/turn.csv" --columns gx,gy,gz
+check "gyroscope: without a unit" matches "$work/stdout" '^white noise N, input units/√Hz '
+for option in '--unit g' '--gravity 9.8'; do
+    # shellcheck disable=SC2086 # words
+    refuses "gyroscope: $option" 2 "${option% *}: gx gy gz are columns of a gyroscope; --lsb states rad/s per input unit: leave" \
+        allan "$work/turn.csv" --columns gx,gy,gz $option
+done
+refuses "gyroscope: two units" 2 '--lsb: gx gy gz .* whose unit the header states: leave it out' \
+    allan "$work/turn_unit.csv" --columns gx,gy,gz --lsb 2
+run allan "$work/turn.csv" --columns gx,gy,gz
+counts=$(awk '/^white noise N, input units/ { print $6 }' "$work/stdout")
+run allan "$work/turn.csv" --columns gx,gy,gz --lsb 0.5
+check "gyroscope: --lsb" near 0.001 "$(awk '/^white noise N, rad.s/ { print $5 }' "$work/stdout")" \
+    "$(awk -v n="$counts" 'BEGIN { print n / 2 }')"
 refuses "an end before the beginning" 2 '--to: is before --from' allan "$work/rest.csv" --from 3 --to 2
 refuses "a part with nothing in it" 1 'no sample within' allan "$work/rest.csv" --from 5000
 refuses "a result over the log" 2 'would overwrite LOG' allan "$work/rest.csv" --out "$work/rest.csv"

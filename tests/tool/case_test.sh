@@ -76,6 +76,8 @@ refuses "case: an empty list" 2 '--case: its value is empty' \
 for list in w +. '+z,' ',+z' . '+z,,x' x-y; do
     refuses "case: '$list'" 2 '--case: give the axis' calibrate "$work/straight.csv" --positions --case "$list"
 done
+refuses "case: over temperature, and what to do" 2 '--case: cannot be combined with --thermal: leave out --case, or' \
+    calibrate "$work/straight.csv" --positions --case +z,+x --thermal 1
 refuses "case: beside another frame" 2 'leave out --frame' \
     calibrate "$work/straight.csv" --positions --case +z --frame triangular
 finish

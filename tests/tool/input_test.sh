@@ -324,7 +324,7 @@ in=$work/bad.csv
 refuses "UTF-16 from the standard input" 3 '^invcal: standard input: this is UTF-16' calibrate -
 in=/dev/null
 
-bad_line "alpha of nobody knows what" 'bad\.csv:1: the header names no columns x, y, z' \
+bad_line "alpha of nobody knows what" 'bad\.csv:1: the header names a gyroscope \(omega_x, ..\), but no accelerometer' \
     'timestamp,omega_x,omega_y,omega_z,w,alpha_x,alpha_y,alpha_z\n1,2,3,4,5,6,7,8\n'
 bad_line "decimal commas between semicolons" \
     "bad\.csv:2: column 1 \(x\): '1,5' has a decimal comma: save with decimal points$" \
@@ -349,9 +349,10 @@ bad_line "thousands separators" "column 1 \(x\): '1,234.5' has thousands separat
 bad_line "thousands separators of Switzerland" "column 2 \(y\): '1'234' .* thousands separators" \
     "x;y;z\n1;1'234;3\n"
 
-bad "a gyro alone" 'bad\.csv:1: the header names no columns x, y, z \(nor ax, .*--help all\): rename the three' \
+bad "a gyro alone" 'record both in one log. .*invcal allan --columns gyroADC\[0\],gyroADC\[1\],gyroADC\[2\]$' \
     'time (us),gyroADC[0],gyroADC[1],gyroADC[2],wx,wy,wz,gx,gy,gz\n0,1,2,3,4,5,6,7,8,9\n'
-bad "two axes" 'bad\.csv:1: the header names no columns x, y, z' 'ax,ay,gz\n1,2,3\n'
+bad "two axes" 'bad\.csv:1: the header names no columns x, y, z .*such as --columns 2,3,4; there are: ax, ay, gz$' \
+    'ax,ay,gz\n1,2,3\n'
 bad "linear acceleration" \
     "bad\.csv:1: 'Linear Acceleration x': linear acceleration has gravity removed .* accelerometer itself$" \
     '"Time (s)","Linear Acceleration x (m/s^2)","Linear Acceleration y (m/s^2)","Linear Acceleration z (m/s^2)"\n0,1,2,3\n'
@@ -362,8 +363,21 @@ bad "LabVIEW" 'bad\.csv: this is a LabVIEW measurement file: delete the lines be
     'LabVIEW Measurement\t\nWriter_Version\t2\t\n'
 printf 't,x,y,z\n01.05.2026 10:00:00,1,2,3\n' > "$work/bad.csv"
 refuses "a date in another form is no time, and what to do is told" 3 \
-    "column 1 \(t\): '01.05.2026 10:00:00' is not a decimal number: convert it to seconds" \
+    "column 1 \(t\): '01.05.2026 10:00:00' is not a decimal number: convert it to seconds, or ignore the column with --columns t=none$" \
     calibrate "$work/bad.csv"
+run apply "$work/simple.json" "$work/bad.csv" --columns t=none
+check "a column of time that is ignored" test "$(head -n 1 "$work/stdout")" = x,y,z
+printf '0,1,2,3\nnoon,1,2,3\n' > "$work/bad.csv"
+refuses "the same without a header" 3 'convert it to seconds, or ignore the column with --columns 2,3,4$' \
+    calibrate "$work/bad.csv"
+run apply "$work/simple.json" "$work/bad.csv" --columns 2,3,4
+check "the same, ignored" test "$(head -n 1 "$work/stdout")" = x,y,z
+printf 'x,y,z,temp\n1,2,3,warm\n' > "$work/bad.csv"
+refuses "a temperature that is a word" 3 \
+    "'warm' is not a decimal number: correct the line, or ignore the column with --columns temperature=none$" \
+    calibrate "$work/bad.csv"
+run apply "$work/simple.json" "$work/bad.csv" --columns temperature=none
+check "a temperature that is ignored" test "$(head -n 1 "$work/stdout")" = x,y,z
 bad "two accelerometers" \
     "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): choose one set with --columns, or delete" \
     'accSmooth[0],accSmooth[1],accSmooth[2],accADC[0],accADC[1],accADC[2]\n1,2,3,4,5,6\n'
@@ -382,7 +396,7 @@ refuses "calibrate LOG: several sensors of ArduPilot in one table" 3 "$turns" ca
 refuses "apply: several sensors of ArduPilot in one table" 3 "$turns" apply "$work/simple.json" "$work/bad.csv"
 printf 'time,x,y,z\n0,1,2,3\n1000,1,2,3\n2000,1,2,3\n3000,1,2,3\n' > "$work/bad.csv"
 refuses "calibrate LOG: times without a unit that are no seconds" 3 \
-    'bad\.csv:2: the times advance by 1000, .* put the unit into the heading \(t_ms, t_us\), state --rate' \
+    'bad\.csv:2: the times advance by 1000, .* put the unit into the heading \(t_ms, t_us\), or state --rate$' \
     calibrate "$work/bad.csv"
 for u in furlong '' m/s gauss mgal; do
     [ -z "$u" ] || refuses "--unit $u is refused by its name" 2 \
@@ -395,6 +409,8 @@ write_positions 1 'x (mg),y (mg),z (mg)' "$x"
 refuses "a header that states another unit than that of the readings" 1 \
     'pos\.csv:2: position 1 reads 0\.0[0-9]* of the field with the scale of the stated unit; check the unit in the header, or state --unit' \
     calibrate "$work/pos.csv" --positions
+refuses "an option that states another unit" 1 'with the scale of the stated unit; check --unit: counts' \
+    calibrate "$work/pos.csv" --positions --unit mg
 run calibrate "$work/pos.csv" --positions --unit g --json
 check "--unit puts it right" near 1e-9 "$(field offset)" '0.02 -0.03 0.05'
 
@@ -440,7 +456,10 @@ copy 'Zeit;Beschl. 1;Beschl. 2;Beschl. 3;Drehrate 1;Drehrate 2;Drehrate 3\r' \
     't * 1000 ";" x ";" y ";" z ";" n % 2 ";0;0\r"'
 remedied "the same, and a gyroscope" own.csv --accelerometer-only
 copy 'time,ax,ay,az' '"24.11.2026 12:00:" t "," x "," y "," z'
-remedied "times in another form" short.csv --rate 100
+options=$(sed -n '/^| times in another form/s/.*[`]\(--columns t=none\)[`].*[`]\(--rate 100\)[`].*/\1 \2/p' "$manual")
+# shellcheck disable=SC2086 # words
+run calibrate "$work/log.csv" ${options:-none} --json
+check "times in another form: the manual's options" near 0.2 "$(field offset)" "$plain_offset"
 copy '' '"X: " x "\tY: [" y "] Z: " z'
 cp "$work/dress.csv" "$work/log.txt"
 remedied "words or brackets around" log.csv

@@ -53,6 +53,12 @@ for heading in 'mag_x_uT,mag_y_uT,mag_z_uT' 'mx (µT),my (µT),mz (µT)'; do
     run calibrate --magnetometer "$work/ut.csv"
     check "magnetometer: $heading" matches "$work/stdout" 'field 49\.[0-9]* µT'
 done
+run calibrate --magnetometer "$work/ut.csv" --gravity 48 --need 5
+check "magnetometer: a stated field has the unit of the column" matches "$work/stdout" 'field 48 µT$'
+check "magnetometer: the scale, too" matches "$work/stdout" '^scale x .* µT per µT$'
+check "magnetometer: and the need" matches "$work/stdout" 'PASS: length within [0-9.]+ of 5\.0 µT'
+run calibrate --magnetometer "$work/ut.csv" --gravity 0.48
+check "magnetometer: unless it is far from the readings" matches "$work/stdout" 'field 0\.48 field units$'
 { echo 'mx,my,mz'; echo 'uT,uT,uT'; sed 1,2d "$work/ut.csv"; } > "$work/row.csv"
 run calibrate --magnetometer "$work/row.csv" --json
 check "magnetometer: units in a row of their own" matches "$work/stdout" '"unit": "uT"'
@@ -205,7 +211,7 @@ refuses "magnetometer: its frame alone" 2 '--frame: accelerometer needs --magnet
 accepts "magnetometer: a need in parts" calibrate --magnetometer "$work/both.csv" --need 1%
 check "magnetometer: is judged" matches "$work/stdout" 'PASS: length within 0\.[0-9]+ of 1\.0 % of the field'
 accepts "magnetometer: and in the unit of the readings" calibrate --magnetometer "$work/both.csv" --need 0.005
-check "magnetometer: is the same" matches "$work/stdout" 'PASS: length within 0\.00[0-9]+ of 0\.0050 field units'
+check "magnetometer: is the same" matches "$work/stdout" 'PASS: length within 0\.00[0-9]+ of 0\.0050 input units'
 refuses "magnetometer: a need of gravity" 2 'the field .--gravity. is not gravity' \
     calibrate --magnetometer "$work/both.csv" --need 1mg
 

@@ -499,7 +499,7 @@ refuses "plan: start angles of an icosahedron" 2 'start: needs' plan --icosahedr
 refuses "plan: limits of a given set" 2 'limits: chooses' plan --edges --limits 1,1,1
 refuses "plan: a budget of a given set" 2 'budget: chooses' plan --edges --budget 100
 refuses "plan: a sweep with a set" 2 'sweep: names' plan --edges --sweep 5:6
-refuses "plan: an operand" 2 'one operand too many' plan edges faces
+refuses "plan: an operand" 2 'one operand too many: a set is an option, such as --edges' plan edges faces
 refuses "plan: angles in the number" 2 'use --start for the angles' plan --per-group 6:1,2,3
 refuses "plan: a sweep with noise" 2 'sweep: does not use' plan --sweep 5:6 --noise 1e-4
 refuses "plan: standard input twice" 2 'only one input' plan --compare directions:- directions:-
@@ -513,8 +513,8 @@ done
 run plan --optimal 9
 check "plan: nine positions are said to be unchecked" matches "$work/stdout" 'no redundancy'
 refuses "plan: nothing to compare" 2 'compare: takes two' plan --compare
-refuses "plan: one to compare" 2 'B is missing' plan --compare edges
-refuses "plan: three to compare" 2 'one operand too many' plan --compare edges edges edges
+refuses "plan: one to compare" 2 'a second SET is missing' plan --compare edges
+refuses "plan: three to compare" 2 'one operand too many: it takes only SET and a second SET; ' plan --compare edges edges edges
 refuses "plan: an unknown word" 2 "'dodecahedron' is not a set" plan --compare edges dodecahedron
 refuses "plan: what is not solvable is not compared" 1 'faces: ' plan --compare faces edges
 

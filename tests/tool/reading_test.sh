@@ -95,6 +95,27 @@ echo '{"offset": [1, 2, 3], "matrix": [[2, 0, 0], [0, 2, 0], [0, 0, 1e0]]}' > "$
 printf '9,2,8,4,6\n9,1,8,2,3\n' > "$work/in"
 run apply "$work/simple.json" "$work/in" --columns 2,4,5
 check "apply --columns" test "$(cat "$work/stdout")" = "$(printf 'x,y,z\n2,4,3\n0,0,0')"
+# A calibration of counts for readings in g.
+echo '{"offset": [1, 2, 3], "matrix": [[2, 0, 0], [0, 2, 0], [0, 0, 1]], "unit": "counts"}' > "$work/counts.json"
+printf 'x (g),y (g),z (g)\n9,8,6\n' > "$work/in"
+run apply "$work/counts.json" "$work/in"
+check "apply: readings in another unit" warns \
+    '.*in: the header states readings in g, but the calibration was made from readings in counts: convert them,'
+check "apply: they are corrected anyway" test "$(sed -n 2p "$work/stdout")" = 16,12,3
+for heading in 'x,y,z' 'x (counts),y (counts),z (counts)'; do
+    printf '%s\n9,8,6\n' "$heading" > "$work/in"
+    run apply "$work/counts.json" "$work/in"
+    check "apply: no word on $heading" is_empty "$work/stderr"
+done
+"$tool" simulate --plan edges | awk -F, 'NR == 1 { print "x (ug),y (ug),z (ug)"; next }
+    { print $2 * 61 "," $3 * 61 "," $4 * 61 }' > "$work/ug"
+run calibrate "$work/ug"
+check "a unit of the header that is not known" matches "$work/stdout" \
+    'unknown: the unit in the header is not g, mg, m/s2 or counts; state --zero 0,0,0 and --lsb'
+awk 'BEGIN { print "x;y;z"; for (i = 0; i < 150; i++) print "0,1;0,2;1,0" }' > "$work/commas"
+run watch "$work/commas"
+check "watch: a stream of decimal commas ends with a question" matches "$work/stderr" \
+    'commas:101: 100 lines in a row cannot be read: is it the right file'
 "$tool" simulate --plan faces --dwell 40 | awk -F, 'NR > 1 && $1 < 35 { print $2 ",0," $3 "," $4 "," $1 }' > "$work/rest"
 accepts "allan --columns" allan "$work/rest" --columns t=5,x=1,y=3,z=4
 accepts "watch --columns" watch "$work/log.csv" --columns mx,my,mz --rate 100
@@ -223,7 +244,7 @@ refuses "an empty file" 3 'bad: is empty: was it copied whole\?$' calibrate "$wo
 awk 'NR > 1 && NR % 12 == 0' "$work/plain.csv" | cut -d, -f2- > "$work/samples.csv"
 run calibrate "$work/samples.csv" --positions
 check "a raw log as positions: it is told, and what to do" warns \
-    '.*samples\.csv: this looks like a raw log, .* leave out --positions$'
+    '.*samples\.csv: this looks like a raw log, .* invcal calibrate reads a raw log without --positions$'
 check "a raw log as positions: ten that are left out are listed" test "$(grep -c '^Left out: ' "$work/stdout")" -eq 10
 check "a raw log as positions: and how many more" matches "$work/stdout" '^ +and [0-9]{2,} more$'
 for file in xsens_mti mpu9150_0 mpu9150_1 t265; do

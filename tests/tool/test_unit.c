@@ -67,6 +67,10 @@ static void test_rates_of_turn(void)
     TEST_ASSERT_EQUAL_STRING("°/s", unit_turn_words(unit_parse_turn("dps")));
     TEST_ASSERT_EQUAL_STRING("m°/s", unit_turn_words(unit_parse_turn("mdps")));
     TEST_ASSERT_EQUAL_STRING("counts", unit_turn_words(1.3e-4));
+    TEST_ASSERT_EQUAL_STRING("mrad/s", unit_turn_name(1e-3));
+    TEST_ASSERT_EQUAL_STRING("deg/s", unit_turn_name(unit_parse_turn("dps")));
+    TEST_ASSERT_EQUAL_STRING("mdeg/s", unit_turn_name(unit_parse_turn("mdps")));
+    TEST_ASSERT_EQUAL_STRING("counts", unit_turn_name(1.3e-4));
 }
 
 /* MMA8451: 1024 counts a g at 8 g. */

@@ -232,6 +232,23 @@ check "noise that explains the residuals" prints '^limited by    the noise of th
 "$tool" simulate --plan edges --dwell 5 --instability 0.003 > "$work/shaky.csv"
 run calibrate "$work/shaky.csv"
 check "an offset that walks" prints '^limited by    handling, drift or temperature'
+# Steps of 0.153 m/s^2 are 16 mg: they average out in a noise of 10 mg, but not in one of 1 mg.
+for noise in 0.001 0.01; do
+    "$tool" simulate --plan edges --lsb 0.153 --noise $noise > "$work/coarse.csv"
+    run calibrate "$work/coarse.csv" --zero 0,0,0 --lsb 0.153 --gravity 9.80665 --need 1mg
+    if [ $noise = 0.001 ]; then
+        check "steps that are larger than the noise" prints '^limited by    quantisation: the readings have steps of 16 mg'
+        check "steps: nothing says that longer rests help" prints 'or a finer resolution; longer rests do not help\.'
+        run calibrate "$work/coarse.csv" --zero 0,0,0 --lsb 0.153 --noise 0.001
+        check "steps against too small a stated noise" prints '^limited by    quantisation'
+        check "steps: what to do then" prints '^Next: leave out --noise'
+    else
+        check "steps that average out" prints '^limited by    the noise of the samples'
+    fi
+done
+"$tool" simulate --plan edges --lsb 0.153 --instability 0.03 > "$work/coarse.csv"
+run calibrate "$work/coarse.csv" --zero 0,0,0 --lsb 0.153
+check "steps that explain nothing" prints '^limited by    handling, drift or temperature'
 positions sphere 40 3 | awk -F, '$3 > -2' > "$work/cap.csv"
 run calibrate "$work/cap.csv" --positions --noise 0.001
 check "orientations on one side" prints '^limited by    the orientations'

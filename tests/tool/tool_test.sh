@@ -44,7 +44,7 @@ refuses "a value for an option that has none is refused" 2 '--json: takes no val
 refuses "an option given twice is refused" 2 "--gravity: given twice; $see" \
     calibrate "$good" --positions --gravity 9.8 --gravity=9.8
 refuses "a missing operand is refused" 2 "LOG is missing; $see" calibrate --positions
-refuses "an operand too many is refused" 2 "'more': one operand too many" \
+refuses "an operand too many is refused" 2 "'more': one operand too many: it takes only LOG; options begin with --" \
     calibrate "$good" more --positions
 refuses "apply without a log is refused" 2 'LOG is missing; see invcal apply --help' apply cal.json
 refuses "apply with an option is refused" 2 '--json: unknown option' apply --json a b
@@ -52,7 +52,7 @@ refuses "apply of two standard inputs is refused" 2 'only one input' apply - -
 refuses "calibrate with two standard inputs is refused" 2 'only one input' \
     calibrate - --positions --nominal -
 refuses "position means without --positions are refused, and what to do" 1 \
-    'no rest of two seconds.* if each row is the mean of a position, add --positions' \
+    'no rest of two seconds.*; if each row is the mean of a position, add --positions; if each is a sample, state --rate, record' \
     calibrate "$good"
 
 refuses_value() { # refuses_value OPTION VALUE PATTERN
@@ -67,6 +67,7 @@ refuses_value --gravity -inf "'-inf' is not a finite number"
 for v in nine 9.8x 0x9 9,8 '9.8,' ' 9.8' 1e 1e+ . + 1.2.3; do
     refuses_value --gravity "$v" '(is not a decimal number|is empty|has a decimal comma|1 number expected)'
 done
+refuses_value --gravity 9,81 'decimals are written with a point, such as 9.81'
 refuses_value --gravity 1e999 "'1e999' is too large"
 refuses_value --zero 1,2 '3 numbers separated by commas expected'
 refuses_value --zero 1,2,3,4 '3 numbers separated by commas expected'
@@ -766,9 +767,9 @@ bad_json() { # bad_json SENTENCE TEXT PATTERN
 }
 m='"matrix": [[2, 0, 0], [0, 2, 0], [0, 0, 2]]'
 o='"offset": [1, 2, 3]'
-bad_json "empty" '' '2: a JSON object, .* but the file ends here'
-bad_json "no object" '[1, 2]' '1: a JSON object'
-bad_json "no text in JSON" 'offset: 1' '1: a JSON object'
+bad_json "empty" '' '2: is empty: name a file that invcal wrote with --out'
+bad_json "no object" '[1, 2]' '1: is not a JSON object: name a file that invcal wrote'
+bad_json "no text in JSON" 'offset: 1' '1: is not a JSON object'
 bad_json "without offset" "{$m}" '.: no member "offset"'
 bad_json "without matrix" "{$o}" '.: no member "matrix"'
 bad_json "without members" '{}' '.: no member "offset"'
@@ -808,7 +809,7 @@ bad_json "an error in the third line" "{$o,
  \"other\": [true, false, null],
  \"matrix\": [[1, 0, 0], [0, 1, 0], [0, 0, x]]}" "3: 'x' is not a decimal number"
 bad_json "a refusal in place of a calibration" '{"error": "too few", "reason": "", "undetermined": []}' \
-    '1: no member "offset": not a calibration'
+    '1: no member "offset": not a calibration: make one with invcal calibrate --out$'
 head -c 4096 /dev/urandom > "$work/bad.json"
 refuses "apply: a calibration of random bytes" 3 'bad\.json:' apply "$work/bad.json" "$work/log.csv"
 refuses "apply: a missing calibration" 3 'nowhere\.json: cannot be read' apply \

@@ -133,7 +133,7 @@ refuses "nonlinearity: --cubic includes --quadratic" 2 'includes --quadratic' \
     calibrate "$work/none.1" --positions --quadratic --cubic
 refuses "nonlinearity: not over temperature" 2 '--quadratic: cannot be combined with --thermal' \
     calibrate "$work/none.1" --positions --quadratic --thermal 1
-refuses "l1: nine parameters only" 2 '--robust: needs nine free parameters' \
+refuses "l1: nine parameters only" 2 '--robust: needs nine free parameters: leave out --cubic;' \
     calibrate "$work/none.1" --positions --robust --cubic
 
 # ---- nonlinearity, taken off -----------------------------------------------------------------------------

@@ -78,7 +78,7 @@ fits --help
 accepts "help succeeds" help
 check "help is --help" has_same --help
 refuses "help of no command" 2 '^invcal: calibate: unknown command \(did you mean calibrate\?\)' help calibate
-refuses "help of two commands" 2 "'plan': one operand too many" help calibrate plan
+refuses "help of two commands" 2 "'plan': one operand too many: help takes one command" help calibrate plan
 refuses "a slip in help" 2 '\(did you mean help\?\)' hepl
 refuses "--help of a slip" 2 '\(did you mean calibrate\?\)' calibate --help
 

@@ -143,6 +143,12 @@ static double find_unit(allan_result *r, const allan_wish *wish)
 {
     const double field = wish->gravity > 0 ? wish->gravity : UNIT_STANDARD_GRAVITY;
 
+    if (r->seen.is_gyro) {
+        r->gravity = (double)NAN;
+        r->turn = wish->lsb > 0 ? 1 : r->seen.turn;
+        r->unit = r->turn > 0 ? unit_turn_words(r->turn) : unit_words(r->seen.unit);
+        return wish->lsb > 0 ? wish->lsb : 1;
+    }
     if (wish->unit != UNIT_UNKNOWN) {
         r->seen.unit = wish->unit;
         r->seen.unit_from = UNIT_FROM_OPTION;
@@ -260,14 +266,32 @@ static int find_dwells(allan_result *r, double wanted)
     return EXIT_GOOD;
 }
 
+/* A gyroscope has the unit of its header, or that of --lsb. */
+static int check_gyro(const allan_result *r, const allan_wish *wish)
+{
+    const char *option = wish->unit != UNIT_UNKNOWN          ? "--unit"
+                         : wish->gravity > 0                 ? "--gravity"
+                         : wish->lsb > 0 && r->seen.turn > 0 ? "--lsb"
+                                                             : NULL;
+
+    return r->seen.is_gyro && option
+               ? message_usage("allan", "%s: %s %s %s are columns of a gyroscope%s: leave it out",
+                               option, r->seen.name[COLUMN_X], r->seen.name[COLUMN_Y],
+                               r->seen.name[COLUMN_Z],
+                               r->seen.turn > 0 ? ", whose unit the header states"
+                                                : "; --lsb states rad/s per input unit")
+               : EXIT_GOOD;
+}
+
 static int evaluate(allan_result *r, const allan_wish *wish)
 {
-    const double unit = find_unit(r, wish) * log_read.unit;
-    int failure = check_rest(r);
+    int failure = check_gyro(r, wish);
+    failure = failure ? failure : check_rest(r);
 
     if (failure) {
         return failure;
     }
+    const double unit = find_unit(r, wish) * log_read.unit;
     find_rows(r, wish->taus > 0 ? wish->taus : INVCAL_ALLAN_TAUS, unit);
     failure = find_noise(r, unit);
     return failure ? failure : find_dwells(r, wish->sigma);

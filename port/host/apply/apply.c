@@ -164,6 +164,21 @@ static int find_columns(table *log, const job *j, columns *where)
     return failure ? failure : columns_find(log, kind, where);
 }
 
+/* Readings in another unit than those of the calibration come out wrong. What has the size of mg may be counts. */
+static void check_unit(const table *log, const columns *where, const job *j)
+{
+    const reading_unit here = where->seen.unit;
+    const reading_unit there = unit_of_name(j->file.unit);
+    const int may_be_same = (here == UNIT_COUNTS && there == UNIT_MG) || here == there;
+
+    if (here != UNIT_UNKNOWN && there != UNIT_UNKNOWN && !may_be_same && !j->is_gyro &&
+        !j->is_quiet) {
+        message("warning: %s: the header states readings in %s, but the calibration was made from "
+                "readings in %s: convert them, or correct the header",
+                log->name, unit_words(here), unit_words(there));
+    }
+}
+
 /* A correction that depends on temperature needs one. */
 static int check_temperature(const table *log, const columns *where, const job *j)
 {
@@ -187,6 +202,7 @@ static int write_rows(FILE *spool, table *log, job *j)
     if (failure) {
         return failure;
     }
+    check_unit(log, &where, j);
     fprintf(spool, "%s%s%s%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
             j->is_gyro ? "gx,gy,gz" : "x,y,z", has_gyro(&where, j) ? ",gx,gy,gz" : "",
             where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");

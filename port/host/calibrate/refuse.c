@@ -149,6 +149,7 @@ static void say_out_of_range(const calibrate_result *r, refusal *why)
     const nominal_choice *nominal = &r->nominal;
     const int by_range = nominal->zero == NOMINAL_RANGE && nominal->lsb == NOMINAL_RANGE;
     const int by_unit = nominal->lsb == NOMINAL_UNIT;
+    const int by_option = by_unit && r->data->seen.unit_from == UNIT_FROM_OPTION;
     double v[3];
 
     invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)why->position], v);
@@ -166,8 +167,9 @@ static void say_out_of_range(const calibrate_result *r, refusal *why)
     snprintf(why->remedy, REFUSAL_MAX, "%s",
              by_range
                  ? "look for an outlier, add positions in all directions, or state --zero and --lsb"
-             : by_unit ? "check the unit in the header, or state --unit"
-                       : "check --gravity, the nominal zero and scale, and their units");
+             : by_option ? "check --unit: counts, for readings of an ADC"
+             : by_unit   ? "check the unit in the header, or state --unit"
+                         : "check --gravity, the nominal zero and scale, and their units");
     why->wants_positions = by_range;
 }
 
@@ -276,16 +278,18 @@ int calibrate_no_rest(calibrate_result *r)
 
     snprintf(least, sizeof least, "%.2g", rests_least(log->rate));
     append(why->reason, REFUSAL_MAX,
-           "no rest of %s seconds in %lu samples, %.6g s at %.6g samples per second%s",
-           strcmp(least, "2") == 0 ? "two" : least, log->samples, log->seconds, log->rate,
-           log->is_rate_known ? "" : " (a guess)");
+           "no rest of %s seconds in %lu sample%s, %.6g s at %.6g samples per second%s",
+           strcmp(least, "2") == 0 ? "two" : least, log->samples, log->samples == 1 ? "" : "s",
+           log->seconds, log->rate, log->is_rate_known ? "" : " (a guess)");
     if (log->gaps > 0) {
         append(why->reason, REFUSAL_MAX, "; %lu gaps", log->gaps);
     }
     add_rests(r->data, why);
     if (log->samples < FEW_SAMPLES) {
-        append(why->remedy, REFUSAL_MAX,
-               "; if each row is the mean of a position, add --positions");
+        snprintf(why->remedy, REFUSAL_MAX,
+                 "if each row is the mean of a position, add --positions; if each is a sample, "
+                 "%srecord for longer, and hold each position still for %.2g s or longer",
+                 log->is_rate_known ? "" : "state --rate, ", rests_least(log->rate) + 1);
     }
     why->wants_positions = 1;
     return EXIT_DATA;

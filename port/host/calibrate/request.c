@@ -100,7 +100,8 @@ static int read_magnetometer(request *r)
     }
     for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (r->value[others[i]]) {
-            return message_usage(r->syntax->command, "%s: cannot be combined with %s",
+            return message_usage(r->syntax->command,
+                                 "%s: cannot be combined with %s: leave one out",
                                  options[ASK_MAGNETOMETER].name, options[others[i]].name);
         }
     }
@@ -211,7 +212,9 @@ static int read_case(request *r)
         return request_usage(r, ASK_CASE, "determines the frame: leave out --frame");
     }
     if (r->value[ASK_THERMAL]) {
-        return request_usage(r, ASK_CASE, "cannot be combined with --thermal");
+        return request_usage(r, ASK_CASE,
+                             "cannot be combined with --thermal: leave out --case, or calibrate at "
+                             "one temperature without --thermal");
     }
     return case_parse(r->value[ASK_CASE], &r->ways_up)
                ? EXIT_GOOD
@@ -312,7 +315,8 @@ static int read_six_faces(request *r)
 
     for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (r->value[others[i]]) {
-            return message_usage(r->syntax->command, "%s: cannot be combined with %s",
+            return message_usage(r->syntax->command,
+                                 "%s: cannot be combined with %s: leave one out",
                                  options[ASK_SIX_FACES].name, options[others[i]].name);
         }
     }
@@ -442,7 +446,8 @@ static int read_gyro(request *r)
     }
     if (r->value[ASK_GYRO] && r->value[ASK_COLUMNS]) {
         return request_usage(r, ASK_GYRO,
-                             "cannot be combined with --columns: name them in headers");
+                             "cannot be combined with --columns: leave out --columns, and name the "
+                             "columns x, y, z in a header of each file");
     }
     if (r->value[ASK_GYRO_AXES] && !parse_axes(r->value[ASK_GYRO_AXES], r->gyro.axes)) {
         return request_usage(r, ASK_GYRO_AXES,
@@ -520,8 +525,13 @@ static int read_degree(request *r)
 {
     const unsigned which = r->value[ASK_CUBIC] ? ASK_CUBIC : ASK_QUADRATIC;
 
-    if (r->value[ASK_ROBUST] && (r->value[which] || r->value[ASK_THERMAL] || r->value[ASK_PRIOR])) {
-        return request_usage(r, ASK_ROBUST, "needs nine free parameters: leave out the prior");
+    for (unsigned i = 0; i < 3 && r->value[ASK_ROBUST]; i++) {
+        const unsigned others[] = {which, ASK_THERMAL, ASK_PRIOR};
+        if (r->value[others[i]]) {
+            return message_usage(r->syntax->command,
+                                 "--robust: needs nine free parameters: leave out %s",
+                                 options[others[i]].name);
+        }
     }
     if (r->value[ASK_ROBUST] && r->is_live) {
         return request_usage(r, ASK_ROBUST, "is an option of invcal calibrate only");
@@ -535,8 +545,9 @@ static int read_degree(request *r)
     }
     if (r->value[ASK_THERMAL] || r->value[ASK_PRIOR]) {
         return request_usage(r, which,
-                             r->value[ASK_THERMAL] ? "cannot be combined with --thermal"
-                                                   : "cannot be combined with --prior");
+                             r->value[ASK_THERMAL]
+                                 ? "cannot be combined with --thermal: leave one out"
+                                 : "cannot be combined with --prior: leave one out");
     }
     return r->is_live ? request_usage(r, which, "is an option of invcal calibrate only")
                       : EXIT_GOOD;
@@ -588,7 +599,10 @@ static int check_stand(const request *r)
                              "needs the angles of a stand: --stand or --plan");
     }
     return w->is_wanted && r->value[ASK_THERMAL]
-               ? request_usage(r, ASK_THERMAL, "cannot be combined with the angles of a stand")
+               ? request_usage(
+                     r, ASK_THERMAL,
+                     "cannot be combined with the angles of a stand: leave out --thermal, or "
+                     "--stand and --plan")
                : EXIT_GOOD;
 }
 

@@ -171,19 +171,6 @@ int settle_magnetometer(const request *r, nominal_choice *n)
     return EXIT_GOOD;
 }
 
-/* The noise of a position mean from std and n: the root mean square over axes. */
-static double noise_of_file(const positions *data, const invcal_calibration *c)
-{
-    double square = 0;
-
-    for (unsigned i = 0; i < 3; i++) {
-        for (unsigned j = 0; j < 3; j++) {
-            square += c->matrix[i][j] * c->matrix[i][j] * data->noise_square[j] / 3;
-        }
-    }
-    return sqrt(square);
-}
-
 void settle_limits(const request *r, calibrate_result *result)
 {
     double *limit = result->limit;
@@ -204,7 +191,7 @@ int settle_noise(const request *r, const positions *data, calibrate_result *resu
 {
     result->is_noise_given = r->value[ASK_NOISE] != NULL;
     if (!r->value[ASK_NOISE] && data->has_noise) {
-        result->settings.noise = noise_of_file(data, &result->settings.nominal);
+        result->settings.noise = positions_noise(data, &result->settings.nominal);
     }
     if (!(result->settings.noise < 1)) {
         if (r->value[ASK_NOISE]) {

@@ -292,7 +292,7 @@ static void settle_need(const request *r, calibrate_result *result)
     if (r->value[ASK_NEED] && strchr(r->value[ASK_NEED], '%')) {
         result->need *= field / r->settings.field;
     } else if (r->value[ASK_NEED]) {
-        result->need_unit.scale = field;
+        result->need_unit = (told_unit){field, calibrate_field_unit(result)};
     }
 }
 
@@ -318,7 +318,7 @@ int solve_waved(const request *r, const positions *data, calibrate_result *resul
     result->solution = fit_solution_of(&m->calibration, &result->settings);
     result->quality = fit_quality_of(&m->quality, &result->settings, &result->solution);
     result->quality.condition = m->quality.condition;
-    settle_need(r, result);
     complete(r, data, result);
+    settle_need(r, result);
     return find_axes(r, result);
 }

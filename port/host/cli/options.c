@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "text/append.h"
 #include "text/nearest.h"
 #include "text/number.h"
 
@@ -71,6 +72,20 @@ static int take_option(const option_syntax *syntax, int argc, char **argv, int *
     return EXIT_GOOD;
 }
 
+static int refuse_surplus(const option_syntax *syntax, const char *operand)
+{
+    char names[80] = "";
+
+    for (unsigned i = 0; i < syntax->operand_count; i++) {
+        append(names, sizeof names, "%s%s", i ? " and " : "", syntax->operands[i]);
+    }
+    return message_usage(
+        syntax->command,
+        "'%s': one operand too many: it takes only %s; options begin with --, and a "
+        "name that holds blanks needs quotes",
+        operand, *names ? names : "options");
+}
+
 int options_parse(const option_syntax *syntax, int argc, char **argv, const char **values,
                   const char **operands)
 {
@@ -97,7 +112,7 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
                 return failure;
             }
         } else if (found == syntax->operand_count && !repeats) {
-            return message_usage(syntax->command, "'%s': one operand too many", argv[i]);
+            return refuse_surplus(syntax, argv[i]);
         } else if (argv[i][0] == '\0') {
             return message_usage(syntax->command, "%s is empty: is a shell variable not set?",
                                  syntax->operands[found]);
@@ -159,8 +174,10 @@ int options_numbers(const option_syntax *syntax, unsigned which, const char *val
         }
     }
     if (rest || (n < wanted && !(single && n == 1))) {
-        return message_usage(syntax->command, "%s %s: %u number%s expected%s", name, value, wanted,
-                             wanted > 1 ? "s separated by commas" : "", single ? ", or one" : "");
+        return message_usage(
+            syntax->command, "%s %s: %u number%s expected%s%s", name, value, wanted,
+            wanted > 1 ? "s separated by commas" : "", single ? ", or one" : "",
+            wanted == 1 ? "; decimals are written with a point, such as 9.81" : "");
     }
     if (single) {
         *single = n < wanted;

@@ -615,8 +615,13 @@ static int make(design *d, const char *command, const char *word)
             return told[i].make(d, command, word + length);
         }
     }
-    return make_named(d, word) ? EXIT_GOOD
-                               : message_usage(command, "'%s' is not a set of positions", word);
+    return make_named(d, word)
+               ? EXIT_GOOD
+               : message_usage(command,
+                               "'%s' is not a set of positions: give edges, faces, icosahedron, "
+                               "stand-12, stand-24, per-group:N, optimal:N, grid:S:N, "
+                               "angles:FILE or directions:FILE",
+                               word);
 }
 
 int design_make(design *d, const char *command, const char *word)

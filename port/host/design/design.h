@@ -39,17 +39,17 @@ typedef struct {
 
 /* What sets of positions are called on the command line, as a part of help texts. */
 #define DESIGN_WORDS                                                                               \
-    "    per-group:N       the paper's program of 3 x N positions, N from 5\n"                     \
+    "    per-group:N       3 groups of N positions for a two-axis stand, N from 5\n"               \
     "    per-group:N:A,B,C the same with these start angles, degrees\n"                            \
     "    faces             each axis up and down: 6 positions\n"                                   \
     "    edges             the faces and the 12 edges, midway between two axes: 18 positions\n"    \
     "    icosahedron       its 12 vertices\n"                                                      \
-    "    stand-12          the paper's 18 without the six positions on the axes\n"                 \
-    "    stand-24          the 24 of the paper's refs 2 and 4: 3 x 8, in 18 directions\n"          \
+    "    stand-12          the 18 of per-group:6 without the six with an axis along gravity\n"     \
+    "    stand-24          3 groups of 8 in steps of 45 degrees: 24 positions, 18 directions\n"    \
     "    optimal:N         N positions, 9 to 144, with the largest determinant\n"                  \
     "    grid:S:N          the same on a stand that stops every S = 15, 30 or 45 degrees\n"        \
     "    angles:FILE       columns alpha, beta and optionally dwell of a table\n"                  \
-    "    directions:FILE   columns x y z of a table, of any length\n"
+    "    directions:FILE   columns x y z of a table: up directions, their length is ignored\n"
 
 /* Makes and judges a set from its word. `command` is for messages.
  *

@@ -95,7 +95,7 @@ static const option options[OPTIONS] = {
     [JSON] = {"--json", 0},
     [QUIET] = {"--quiet", 0},
 };
-static const char *const operands[] = {"A", "B"};
+static const char *const operands[] = {"SET", "a second SET"};
 static const option_syntax syntax = {"plan", options, OPTIONS, operands, 2, 2};
 
 #define WORD_MAX 4200u
@@ -303,7 +303,8 @@ static int check_allan(const request *r)
     }
     for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (r->value[others[i]]) {
-            return message_usage(syntax.command, "%s: cannot be combined with --allan",
+            return message_usage(syntax.command,
+                                 "%s: cannot be combined with --allan: leave one out",
                                  options[others[i]].name);
         }
     }
@@ -332,7 +333,7 @@ static int check_several(const request *r, unsigned several)
     }
     for (unsigned i = 0; i < sizeof all / sizeof all[0]; i++) {
         if (value[all[i]] && all[i] != several) {
-            return message_usage(syntax.command, "%s: cannot be combined with %s",
+            return message_usage(syntax.command, "%s: cannot be combined with %s: leave one out",
                                  options[several].name, options[all[i]].name);
         }
     }
@@ -372,7 +373,8 @@ static int check_turns(const request *r)
     }
     for (unsigned i = 0; i < sizeof none / sizeof none[0] && is_asked; i++) {
         if (r->value[none[i]]) {
-            return message_usage(syntax.command, "%s: cannot be combined with --moves",
+            return message_usage(syntax.command,
+                                 "%s: cannot be combined with --moves: leave one out",
                                  options[none[i]].name);
         }
     }
@@ -392,12 +394,13 @@ static int check_demands(const request *r)
         return usage(GRID, "needs --optimal");
     }
     if (value[GRID] && value[LIMITS]) {
-        return usage(GRID, "cannot be combined with --limits");
+        return usage(GRID, "cannot be combined with --limits: leave one out");
     }
     if (value[WEIGHTS] && is_choice) {
         return usage(WEIGHTS, "needs a named set; leave out --limits, --budget, --allan");
     }
-    return value[CSV] && value[JSON] ? usage(CSV, "cannot be combined with --json") : EXIT_GOOD;
+    return value[CSV] && value[JSON] ? usage(CSV, "cannot be combined with --json: leave one out")
+                                     : EXIT_GOOD;
 }
 
 /* What does not go together. */
@@ -414,7 +417,11 @@ static int check(const request *r)
         return failure;
     }
     if (!value[COMPARE] && r->operand[0]) {
-        return message_usage(syntax.command, "'%s': one operand too many", r->operand[0]);
+        return message_usage(
+            syntax.command,
+            "'%s': one operand too many: a set is an option, such as --edges; only "
+            "--compare takes its name",
+            r->operand[0]);
     }
     if (value[COMPARE] && !r->operand[0]) {
         return usage(COMPARE, "takes two sets, for example: --compare per-group:8 per-group:6");
@@ -766,37 +773,39 @@ static const char *const help[] = {
     "(calibrate --quadratic, --cubic). alpha and beta are the angles of a two-axis stand; x y\n"
     "z is the up direction in the frame of the case, for a device held in the hand.\n"
     "\n"
-    "  --per-group N       the paper's program: three groups of N positions, N from 5 to\n"
-    "                      1000; default 6, the program of 18 positions\n"
+    "  --per-group N       three groups of N positions for a two-axis stand, N from 5 to\n"
+    "                      1000 (the paper's program: Egorov et al. 2019, see the manual);\n"
+    "                      default 6, the program of 18 positions\n"
     "  --start A,B,C       start angles of the groups, degrees; default: each axis points up\n"
     "                      and down along gravity, if N is even\n"
     "  --faces             each axis up and down: 6 positions, too few for nine parameters\n"
     "  --edges             the faces and the 12 edges, midway between two axes: 18 positions\n"
     "  --icosahedron       its 12 vertices\n"
-    "  --stand-12          the program of 18 without the six positions on the axes: for a\n"
-    "                      stand, with a redundancy of three and no axis along gravity\n"
-    "  --stand-24          the 24 positions of the paper's refs 2 and 4: three groups in\n"
-    "                      steps of 45 degrees. They are 18 directions; six are visited twice\n"
+    "  --stand-12          the program of 18 without the six positions in which an axis is\n"
+    "                      along gravity: a redundancy of three\n"
+    "  --stand-24          three groups of eight positions, in steps of 45 degrees: 18\n"
+    "                      directions, of which six are visited twice\n"
     "  --optimal N         N positions, 9 to 144, with the largest determinant of H'H\n"
-    "                      (D-optimal); with --limits, as far below them as possible, met or\n"
-    "                      not\n"
+    "                      (D-optimal); with --limits, those whose worst ratio of a sigma to\n"
+    "                      its limit is the smallest\n"
     "  --grid S            with --optimal: for a stand that stops every S degrees in alpha\n"
     "                      and beta; S is 15, 30 or 45\n"
     "  --angles FILE       columns alpha and beta of a table, degrees, as written by --csv; a\n"
     "                      column dwell, seconds, replaces --dwell\n"
-    "  --directions FILE   columns x y z of a table, of any length; - reads the standard\n"
-    "                      input\n",
+    "  --directions FILE   columns x y z of a table: up directions, whose length is ignored;\n"
+    "                      - reads the standard input\n",
     "  --limits D,K,G      choose the smallest set whose sigmas of offsets, scale errors and\n"
-    "                      angles are within these limits: times the noise of a position\n"
-    "                      mean, or, with --noise, over the field (0.001 is 1 mg), 1 and rad.\n"
-    "                      Never above 10 times the noise, which invcal calibrate would call\n"
-    "                      weak\n"
-    "  --budget SECONDS    choose the set with the largest determinant that fits; with\n"
-    "                      --limits: only sets that fit. Both choose among the paper's\n"
-    "                      programs and free directions, the latter up to 144\n"
+    "                      angles are within these limits. Without --noise they are multiples\n"
+    "                      of the noise of a position mean; with it, D is over the field\n"
+    "                      (0.001 is 1 mg), K a part of the scale (0.001 is 0.1 %) and G in\n"
+    "                      rad. No sigma is above 10 times the noise, which invcal calibrate\n"
+    "                      would call weak\n"
+    "  --budget SECONDS    choose the set with the largest determinant that fits into this\n"
+    "                      time; with --limits: only sets that fit. Both choose among the\n"
+    "                      sets of --per-group and up to 144 free directions\n"
     "  --spare N           minimum redundancy of a chosen set: positions beyond the nine that\n"
-    "                      nine parameters need; default 3. With --optimal: that many, or\n"
-    "                      refuse\n"
+    "                      nine parameters need; default 3. With --optimal: refuse an N\n"
+    "                      with fewer\n"
     "  --need-axes         require each axis up and down along gravity, in a chosen set and\n"
     "                      with --optimal\n"
     "  --weights           distribute the time over the positions for the largest det H'H\n"
@@ -807,18 +816,19 @@ static const char *const help[] = {
     "                      0.1 mg). With --moves, the default is 0.3 mg for a position mean\n"
     "  --allan NOISE.json  noise measured by invcal allan --out: chooses the number of\n"
     "                      positions, up to 144, and the seconds in each, 2 or more, for the\n"
-    "                      least total time; --limits are then over the field, 1 and rad\n"
-    "  --warm-up T         seconds once, before the first position; default 0\n"
+    "                      least total time; --limits are then those with --noise\n"
+    "  --warm-up T         seconds to wait once, before the first position; default 0\n"
     "  --dwell T           seconds in each position; default 5, with --moves 2\n"
-    "  --settle T          seconds before that in each position, which do not count; default\n"
-    "                      0 (invcal calibrate cuts about 0.75 s off a rest)\n"
+    "  --settle T          seconds to wait before that in each position, which are not\n"
+    "                      measured; default 0 (invcal calibrate cuts about 0.75 s off a\n"
+    "                      rest)\n"
     "  --move T            seconds from one position to the next; default 5. With --moves: of\n"
     "                      a quarter turn, larger turns in proportion; default 1.5\n"
-    "  --sweep FROM:TO     the paper's programs for each N in the range\n"
+    "  --sweep FROM:TO     show the sets of --per-group for each N in the range\n"
     "  --compare SET SET   compare two sets, each one of:\n",
     DESIGN_WORDS,
-    "  --programs          the programs of 15, 18 and 24 positions, six faces and twelve\n"
-    "                      edges, stand-12 and the icosahedron, with ratios to that of 18\n",
+    "  --programs          compare the programs of 15, 18 and 24 positions, six faces and\n"
+    "                      twelve edges, stand-12 and the icosahedron with that of 18\n",
     "  --moves tour12|tour16|tour24|faces|greedy12|LIST\n"
     "                      turns of a gyroscope next to the accelerometer, in words, and how\n"
     "                      accurately they determine the 18 parameters of both: tour12,\n"
@@ -866,7 +876,7 @@ static const char *const brief[] = {
     "\n"
     "Shows which positions to visit, and how accurately they determine the nine parameters.\n"
     "\n"
-    "  --per-group N       the paper's program of 3 x N positions; default 6\n"
+    "  --per-group N       three groups of N positions for a two-axis stand; default 6\n"
     "  --edges             18 positions for a device held in the hand\n"
     "  --optimal N         N positions, 9 to 144, with the largest determinant\n"
     "  --limits D,K,G      the smallest set with sigmas within these limits\n"

@@ -124,6 +124,9 @@ int chosen_find(const table *t, const heading *headings, column which, int *inde
     double number = 0;
 
     *index = -1;
+    if (which > COLUMN_Z && strcmp(chosen[which], "none") == 0) {
+        return EXIT_GOOD;
+    }
     for (unsigned i = 0; i < t->columns && t->has_header && *index < 0; i++) {
         *index = strcasecmp(t->field[i], chosen[which]) == 0 ||
                          strcasecmp(headings[i].name, chosen[which]) == 0

@@ -12,11 +12,13 @@
 
 /* The option, for help texts. */
 #define CHOSEN_OPTION                                                                              \
-    "  --columns X,Y,Z     columns of LOG to use, by name or number: ax,ay,az or 2,3,4;\n"         \
-    "                      others with their meaning: t=1,x=2,y=3,z=4,temperature=5\n"
+    "  --columns X,Y,Z     columns of LOG to use, by name or number: ax,ay,az or 2,3,4. State\n"   \
+    "                      others by what they are: t=1,x=2,y=3,z=4,temperature=5; t=none or\n"    \
+    "                      temperature=none ignores one\n"
 
 /* Reads the option: three names or numbers from 1 for x, y, z, or each with its meaning, in any order.
- * What it does not name is found as ever; null: all is.
+ * What it does not name is found as ever; null: all is. One of the others may be `none`: it is as if it was
+ * not there.
  *
  * Returns EXIT_GOOD; EXIT_USAGE, with a message that points to the help of `command`. */
 int chosen_read(const char *command, const char *text);
@@ -27,7 +29,7 @@ int chosen_is(column which);
 /* The option as it was stated; empty: it was not. */
 const char *chosen_text(void);
 
-/* Finds a column that is stated, by its name with or without its unit, else by its number.
+/* Finds a column that is stated, by its name with or without its unit, else by its number; -1: none.
  *
  * headings  of all columns, if the table has a header.
  *

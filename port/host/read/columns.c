@@ -14,6 +14,8 @@
 #include "text/plain.h"
 
 #define RADIANS 0.017453292519943296 /* in a degree */
+#define COLUMNS_LIST_MAX 256
+#define COLUMNS_REMEDY_MAX 160
 
 /* The headings of the table at hand; too many for the stack. */
 static heading headings[TABLE_COLUMNS_MAX];
@@ -190,27 +192,50 @@ static int is_there_twice(const table *t, unsigned at, const int index[3])
             (find_axis(t, at, 0) >= 0 && find_axis(t, at, 1) >= 0 && find_axis(t, at, 2) >= 0));
 }
 
+/* The headings, "time, u, v, w", as many as fit. Returns text. */
+static const char *list_names(const table *t, char text[COLUMNS_LIST_MAX])
+{
+    text[0] = '\0';
+    for (unsigned i = 0; i < t->columns; i++) {
+        const size_t length = strlen(text);
+        if (length + strlen(headings[i].name) + sizeof ", ..." > COLUMNS_LIST_MAX) {
+            append(text, COLUMNS_LIST_MAX, ", ...");
+            break;
+        }
+        append(text, COLUMNS_LIST_MAX, "%s%s", i ? ", " : "", headings[i].name);
+    }
+    return text;
+}
+
 static void say_none(const table *t, columns_kind kind)
 {
+    char names[COLUMNS_LIST_MAX];
     const char *linear = NULL;
+    int gyro[3];
 
     if (kind == COLUMNS_MAGNETOMETER) {
         message("%s:%lu: the header names no columns of a magnetometer (mx my mz; mag_x, ..): "
-                "rename the three, or state them with --columns",
-                t->name, t->line);
+                "state the three by name or number, such as --columns 2,3,4; there are: %s",
+                t->name, t->line, list_names(t, names));
         return;
     }
     for (unsigned i = 0; i < t->columns && !linear; i++) {
         linear = strcmp(headings[i].key, "linearacceleration") == 0 ? headings[i].name : NULL;
     }
-    if (linear) {
+    if (!linear && find_set(t, 0, (origins){OF_GYROSCOPE, OF_GYROSCOPE}, gyro) < t->columns) {
+        message("%s:%lu: the header names a gyroscope (%s, ..), but no accelerometer (x, y, z; ax, "
+                "ay, az; acc_x, ..), with which it is calibrated: record both in one log. A "
+                "gyroscope alone: invcal apply --gyro, invcal allan --columns %s,%s,%s",
+                t->name, t->line, headings[gyro[0]].name, headings[gyro[0]].name,
+                headings[gyro[1]].name, headings[gyro[2]].name);
+    } else if (linear) {
         message("%s:%lu: '%s': linear acceleration has gravity removed by the phone, and cannot be "
                 "calibrated; record the accelerometer itself",
                 t->name, t->line, linear);
     } else {
-        message("%s:%lu: the header names no columns x, y, z (nor ax, ay, az; acc_x, ..; see "
-                "--help all): rename the three, or state them with --columns",
-                t->name, t->line);
+        message("%s:%lu: the header names no columns x, y, z (nor ax, ay, az; acc_x, ..): state "
+                "the three by name or number, such as --columns 2,3,4; there are: %s",
+                t->name, t->line, list_names(t, names));
     }
 }
 
@@ -288,6 +313,16 @@ static reading_unit unit_of_system(const table *t, const heading *x)
     return UNIT_UNKNOWN;
 }
 
+/* The same of a gyroscope. */
+static double turn_of_system(const heading *x)
+{
+    static const char *const radians[] = {"gyrorad", "angularvelocity", "fieldangularvelocity",
+                                          "wrss", NULL};
+
+    /* the last is ArduPilot's */
+    return is_among(x->key, radians) || strcmp(x->name, "GyrX") == 0 ? 1 : 0;
+}
+
 /* What x, y and z are in is a magnetometer's unit: of two that are called G it is gauss. */
 static int is_magnetic(const columns *out)
 {
@@ -314,6 +349,11 @@ static int find_unit(const table *t, columns *out)
     out->seen.unit = is_magnetic(out) ? x->magnetic
                      : x->states_unit ? x->unit
                                       : unit_of_system(t, x);
+    const int is_of_another = out->seen.unit != UNIT_UNKNOWN && out->seen.unit != UNIT_COUNTS;
+    out->seen.is_gyro = !is_of_another && (x->turn > 0 || origin_of(x) == OF_GYROSCOPE);
+    if (out->seen.is_gyro) {
+        out->seen.turn = x->states_unit ? x->turn : turn_of_system(x);
+    }
     out->seen.states_foreign_unit = x->states_unit && out->seen.unit == UNIT_UNKNOWN;
     out->seen.unit_from = out->seen.unit != UNIT_UNKNOWN ? UNIT_FROM_HEADER : UNIT_FROM_NONE;
     return EXIT_GOOD;
@@ -360,16 +400,6 @@ static void find_unit_row(table *t, columns *out)
 }
 
 /* ---- the gyroscope ------------------------------------------------------------------------------ */
-
-/* Logs that are known have a unit although their headings do not state it. */
-static double turn_of_system(const heading *x)
-{
-    static const char *const radians[] = {"gyrorad", "angularvelocity", "fieldangularvelocity",
-                                          "wrss", NULL};
-
-    /* the last is ArduPilot's */
-    return is_among(x->key, radians) || strcmp(x->name, "GyrX") == 0 ? 1 : 0;
-}
 
 /* The first three columns of one; with none of them the accelerometer is alone. Where some follow that are
  * of another, it is unknown which one belongs to it, and the first counts. */
@@ -502,7 +532,9 @@ static int find_time(const table *t, columns *out)
 /* ArduPilot's temperature is T, which would else be a time. */
 static void find_short_temperature(const table *t, columns *out)
 {
-    for (unsigned i = 0; i < t->columns && out->index[COLUMN_TEMPERATURE] < 0; i++) {
+    for (unsigned i = 0;
+         i < t->columns && out->index[COLUMN_TEMPERATURE] < 0 && !chosen_is(COLUMN_TEMPERATURE);
+         i++) {
         if (strcmp(t->field[i], "T") == 0 && out->index[COLUMN_TIME] >= 0 &&
             out->index[COLUMN_TIME] != (int)i) {
             out->index[COLUMN_TEMPERATURE] = (int)i;
@@ -704,6 +736,8 @@ static int find_by_number(const table *t, columns *out)
         *index = c > COLUMN_Z ? -1 : *index;
         if (chosen_is((column)c)) {
             failure = chosen_find(t, headings, (column)c, index);
+        }
+        if (*index >= 0) {
             snprintf(seen->name[c], HEADING_NAME_MAX, "%s", column_name((column)c));
             seen->others--;
         }
@@ -763,14 +797,29 @@ int columns_is_cut(const table *t, const columns *where)
     return table_is_cut(t, (unsigned)where->last);
 }
 
-/* What to do about it, where the problem itself does not say it. */
-static const char *remedy(const table *t, column which, number_status status)
+/* What to do about it, where the problem itself does not say it. A column that is not necessary can be ignored:
+ * without a header, by stating the others. Returns text. */
+static const char *remedy(const table *t, const columns *where, column which, number_status status,
+                          char text[COLUMNS_REMEDY_MAX])
 {
-    return which == COLUMN_TEMPERATURE ? ": leave the column out"
-           : which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL
-               ? ": convert it to seconds, or leave the column out"
-           : status == NUMBER_COMMA || status == NUMBER_GROUPED ? ""
-                                                                : table_remedy(t);
+    const int *index = where->index;
+    const int is_time = which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL;
+
+    if (status == NUMBER_COMMA || status == NUMBER_GROUPED) {
+        return "";
+    }
+    if (!is_time && which != COLUMN_TEMPERATURE) {
+        return table_remedy(t);
+    }
+    snprintf(text, COLUMNS_REMEDY_MAX, ": %s, or ignore the column with --columns ",
+             is_time ? "convert it to seconds" : "correct the line");
+    if (t->has_header) {
+        append(text, COLUMNS_REMEDY_MAX, "%s=none", column_name(which));
+    } else {
+        append(text, COLUMNS_REMEDY_MAX, "%d,%d,%d", index[COLUMN_X] + 1, index[COLUMN_Y] + 1,
+               index[COLUMN_Z] + 1);
+    }
+    return text;
 }
 
 int columns_number(const table *t, const columns *where, column which, double *out)
@@ -778,19 +827,20 @@ int columns_number(const table *t, const columns *where, column which, double *o
     const int index = where->index[which];
     const number_status status = number_parse(t->field[index], out);
     char excerpt[TABLE_EXCERPT_MAX];
+    char what[COLUMNS_REMEDY_MAX];
 
     if (which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL && clock_parse(t->field[index], out)) {
         return EXIT_GOOD; /* in seconds, whatever the heading says */
     }
     if (status == NUMBER_EMPTY) {
         message("%s:%lu: column %d (%s) is empty%s", t->name, t->line, index + 1,
-                column_name(which), remedy(t, which, status));
+                column_name(which), remedy(t, where, which, status, what));
         return EXIT_FILE;
     }
     if (status != NUMBER_OK) {
         message("%s:%lu: column %d (%s): '%s' %s%s", t->name, t->line, index + 1,
                 column_name(which), table_excerpt(t->field[index], excerpt), number_problem(status),
-                remedy(t, which, status));
+                remedy(t, where, which, status, what));
         return EXIT_FILE;
     }
     if (which == COLUMN_TIME) {
@@ -878,14 +928,17 @@ static void append_layout(const recognition *seen, char *text, size_t size)
 
 static void append_unit(const recognition *seen, char *text, size_t size)
 {
+    const int is_turn = seen->is_gyro && seen->turn > 0;
     static const char *const behind[] = {[UNIT_FROM_NONE] = "",
                                          [UNIT_FROM_HEADER] = "",
                                          [UNIT_FROM_OPTION] = " (--unit)",
                                          [UNIT_FROM_SIZE] = " (by their size)",
                                          [UNIT_FROM_SENSOR] = " (--sensor)"};
 
-    if (seen->unit != UNIT_UNKNOWN) {
-        append(text, size, " in %s%s", unit_words(seen->unit), behind[seen->unit_from]);
+    if (is_turn || seen->unit != UNIT_UNKNOWN) {
+        append(text, size, " in %s%s",
+               is_turn ? unit_turn_words(seen->turn) : unit_words(seen->unit),
+               behind[seen->unit_from]);
     }
 }
 
@@ -900,9 +953,10 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
         append(text, size, "%s (%s), ", name[COLUMN_TIME], seen->time_unit);
     }
     append(text, size, "%s%s %s %s",
-           *seen->set_aside == '\0' ? ""
-           : seen->is_magnetometer  ? "the magnetometer's "
-                                    : "the accelerometer's ",
+           seen->is_gyro              ? "the gyroscope's "
+           : *seen->set_aside == '\0' ? ""
+           : seen->is_magnetometer    ? "the magnetometer's "
+                                      : "the accelerometer's ",
            name[COLUMN_X], name[COLUMN_Y], name[COLUMN_Z]);
     append_unit(seen, text, size);
     if (*seen->chosen != '\0') {

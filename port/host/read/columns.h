@@ -22,6 +22,7 @@ typedef struct {
                                        * empty: none */
     char gyro[3][HEADING_NAME_MAX];   /* of a gyroscope, as in the header; empty: there is none */
     double turn; /* rad/s in one of its units, if the headings state it; else 0 */
+    int is_gyro; /* x, y and z themselves are those of a gyroscope; `turn` is theirs */
     char chosen[COLUMNS_CHOICE_MAX]; /* by --columns, as it was stated; empty: it was not */
     unsigned others;                 /* columns that have a heading, but are ignored */
     int states_foreign_unit;         /* the headings state a unit that unit.h does not know */
@@ -63,9 +64,9 @@ typedef enum {
     "  temperature or temp; alpha and beta. A unit may follow: ax (g), ax [m/s^2], acc_x_mg,\n"    \
     "  time (us), t_ms, temp (K). Case does not matter. Other columns are ignored, as are\n"       \
     "  those of a magnetometer next to an accelerometer. The header may begin with #. Logs of\n"   \
-    "  phyphox are recognised by their headers, and those converted by ulog2csv (PX4),\n"          \
-    "  blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot) and\n"                        \
-    "  rostopic echo -p (ROS).\n"
+    "  phyphox and EuRoC are recognised by their headers, and those converted by ulog2csv\n"       \
+    "  (PX4), blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot), rostopic echo -p\n"   \
+    "  (ROS) and kalibr_bagextractor (Kalibr: timestamp, omega_x .., alpha_x ..).\n"
 
 /* Finds the columns of a table that has just been opened. Where it has an accelerometer and a
  * magnetometer, x, y and z are those of the accelerometer, unless the kind says otherwise.

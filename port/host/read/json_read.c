@@ -49,6 +49,11 @@ int json_enter(json_reader *r, char bracket)
 {
     skip_space(r);
     if (r->next != bracket) {
+        if (r->depth == 0 && !ferror(r->file)) {
+            message("%s:%lu: %s: name a file that invcal wrote with --out", r->name, r->line,
+                    r->next == EOF ? "is empty" : "is not a JSON object");
+            return EXIT_FILE;
+        }
         return json_error(r, bracket == '{' ? "a JSON object, {...}, expected"
                                             : "a JSON list, [...], expected");
     }

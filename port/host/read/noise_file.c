@@ -7,12 +7,14 @@
 #include "cli/input.h"
 #include "read/json_read.h"
 #include "cli/message.h"
+#include "text/unit.h"
 
 #define NAME_MAX_LENGTH 24
 
 typedef struct {
     invcal_noise *noise; /* of three axes */
     double gravity;      /* 0: not known */
+    char unit[8];        /* of the noise, cut off */
     unsigned axes;       /* bits of those that have been read */
 } reading;
 
@@ -71,6 +73,9 @@ static int read_member(json_reader *r, const char *name, void *into)
     if (strcmp(name, "gravity") == 0 && json_peek(r) != 'n') {
         return json_read_number(r, &all->gravity);
     }
+    if (strcmp(name, "unit") == 0 && json_peek(r) == '"') {
+        return json_read_text(r, all->unit, sizeof all->unit);
+    }
     return json_skip(r);
 }
 
@@ -89,6 +94,12 @@ static int finish(const reading *all, const char *name)
         for (unsigned k = 0; k < INVCAL_NOISE_KINDS && all->gravity > 0; k++) {
             n->coefficient[k] /= all->gravity;
         }
+    }
+    if (unit_parse_turn(all->unit) > 0) {
+        message("%s: is the noise of a gyroscope (%s): run invcal allan with the columns of the "
+                "accelerometer",
+                name, all->unit);
+        return EXIT_FILE;
     }
     if (!(all->gravity > 0)) {
         message("%s: the length of the field is not known in its unit: run invcal allan with "

@@ -34,8 +34,9 @@ static int grow(positions *p)
 int positions_add(positions *p, const double mean[3], const position_origin *origin)
 {
     if (p->count == POSITIONS_MAX) {
-        message("%s:%lu: more than %u positions: if these are samples, leave out --positions",
-                p->name, origin->line, POSITIONS_MAX);
+        message(
+            "%s:%lu: more than %u positions: invcal calibrate reads samples without --positions",
+            p->name, origin->line, POSITIONS_MAX);
         return EXIT_FILE;
     }
     if (p->count == p->capacity && grow(p)) {
@@ -157,10 +158,22 @@ int positions_read(positions *p, const char *path)
     }
     if (!failure && look_like_samples(p)) {
         message("warning: %s: this looks like a raw log, not like position means: most of its %u "
-                "rows repeat the one before; for a raw log, leave out --positions",
+                "rows repeat the one before; invcal calibrate reads a raw log without --positions",
                 p->name, p->count);
     }
     return failure;
+}
+
+double positions_noise(const positions *p, const invcal_calibration *nominal)
+{
+    double square = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        for (unsigned j = 0; j < 3; j++) {
+            square += nominal->matrix[i][j] * nominal->matrix[i][j] * p->noise_square[j] / 3;
+        }
+    }
+    return sqrt(square);
 }
 
 void positions_free(positions *p)

@@ -7,6 +7,7 @@
 
 #include <stdint.h>
 
+#include "invcal/invcal.h"
 #include "read/columns.h"
 
 #define POSITIONS_MAX 65534u /* what invcal_calibrate takes */
@@ -41,6 +42,7 @@ typedef struct {
                                variance of a position mean, input units squared, finite */
     double scatter;         /* of a log: sum over the positions of the variance of a sample, */
     double quantum;         /* and the smallest step of a reading, input units; 0: not known */
+    double floor_square;    /* what rounding to it adds to each noise_square, however long a rest */
 } positions;
 
 /* Reads a table of position means ("-": standard input).
@@ -52,6 +54,10 @@ int positions_read(positions *p, const char *path);
 
 /* Adds one. EXIT_GOOD; EXIT_FILE, with a message, above POSITIONS_MAX or without memory. */
 int positions_add(positions *p, const double mean[3], const position_origin *origin);
+
+/* The noise of a position mean, the root mean square over axes, where `nominal` makes something of readings in input
+ * units. */
+double positions_noise(const positions *p, const invcal_calibration *nominal);
 
 void positions_free(positions *p);
 

@@ -126,15 +126,21 @@ static double noise_behind(double q, double v)
     return (low + high) / 2;
 }
 
-void rests_end(positions *p, const samples *log, rests_summary *summary)
+void rests_noise(positions *p)
 {
     for (unsigned i = 0; i < 3 && p->count > 0; i++) {
         p->noise_square[i] /= p->count;
         if (p->quantum > 0) {
             const double s = noise_behind(p->quantum, p->scatter / p->count);
-            p->noise_square[i] += floor_square(p->quantum, s);
+            p->floor_square = floor_square(p->quantum, s);
+            p->noise_square[i] += p->floor_square;
         }
     }
+}
+
+void rests_end(positions *p, const samples *log, rests_summary *summary)
+{
+    rests_noise(p);
     p->bytes = log->table.bytes;
     p->crc = log->table.crc;
     summary->gaps = log->gaps;

@@ -48,6 +48,9 @@ void rests_refuse(rests_summary *summary, invcal_status reason, recording *log);
 /* Adds a rest to the positions. `unit` is that of a count. Returns as positions_add. */
 int rests_take(positions *p, const invcal_rest *rest, double unit, const recording *log);
 
+/* Makes the noise of a position mean of the sums in noise_square: once, or of a copy. */
+void rests_noise(positions *p);
+
 /* All rests are taken, and so is the log: completes the positions and the summary. */
 void rests_end(positions *p, const samples *log, rests_summary *summary);
 

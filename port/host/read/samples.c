@@ -73,6 +73,9 @@ static int next_row(samples *s, double v[SAMPLES_NUMBERS])
             return 1;
         }
     }
+    message("%s:%lu: %u lines in a row cannot be read: is it the right file, and are x, y, z the "
+            "right columns? --columns states them",
+            s->table.name, s->table.line, SKIPPED_MAX);
     return -1;
 }
 
@@ -158,9 +161,9 @@ static int find_rate(samples *s)
     s->rate = round_rate(1 / step);
     if (!(s->rate >= SAMPLES_RATE_MIN && s->rate <= SAMPLES_RATE_MAX)) {
         message("%s:%lu: the times advance by %.6g, which cannot be seconds (8 to 8000 samples per "
-                "second are supported): put the unit into the heading (t_ms, t_us), state --rate, "
-                "or delete the column",
-                s->table.name, s->ahead_line[0], step);
+                "second are supported): %sstate --rate",
+                s->table.name, s->ahead_line[0], step,
+                step > 0 ? "put the unit into the heading (t_ms, t_us), or " : "");
         return EXIT_FILE;
     }
     s->longest = fmax(s->longest, 4 / s->rate + 0.1);

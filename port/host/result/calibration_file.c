@@ -384,7 +384,6 @@ static int read_circumstance(json_reader *r, const char *name, calibration_file 
     return is(name, "record")         ? read_object(r, read_record_member, &c->record)
            : is(name, "magnetometer") ? read_object(r, read_magnetometer_member, c)
            : is(name, "frame")        ? json_read_text(r, c->frame, sizeof c->frame)
-           : is(name, "unit")         ? json_read_text(r, c->unit, sizeof c->unit)
            : is(name, "verdict")      ? json_read_text(r, c->verdict, sizeof c->verdict)
            : is(name, "undetermined") ? read_names(r, c->undetermined, sizeof c->undetermined)
            : is(name, "nominal")      ? read_object(r, read_nominal_member, c)
@@ -409,6 +408,8 @@ static int read_member(json_reader *r, const char *name, void *into)
            : is(name, "thermal") && x->depth >= CORRECTION      ? read_thermal(r, x->file)
            : is(name, "nonlinearity") && x->depth >= CORRECTION ? read_nonlinear(r, x->file)
            : is(name, "gyroscope") && x->depth >= CORRECTION    ? read_gyro(r, x->file)
+           : is(name, "unit") && x->depth >= CORRECTION
+               ? json_read_text(r, x->file->unit, sizeof x->file->unit)
            : x->depth == EVERYTHING ? read_circumstance(r, name, x->file)
                                     : json_skip(r);
 }
@@ -421,8 +422,8 @@ static int read_calibration(json_reader *r, reading *x)
         return failure;
     }
     if (!x->has_offset || !x->has_matrix) {
-        message("%s:%lu: no member \"%s\": not a calibration", r->name, r->line,
-                x->has_offset ? "matrix" : "offset");
+        message("%s:%lu: no member \"%s\": not a calibration: make one with invcal calibrate --out",
+                r->name, r->line, x->has_offset ? "matrix" : "offset");
         return EXIT_FILE;
     }
     return json_finish(r);

@@ -65,7 +65,7 @@ typedef struct {
  * matrix is singular. */
 int calibration_file_read(const char *path, invcal_calibration *out);
 
-/* The same with is_magnetometer, has_thermal and thermal, has_nonlinear and nonlinear, has_gyro and gyro, no other
+/* The same with unit, is_magnetometer, has_thermal and thermal, has_nonlinear and nonlinear, has_gyro and gyro, no other
  * members. */
 int calibration_file_read_correction(const char *path, calibration_file *out);
 

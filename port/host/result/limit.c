@@ -129,13 +129,27 @@ void calibrate_spread(const calibrate_result *r, double unit, uncertainty *u)
     uncertainty_search(u);
 }
 
-int calibrate_is_disturbed(const calibrate_result *r)
+/* The positions disagree by that many times what they should by noise, which is known. */
+static int is_beyond(const calibrate_result *r, double times)
 {
-    const double times = calibrate_times(r);
     const unsigned dof = (unsigned)fmin(1000, r->quality.dof);
 
     return dof >= 1 && times * times > 2 &&
            f_tail(1 / (1 + times * times * dof / MANY), dof, MANY) <= UNLIKELY;
+}
+
+int calibrate_is_coarse(const calibrate_result *r)
+{
+    const double *square = r->data->noise_square;
+    const double noise = positions_noise(r->data, &r->settings.nominal);
+
+    return !r->magnetometer && r->data->floor_square > (square[0] + square[1] + square[2]) / 6 &&
+           noise > 0 && !is_beyond(r, r->quality.noise / noise);
+}
+
+int calibrate_is_disturbed(const calibrate_result *r)
+{
+    return is_beyond(r, calibrate_times(r)) && !calibrate_is_coarse(r);
 }
 
 /* Sigma of the length in the worst direction over the least that can be had there, which so many
@@ -162,11 +176,20 @@ static int depends_on_temperature(const calibrate_result *r)
     return r->temperature == CALIBRATE_PROBED && r->fit.significance <= SIGNIFICANT;
 }
 
+/* The smallest step of a reading over the field, the mean over the axes. */
+static double step_of(const calibrate_result *r)
+{
+    const double(*m)[3] = (const double(*)[3])r->settings.nominal.matrix;
+
+    return r->data->quantum * (fabs(m[0][0]) + fabs(m[1][1]) + fabs(m[2][2])) / 3;
+}
+
 const char *calibrate_limit(const calibrate_result *r, const uncertainty *length,
                             char text[CALIBRATE_LIMIT_MAX])
 {
     const double uneven = unevenness(r, length);
     const char *noise = r->is_noise_given ? "stated noise" : "noise of the samples";
+    const told_unit told = calibrate_told_field(r);
     char number[FIGURE_MAX];
 
     if (depends_on_temperature(r) && r->fit.without > 2 * r->fit.quality.rms) {
@@ -196,6 +219,12 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
                  r->quality.dof > 0 ? "disagreement between positions. State the noise (--noise, "
                                       "columns std and n) to see if it is noise or handling."
                                     : "unknown: no noise is stated, and there is no redundancy.");
+    } else if (calibrate_is_coarse(r)) {
+        snprintf(text, CALIBRATE_LIMIT_MAX,
+                 "quantisation: the readings have steps of %s %s, more than their noise, which "
+                 "explains the residuals. More positions help, or a smaller range of the sensor; "
+                 "longer or steadier rests do not.",
+                 figure_digits(told.scale * step_of(r), 2, number), told.unit);
     } else if (calibrate_is_disturbed(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "handling, drift or temperature: the positions disagree by %s times the %s. "

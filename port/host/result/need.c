@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "text/append.h"
 #include "text/figure.h"
 
 #define MANY_MORE 3.0 /* times as many positions: longer rests are easier */
@@ -117,7 +118,7 @@ need_missing need_judge(const calibrate_result *r)
     if (calibrate_is_uneven(r) || fit_held(&r->settings, &r->quality)) {
         return NEED_DIRECTIONS;
     }
-    return times_more(r) <= MANY_MORE ? NEED_POSITIONS : NEED_REST;
+    return times_more(r) <= MANY_MORE || calibrate_is_coarse(r) ? NEED_POSITIONS : NEED_REST;
 }
 
 const char *need_word(need_missing missing)
@@ -164,9 +165,14 @@ const char *need_advice(const calibrate_result *r, char text[NEED_MAX])
                  figure_digits(times_more(r), 2, number));
         return text;
     case NEED_POSITIONS:
-        snprintf(text, NEED_MAX,
-                 "Missing: about %.0f positions instead of %u, or rests %s times as long.",
-                 ceil(count * times_more(r)), count, figure_digits(times_more(r), 2, number));
+        snprintf(text, NEED_MAX, "Missing: about %.0f positions instead of %u, or ",
+                 ceil(count * times_more(r)), count);
+        if (calibrate_is_coarse(r)) {
+            append(text, NEED_MAX, "a finer resolution; longer rests do not help.");
+        } else {
+            append(text, NEED_MAX, "rests %s times as long.",
+                   figure_digits(times_more(r), 2, number));
+        }
         return text;
     }
     snprintf(text, NEED_MAX, "%s", what);

@@ -95,10 +95,10 @@ static void add_scales(const calibrate_result *r, int known)
 {
     double inverse[3][3];
     char unit[FIGURE_MAX];
+    const int is_named = !strstr(calibrate_field_unit(r), " units");
 
     snprintf(unit, sizeof unit, "%s per %s", calibrate_input_unit(r),
-             strcmp(calibrate_field_unit(r), "field units") == 0 ? "field unit"
-                                                                 : calibrate_field_unit(r));
+             is_named ? calibrate_field_unit(r) : "field unit");
 
     (void)matrix_inverse(&r->nominal.calibration, inverse); /* no result without */
     for (unsigned i = 0; i < 3; i++) {
@@ -472,12 +472,18 @@ static void print_axes(FILE *file, const calibrate_result *result)
 }
 
 /* What the sensor was to read, and who says so. */
-static void print_nominal(FILE *file, const nominal_choice *n, const char *name)
+static void print_nominal(FILE *file, const calibrate_result *r, const char *name)
 {
     char text[TEXT_MAX];
     char limits[SENSORS_TEXT_MAX];
+    const nominal_choice *n = &r->nominal;
 
-    if (!nominal_is_stated(n)) {
+    if (!nominal_is_stated(n) && r->data->seen.states_foreign_unit) {
+        snprintf(text, sizeof text,
+                 "%s: unknown: the unit in the header is not g, mg, m/s2 or counts; state --zero "
+                 "0,0,0 and --lsb, what one unit is in m/s^2",
+                 name);
+    } else if (!nominal_is_stated(n)) {
         snprintf(text, sizeof text, "%s: unknown; state --sensor, --unit, or --zero and --lsb",
                  name);
     } else if (n->zero == n->lsb) {
@@ -540,7 +546,7 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
                    result->settings.field, calibrate_field_unit(result));
     print_place(file, result);
     print_rejected(file, result);
-    print_nominal(file, &result->nominal, nominal);
+    print_nominal(file, result, nominal);
     print_parameters(file, result, nominal);
     fprintf(file, "\n");
     print_stand(file, result);

@@ -20,7 +20,8 @@ typedef enum {
 
 /* The options, for help texts. */
 #define RECORD_OPTIONS                                                                             \
-    "  --device TEXT       record for CAL.json, table and page: type of the device\n"              \
+    "  --device TEXT       type of the device; like the next four, it is recorded in\n"            \
+    "                      CAL.json, table and page\n"                                             \
     "  --serial TEXT       its serial number, by which invcal compare recognises it\n"             \
     "  --operator TEXT     who calibrated it\n"                                                    \
     "  --date YYYY-MM-DD   date of the calibration\n"                                              \

@@ -5,6 +5,7 @@
 
 #define MANY_LEFT_OUT 6 /* more than one position in so many: chance does not take these */
 #define UNEXPLAINED 3.0 /* times the noise: a hand that holds the device comes near it */
+#define CLOSE 2.0       /* ratio of two lengths in one unit; the units of a field differ by more */
 
 static double time_of(const positions *p, unsigned i)
 {
@@ -39,10 +40,21 @@ int calibrate_is_gravity(const calibrate_result *result)
     return !result->magnetometer && unit_is_gravity(result->settings.field);
 }
 
+/* A field of a magnetometer is in the unit of its readings if these measure it, or if it is stated about as
+ * long as they read it: no two units of a magnetometer are that close. */
+static int is_field_in_input_units(const calibrate_result *r)
+{
+    const double scale = r->nominal.calibration.matrix[0][0];
+
+    return r->magnetometer &&
+           (r->is_field_stated
+                ? r->nominal.lsb == NOMINAL_RANGE && scale > 1 / CLOSE && scale < CLOSE
+                : r->nominal.lsb == NOMINAL_UNIT || r->data->seen.unit != UNIT_UNKNOWN);
+}
+
 const char *calibrate_field_unit(const calibrate_result *result)
 {
-    if (result->magnetometer && !result->is_field_stated &&
-        result->data->seen.unit != UNIT_UNKNOWN) {
+    if (is_field_in_input_units(result)) {
         return calibrate_input_unit(result);
     }
     return calibrate_is_gravity(result) ? "m/s²" : "field units";

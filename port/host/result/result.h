@@ -153,6 +153,9 @@ int calibrate_has_lost_many(const calibrate_result *result);
  * chance. */
 int calibrate_is_disturbed(const calibrate_result *result);
 
+/* The readings of the log have steps larger than their noise, and that explains the residuals. */
+int calibrate_is_coarse(const calibrate_result *result);
+
 /* Some direction is known far worse than so many positions could. */
 int calibrate_is_uneven(const calibrate_result *result);
 

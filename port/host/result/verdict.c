@@ -146,6 +146,8 @@ const char *verdict_remedy(const calibrate_result *r, char text[VERDICT_MAX])
             "measure again with more positions, each at rest, so that outliers can be identified.";
     } else if (r->magnetometer) {
         what = "wave it again, away from iron, for a minute.";
+    } else if (r->is_noise_given && calibrate_is_coarse(r)) {
+        what = "leave out --noise, which is less than the steps of the readings leave in a mean.";
     } else if (r->quality.verdict == INVCAL_DRIFTING) {
         what = "let the sensor warm up, and measure again in less time.";
     } else if (r->quality.verdict == INVCAL_BENT) {

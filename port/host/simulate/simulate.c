@@ -204,7 +204,7 @@ static int read_wave(const char *const *value, wave_model *m, scene_model *accel
         if (value[MAGNETOMETER] && value[at_rest[i]]) {
             failure = message_usage(
                 syntax.command,
-                "--magnetometer: cannot be combined with %s: it is waved, without rests",
+                "--magnetometer: cannot be combined with %s, which is for rests: leave one out",
                 options[at_rest[i]].name);
         }
     }

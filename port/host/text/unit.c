@@ -115,15 +115,30 @@ double unit_parse_turn(const char *text)
     return 0;
 }
 
-const char *unit_turn_words(double radians)
+/* Of rad/s, mrad/s, degrees/s and a thousandth of that; else of counts. */
+static const char *turn_among(double radians, const char *const names[5])
 {
     const double degrees = radians / UNIT_DEGREE;
 
-    return fabs(radians - 1) < 1e-6      ? "rad/s"
-           : fabs(radians - 1e-3) < 1e-9 ? "mrad/s"
-           : fabs(degrees - 1) < 1e-6    ? "°/s"
-           : fabs(degrees - 1e-3) < 1e-9 ? "m°/s"
-                                         : "counts";
+    return fabs(radians - 1) < 1e-6      ? names[0]
+           : fabs(radians - 1e-3) < 1e-9 ? names[1]
+           : fabs(degrees - 1) < 1e-6    ? names[2]
+           : fabs(degrees - 1e-3) < 1e-9 ? names[3]
+                                         : names[4];
+}
+
+const char *unit_turn_words(double radians)
+{
+    static const char *const words[] = {"rad/s", "mrad/s", "°/s", "m°/s", "counts"};
+
+    return turn_among(radians, words);
+}
+
+const char *unit_turn_name(double radians)
+{
+    static const char *const names[] = {"rad/s", "mrad/s", "deg/s", "mdeg/s", "counts"};
+
+    return turn_among(radians, names);
 }
 
 double unit_parse_time(const char *text)

@@ -38,10 +38,12 @@ int unit_parse_magnetic(const char *text, reading_unit *out);
 /* The unit with this name (unit_name); UNIT_UNKNOWN for any other text. */
 reading_unit unit_of_name(const char *name);
 /* Of a rate of turn: "rad/s", "deg/s" (dps, °/s), or m in front for a thousandth, in their spellings. Returns
- * rad/s in one of them; 0 for others. And what people call it. */
+ * rad/s in one of them; 0 for others. And what people call it, and JSON: "rad/s", "mrad/s", "deg/s", "mdeg/s",
+ * "counts". */
 #define UNIT_DEGREE 0.017453292519943296 /* rad */
 double unit_parse_turn(const char *text);
 const char *unit_turn_words(double radians);
+const char *unit_turn_name(double radians);
 
 /* Reads "s", "ms", "us", "ns" in their spellings. Returns how many make a second; 0 for others. */
 double unit_parse_time(const char *text);

@@ -17,6 +17,7 @@
 
 #define HOLD_MAX 60       /* seconds: the time from the first rest is limited to this */
 #define HOLD_LONGEST 3600 /* seconds that can be demanded */
+#define CHECKS 3u         /* degrees of freedom, before it may be enough */
 #define TICK 0.1          /* seconds of the log from one WATCH_PASSED to the next, at least */
 
 /* All are too large for the stack. */
@@ -175,12 +176,21 @@ static int take_rest(stage *s)
                : EXIT_GOOD;
 }
 
+/* The noise of the samples does not show how steadily the device was held: further positions do. */
+static int is_checked(void)
+{
+    return now.status == INVCAL_OK && now.quality.dof >= CHECKS;
+}
+
 /* A target that is 0 is any. */
 static int reaches_target(const live_wish *wish)
 {
     double target[3];
     int is_wanted = 0;
 
+    if (!is_checked()) {
+        return 0;
+    }
     for (unsigned i = 0; i < 3; i++) {
         is_wanted = is_wanted || wish->target[i] > 0;
         target[i] = wish->target[i] > 0 ? wish->target[i] : INVCAL_REAL_MAX;
@@ -208,15 +218,35 @@ static void judge(stage *s)
     now.is_guess = zero_is_guess(&s->zero);
 }
 
+/* A calibration of counts, as one of input units. */
+static invcal_calibration of_input_units(const invcal_calibration *of_counts)
+{
+    invcal_calibration c = *of_counts;
+
+    for (unsigned i = 0; i < 9; i++) {
+        c.offset[i % 3] = of_counts->offset[i % 3] * live_log.unit;
+        c.matrix[i / 3][i % 3] /= live_log.unit;
+    }
+    return c;
+}
+
+/* The residuals of few positions may be small by chance: their noise is that of the samples, as at the end. One that
+ * is 0, or absurd, is not stated. */
+static void state_noise(const stage *s)
+{
+    const invcal_calibration nominal = of_input_units(&session.nominal);
+    positions so_far = *s->p;
+
+    rests_noise(&so_far);
+    (void)invcal_session_noise(&session, s->wish->stated > 0 ? s->wish->stated
+                                                             : positions_noise(&so_far, &nominal));
+}
+
 /* A gyroscope that is on its way is waited for. */
 static int is_good(stage *s)
 {
-    invcal_calibration start = s->known; /* of counts; positions are in input units */
+    const invcal_calibration start = of_input_units(&s->known);
 
-    for (unsigned i = 0; i < 9; i++) {
-        start.offset[i % 3] = s->known.offset[i % 3] * live_log.unit;
-        start.matrix[i / 3][i % 3] /= live_log.unit;
-    }
     if (s->gyro && s->p->count > 0) {
         double up[3];
         const double *last = &s->p->mean[3 * (size_t)(s->p->count - 1)];
@@ -224,7 +254,8 @@ static int is_good(stage *s)
         watch_gyro_take(&now.gyro, s->gyro, &s->wish->gyro, samples_whole_rate(&live_log),
                         s->wish->clip, s->p, &start, up);
     }
-    return now.gyro.is_good || (invcal_session_is_good(&session) && *now.gyro.text == '\0');
+    return now.gyro.is_good ||
+           (is_checked() && invcal_session_is_good(&session) && *now.gyro.text == '\0');
 }
 
 static watch_outcome judge_outcome(stage *s, int is_complete)
@@ -250,6 +281,7 @@ static int take(stage *s)
     now.taken++;
     now.last = WATCH_TAKEN;
     zero_renew(&s->zero, &session);
+    state_noise(s);
     judge(s);
     now.outcome = judge_outcome(s, s->wish->set && live_program_take(&followed));
     if (s->wish->set) {

@@ -61,6 +61,7 @@ static int read_live(const request *r, positions *data, rests_summary *log, turn
     wish.sensor = r->sensor;
     wish.zero = r->value[ASK_ZERO] ? r->zero : NULL;
     wish.lsb = r->value[ASK_LSB] ? r->lsb : NULL;
+    wish.stated = r->settings.noise;
     wish.mean_sigma = r->mean_sigma;
     if (r->value[ASK_ALLAN]) {
         const int failure = noise_file_read(r->value[ASK_ALLAN], noise);
@@ -122,16 +123,17 @@ static const char *const watch_help[] = {
     "                      direction, given the positions so far. One of\n",
     DESIGN_WORDS,
     "  --mean-sigma S      hold each position until its mean has this standard deviation, in\n"
-    "                      field units, by the noise of the first rest; default: 2 seconds\n"
+    "                      field units; the noise of the first rest shows how long that takes.\n"
+    "                      Default: hold it for 2 seconds\n"
     "  --allan NOISE.json  the same with the noise that invcal allan --out found in a long\n"
     "                      rest, including what does not average out\n"
-    "  --target D,K,G      target for the sigmas of offsets (over the field), scale errors\n"
-    "                      and angles (rad): reports when it is reached; 0: any\n"
+    "  --target D,K,G      report when the sigmas of offsets (over the field), scale errors\n"
+    "                      and angles (rad) have come down to these; 0: any\n"
     "  --zero X,Y,Z        nominal reading at zero field. Default for the guidance: 0; from\n"
     "                      the fourth position on, the middle of each axis' range; with\n"
     "                      --plan, if that is far off, an estimate from its first three\n"
     "                      positions\n"
-    "  --lsb S | SX,SY,SZ  nominal scale. Default for the guidance: from the stated unit or\n"
+    "  --lsb S | SX,SY,SZ  field units per input unit. Default for the guidance: from the unit or\n"
     "                      --sensor, else from the first samples\n",
     "\n"
     "These options are explained in the help of invcal calibrate:\n"
@@ -153,8 +155,8 @@ static const char *const watch_help[] = {
     "  --noise S           standard deviation of one position mean, in field units\n"
     "  --prior D,K,G       standard deviations of the errors of the nominal calibration\n"
     "  --six-faces         take the angles as 0 +- 0.01 rad: six faces do not determine them\n"
-    "  --magnetometer      wave it, do not hold it still: move the field, @, through the\n"
-    "                      white part\n"
+    "  --magnetometer      LOG is of a magnetometer that you wave: turn it until the field,\n"
+    "                      @, has been through all white parts of the screen\n"
     "  --with CAL.json     calibration of the accelerometer in LOG\n"
     "  --thermal 1|2       straight lines or parabolas over temperature\n"
     "  --slope D,K,G       standard deviations of the slopes to expect, per K\n",
@@ -172,7 +174,8 @@ static const char *const watch_help[] = {
     "                      is reached\n"
     "  --tolerance D,K,G   limits of the data sheet: PASS, or FAIL with the parameters that\n"
     "                      exceed them\n"
-    "  --strict            exit with 1 unless the verdict is good and both pass\n",
+    "  --strict            exit with 1 unless the verdict is good, and --tolerance and --need\n"
+    "                      pass\n",
     RECORD_OPTIONS,
     "  --out CAL.json      write the result as JSON, for invcal apply\n"
     "  --report R.html     write a page with the verdict, figures and pictures\n"
@@ -198,11 +201,11 @@ static const char *const watch_brief[] = {
     "\n"
     "  --plan SET          follow a set of positions: edges, faces, per-group:N, optimal:N\n"
     "                      ...\n"
-    "  --target D,K,G      target for the sigmas of offsets (over the field), scale errors\n"
-    "                      and angles (rad)\n"
+    "  --target D,K,G      report when the sigmas of offsets (over the field), scale errors\n"
+    "                      and angles (rad) have come down to these\n"
     "  --need U            largest acceptable error of calibrated lengths: reports when it is\n"
     "                      reached\n"
-    "  --magnetometer      wave it: move the field through the white part\n"
+    "  --magnetometer      LOG is of a magnetometer that you wave, not hold still\n"
     "  --gravity G         length of the field; default 9.80665 (m/s^2)\n"
     "  --unit U            unit of the readings: g, mg, m/s2 or counts\n"
     "  --rate HZ           samples per second; default: from column t, else 100\n"

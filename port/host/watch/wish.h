@@ -28,6 +28,7 @@ typedef struct {
     double target[3];     /* sigma that is enough; 0: any */
     double need;          /* what lengths may be wrong by, over the field; 0: anything */
     double field_sigma;   /* what the field may, over itself */
+    double stated;        /* noise of a position mean, over the field; 0: that of the samples */
     double mean_sigma;    /* of a position mean that is wanted, field units; 0: any */
     const invcal_noise *noise; /* of three axes, over the field, instead of the noise of the
                                   first rest; null: none. Needs mean_sigma */

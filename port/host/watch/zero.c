@@ -85,14 +85,19 @@ static int nominal_of_counts(const zero_finder *z, const double zero[3], const d
     return invcal_nominal(zero_counts, counts, out) == INVCAL_OK;
 }
 
-/* The middle of the ranges is the better zero then, and the widest gives the scale. Returns 1 if so. */
+/* The middle of the ranges is the better zero then, and the widest gives the scale; of enough positions for a
+ * calibration each gives its own, as in calibrate, whose sigma are relative to it. Returns 1 if so. */
 static int find_by_range(const zero_finder *z, double zero[3], double lsb[3])
 {
-    if (z->taken->count < RENEW || !is_far_off(z) ||
+    const int is_enough = z->taken->count >= INVCAL_PARAMETERS;
+
+    if (z->taken->count < RENEW || !(is_enough || is_far_off(z)) ||
         !nominal_from_range(z->taken, z->wish->field, zero, lsb)) {
         return 0;
     }
-    lsb[0] = lsb[1] = lsb[2] = fmin(lsb[0], fmin(lsb[1], lsb[2]));
+    if (!is_enough) {
+        lsb[0] = lsb[1] = lsb[2] = fmin(lsb[0], fmin(lsb[1], lsb[2]));
+    }
     return 1;
 }
 
