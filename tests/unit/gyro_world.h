@@ -304,15 +304,21 @@ static inline void world_end(world *w)
     }
 }
 
+/* The means of the rests as the library takes them. */
+static inline void world_means(const world *w, invcal_real raw[WORLD_RESTS][3])
+{
+    for (int i = 0; i < 3 * w->count; i++) {
+        raw[i / 3][i % 3] = (invcal_real)w->mean[i / 3][i % 3];
+    }
+}
+
 static inline invcal_status world_solve(const world *w, const invcal_imu_settings *settings,
                                         invcal_imu *out)
 {
     invcal_real raw[WORLD_RESTS][3];
     const invcal_calibration nominal = unit_nominal();
 
-    for (int i = 0; i < 3 * w->count; i++) {
-        raw[i / 3][i % 3] = (invcal_real)w->mean[i / 3][i % 3];
-    }
+    world_means(w, raw);
     return invcal_imu_solve(raw[0], (unsigned)w->count, &nominal, &w->moves, settings, out);
 }
 
