@@ -891,7 +891,7 @@ static void an_axis_that_is_stuck_is_named(void)
     w.m[1][1] = 1e6; /* reads a millionth */
     world_tour(&w);
     world_end(&w);
-    TEST_ASSERT_TRUE(world_solve(&w, NULL, &imu) != INVCAL_OK);
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, world_solve(&w, NULL, &imu));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, find_mounting(axes, &scale));
     TEST_ASSERT_EQUAL_INT(1, axes[0]);
     TEST_ASSERT_EQUAL_INT(0, axes[1]);
@@ -1043,7 +1043,7 @@ static void a_gyroscope_that_is_dead_is_named(void)
     }
     world_tour(&w);
     world_end(&w);
-    TEST_ASSERT_TRUE(world_solve(&w, NULL, &imu) != INVCAL_OK);
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, world_solve(&w, NULL, &imu));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, find_mounting(axes, &scale));
     TEST_ASSERT_TRUE(axes[0] == 0 && axes[1] == 0 && axes[2] == 0);
 }
