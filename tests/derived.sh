@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/derived.sh BUILD
-# What is made of something else is what that makes now: the layout of the sources, expected.h,
+# What is made of something else is what that makes now: the layout of the sources, expected.h, turns_design.h,
 # releases/values.h, the man page, the pictures of the manual; and scripts and English are sound.
 # Ends with `N passed, N failed`.
 build=$1
@@ -30,6 +30,10 @@ expected() {
     python3 tests/reference/reference.py tests/data > "$build/expected.h" &&
         diff tests/reference/expected.h "$build/expected.h"
 }
+turns() {
+    python3 tests/reference/turns_design.py > "$build/turns_design.h" &&
+        diff tests/reference/turns_design.h "$build/turns_design.h"
+}
 releases() {
     python3 tests/reference/releases/pack.py | diff tests/reference/releases/0.2.0.txt - &&
         python3 tests/reference/releases/values.py > "$build/values.h" &&
@@ -55,6 +59,7 @@ top_level() {
 mkdir -p "$build"
 gate "the sources are laid out by .clang-format" layout
 gate "expected.h is what the reference script prints" expected
+gate "turns_design.h is what its script prints" turns
 recording=${RECORDINGS:-../shared/data}/ck_acc_mag.csv
 if [ -f "$recording" ]; then
     gate "magnetometer.h is what its script prints" magnetometer

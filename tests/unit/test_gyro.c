@@ -9,6 +9,7 @@
 #include "gyro_world.h"
 #include "imu.h"
 #include "solve.h"
+#include "turns_design.h"
 #include "unity.h"
 
 void setUp(void)
@@ -353,12 +354,9 @@ static void the_tour_determines_the_gyroscope_as_closed_form_says(void)
     }
 }
 
-/* O10: both, over the noise of a mean; moves have sqrt(2) of it. From tests/reference/gyro_design.py. */
+/* Both, over the noise of a mean; moves have sqrt(2) of it. */
 static void the_tour_determines_both(void)
 {
-    static const double expected[18] = {0.4502, 0.7906, 0.7906, 0.7906, 0.4502, 0.7906,
-                                        0.7906, 0.7906, 0.4502, 0.3536, 0.3536, 0.3371,
-                                        0.5000, 0.5000, 0.4523, 0.7071, 0.7071, 0.7071};
     const invcal_calibration nominal = unit_nominal();
     invcal_imu_settings settings;
     invcal_imu_work work;
@@ -377,7 +375,7 @@ static void the_tour_determines_both(void)
     invcal_invert(work.pass.sum, 18);
     for (unsigned i = 0; i < 18; i++) {
         const double root = sqrt((double)invcal_variance(work.pass.sum, 18, i)) / 0.01;
-        TEST_ASSERT_DOUBLE_WITHIN(3e-4, expected[i], root);
+        TEST_ASSERT_DOUBLE_WITHIN(3e-4, tour12_sigma[i], root);
     }
 }
 
