@@ -72,7 +72,8 @@ static void any_rotation_comes_back_from_two_faces_and_from_more(void)
     }
 }
 
-/* Section 4 of gyro.md: 1, 0.71, 1 with two faces, 0.71 with three, 0.5 with six. */
+/* The covariance is (tr S - S)^-1, S the sum of c c': with two faces, x and z or the like, the angle about the third axis has
+ * 1/2 and the others 1; with three faces all have 1/2, with six 1/4. */
 static void sigma_is_that_of_closed_form(void)
 {
     static const double expected[][3] = {
