@@ -1232,10 +1232,50 @@ static void a_move_that_turns_nothing_tells_nothing(void)
     TEST_ASSERT_EQUAL_INT(12, imu.moves);
 }
 
-static void bad_input_is_refused(void)
+static void bad_noise_is_refused(void)
+{
+    static const float bad[][3] = {{-1, 0, 0}, {NAN, 0, 0}, {INFINITY, 0, 0}, {0, 2, 0},
+                                   {0, -1, 0}, {0, NAN, 0}, {0, 0, -1},       {0, 0, NAN}};
+    invcal_imu_settings settings;
+
+    world_begin(&w, 100, 64);
+    world_tour(&w);
+    world_end(&w);
+    settle_settings(&settings, 0);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        settings.noise = (invcal_real)bad[i][0];
+        settings.rate_noise = (invcal_real)bad[i][1];
+        settings.instability = (invcal_real)bad[i][2];
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
+    }
+}
+
+static void a_bad_prior_is_refused(void)
 {
     invcal_real prior[INVCAL_IMU_PARAMETERS] = {0};
     invcal_imu_settings settings;
+
+    world_begin(&w, 100, 64);
+    world_tour(&w);
+    world_end(&w);
+    settle_settings(&settings, 0);
+    settings.prior = prior;
+    prior[17] = (invcal_real)NAN;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
+    prior[17] = -1;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
+    prior[17] = (invcal_real)INFINITY; /* as good as unknown */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    for (int i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
+        prior[i] = INVCAL_REAL(0.05);
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+}
+
+static void bad_readings_and_scales_are_refused(void)
+{
+    static const float bad[3] = {0, NAN, INFINITY};
     invcal_calibration nominal = unit_nominal();
     invcal_real raw[WORLD_RESTS][3];
     int8_t axes[3] = {9, 9, 9};
@@ -1244,49 +1284,20 @@ static void bad_input_is_refused(void)
     world_begin(&w, 100, 64);
     world_tour(&w);
     world_end(&w);
-    settle_settings(&settings, 0);
-    settings.noise = -1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
-    settings.noise = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
-    settings.noise = 0;
-    settings.rate_noise = 2;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
-    settings.rate_noise = -1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
-    settings.rate_noise = 0;
-    settings.instability = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
-    settings.instability = 0;
-    settings.prior = prior;
-    prior[17] = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
-    prior[17] = (invcal_real)INFINITY; /* as good as unknown */
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
-    prior[17] = -1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
-    prior[17] = 0;
-    settings.noise = (invcal_real)INFINITY;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, world_solve(&w, &settings, &imu));
-    settings.noise = 0;
-    for (int i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
-        prior[i] = INVCAL_REAL(0.05);
+    world_means(&w, raw);
+    for (int i = 0; i < 3; i++) {
+        nominal.matrix[1][1] = (invcal_real)bad[i];
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_imu_solve(raw[0], (unsigned)w.count,
+                                                                   &nominal, &w.moves, NULL, &imu));
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_BAD_NOMINAL,
+            invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, &scale));
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_TRUE(axes[0] == 9 && scale == 9);
     w.mean[3][1] = NOT_A_NUMBER;
     TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, world_solve(&w, NULL, &imu));
     w.mean[3][1] = INFINITE;
     TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, world_solve(&w, NULL, &imu));
-    memset(raw, 0, sizeof raw);
-    static const float bad[3] = {0, NAN, INFINITY};
-    for (int i = 0; i < 3; i++) {
-        nominal.matrix[1][1] = (invcal_real)bad[i];
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
-                              invcal_imu_solve(raw[0], 13, &nominal, &w.moves, NULL, &imu));
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
-                              invcal_imu_mounting(raw[0], 13, &nominal, &w.moves, axes, &scale));
-    }
-    TEST_ASSERT_TRUE(axes[0] == 9 && scale == 9);
 }
 
 /* More rests than means, or more means than rests: they belong together from the last on. */
@@ -1369,7 +1380,9 @@ int main(void)
     RUN_SLOW_TEST(no_more_than_three_are_left_out);
     RUN_SLOW_TEST(residuals_beyond_what_was_stated_are_rough);
     RUN_TEST(a_move_that_turns_nothing_tells_nothing);
-    RUN_TEST(bad_input_is_refused);
+    RUN_TEST(bad_noise_is_refused);
+    RUN_TEST(a_bad_prior_is_refused);
+    RUN_TEST(bad_readings_and_scales_are_refused);
     RUN_SLOW_TEST(the_last_rests_belong_together);
     RUN_TEST(every_parameter_has_a_name);
     return UNITY_END();
