@@ -22,6 +22,9 @@ double random_normal(random_source *source);
 void random_direction(random_source *source, double direction[3]);
 void random_rotation(random_source *source, double rotation[3][3]);
 
+/* exp[v x], the rotation by a vector, rad: by Rodrigues' formula. */
+void rotation_by(const double v[3], double rotation[3][3]);
+
 /* The true parameters of a triad, in the library's order. */
 typedef struct {
     double x[INVCAL_PARAMETERS];

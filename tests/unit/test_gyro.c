@@ -67,7 +67,7 @@ static void assert_closed_form(const double m[3][3], const invcal_real bias[3])
     }
     const double x = th[0] * th[0] + th[1] * th[1] + th[2] * th[2];
     const double angle = sqrt(x);
-    world_exp(th, c);
+    rotation_by(th, c);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             const double along = (angle - sin(angle)) / (x * angle);
@@ -143,7 +143,7 @@ static void add_exact(const double m[3][3], const int v[3], int segments)
     for (int i = 0; i < 3; i++) {
         th[i] = (m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2]) / 32768;
     }
-    world_exp(th, c);
+    rotation_by(th, c);
     world_unit(all);
     for (int k = 0; k < segments; k++) {
         invcal_segment *s = &w.moves.segment[w.moves.first++];

@@ -116,7 +116,7 @@ static unsigned turn_to(int axis)
     for (int i = 0; i < 3 && length > 0; i++) {
         vector[i] *= (atan2(length, dot) + 0.02 * random_normal(&hand.random)) / length;
     }
-    world_inverse((const double(*)[3])hand.m, inverse);
+    inverse3((const double(*)[3])hand.m, inverse);
     world_unit(c);
     memcpy(up, hand.up, sizeof up);
     for (unsigned n = 0; n < 310; n++) {
@@ -125,7 +125,7 @@ static unsigned turn_to(int axis)
         for (int i = 0; i < 3; i++) {
             step[i] = vector[i] * 30 * tau * tau * (1 - tau) * (1 - tau) / 110;
         }
-        world_exp(step, r);
+        rotation_by(step, r);
         world_turn(c, (const double(*)[3])r);
         world_up((const double(*)[3])c, hand.up, up);
         for (int i = 0; i < 3; i++) {

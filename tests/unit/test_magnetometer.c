@@ -53,21 +53,17 @@ typedef struct {
 
 static minute the; /* one for all tests: an AVR has 16 KB */
 
+/* r <- exp[angle x] r */
 static void turn(double r[3][3], const double angle[3])
 {
-    const double whole = length3(angle);
+    double by[3][3];
+    double old[3][3];
 
-    for (int j = 0; whole > 0 && j < 3; j++) { /* Rodrigues */
-        const double v[3] = {r[0][j], r[1][j], r[2][j]};
-        double along = 0;
-        for (int i = 0; i < 3; i++) {
-            along += angle[i] * v[i] / whole;
-        }
-        for (int i = 0; i < 3; i++) {
-            const int k = (i + 1) % 3;
-            const int l = (i + 2) % 3;
-            r[i][j] = v[i] * cos(whole) + (angle[k] * v[l] - angle[l] * v[k]) / whole * sin(whole) +
-                      angle[i] / whole * along * (1 - cos(whole));
+    rotation_by(angle, by);
+    memcpy(old, r, sizeof old);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            r[i][j] = by[i][0] * old[0][j] + by[i][1] * old[1][j] + by[i][2] * old[2][j];
         }
     }
 }

@@ -930,7 +930,7 @@ static void feed_rate(const double step[3], random_source *random)
     double inverse[3][3];
     int32_t raw[3];
 
-    world_inverse((const double(*)[3])w.m, inverse);
+    inverse3((const double(*)[3])w.m, inverse);
     for (int i = 0; i < 3; i++) {
         const double rate =
             FAST * (inverse[i][0] * step[0] + inverse[i][1] * step[1] + inverse[i][2] * step[2]);
@@ -967,7 +967,7 @@ static int turn_and_rest(invcal_session *session, const double degrees[3], rando
         for (int i = 0; i < 3; i++) {
             step[i] = degrees[i] * DEGREE * 30 * tau * tau * (1 - tau) * (1 - tau) / TURNING;
         }
-        world_exp(step, r);
+        rotation_by(step, r);
         world_turn(w.c, (const double(*)[3])r);
         feed_rate(step, random);
         if (n % 4 == 3) {

@@ -331,7 +331,7 @@ static void guidance_goes_as_far_as_it_may(void)
             for (int i = 0; i < 3; i++) {
                 turn_by[i] = axis[i] / across * (k == 0 ? 162.7 : 162.4) * DEGREE;
             }
-            world_exp(turn_by, c);
+            rotation_by(turn_by, c);
             world_up((const double(*)[3])c, to, up);
             for (int i = 0; i < 3; i++) {
                 from[i] = (invcal_real)(up[i] / length3(to));
@@ -385,7 +385,7 @@ static void turned(const invcal_real from[3], const invcal_turn *turn, double up
         th[a] = (double)turn->axis[a] * (double)turn->degrees * DEGREE;
         was[a] = (double)from[a];
     }
-    world_exp(th, c);
+    rotation_by(th, c);
     world_up((const double(*)[3])c, was, up);
 }
 
