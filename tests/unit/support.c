@@ -76,6 +76,11 @@ double length3(const double v[3])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
+double larger(double a, double b)
+{
+    return isnan(a) || a > b ? a : b;
+}
+
 void random_direction(random_source *source, double direction[3])
 {
     for (int i = 0; i < 3; i++) {

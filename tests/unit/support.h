@@ -80,6 +80,9 @@ double parameter(const invcal_calibration *calibration, unsigned r);
 
 double length3(const double v[3]);
 
+/* The larger of both, and NaN if either is: then no bound holds. (fmax() drops it.) */
+double larger(double a, double b);
+
 /* CRC-32 (IEEE 802.3) from a table, unlike the library's. */
 uint32_t crc_by_table(const uint8_t *bytes, uint32_t count);
 

@@ -159,7 +159,7 @@ static double errors(const minute *m, double error[INVCAL_PARAMETERS])
 
     for (int i = 0; i < INVCAL_PARAMETERS; i++) {
         error[i] = (found.x[i] - m->truth.x[i]) / (double)m->quality.sigma[i];
-        worst = fmax(worst, fabs(error[i]));
+        worst = larger(worst, fabs(error[i]));
     }
     return worst;
 }
@@ -490,7 +490,7 @@ static void a_magnet_that_passes_is_named_and_does_no_harm(void)
         live(&s, 1 + (uint32_t)n, 0.05, &the);
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
         named += the.found.disturbance != INVCAL_UNDISTURBED && the.found.left_out > 0;
-        harmed += errors(&the, error) > 3;
+        harmed += !(errors(&the, error) <= 3);
     }
     TEST_ASSERT_TRUE(named >= logs - logs / 50);
     TEST_ASSERT_TRUE(harmed <= logs / 20 + 1); /* one of nine parameters: 2.4 % by chance alone */

@@ -484,6 +484,12 @@ static int no_program(void *context, unsigned slot, uint32_t to, const uint8_t *
     return no_erase(context, slot);
 }
 
+/* The larger of both, and NaN if either is: fmax() drops it. */
+static double larger(double a, double b)
+{
+    return isnan(a) || a > b ? a : b;
+}
+
 /* How far a reading of 1 g is from the truth at most, once it is calibrated, in g. */
 static double worst_error(const invcal_calibration *c)
 {
@@ -510,7 +516,7 @@ static double worst_error(const invcal_calibration *c)
             }
             square += error * error;
         }
-        worst = square <= worst ? worst : square; /* NaN too */
+        worst = larger(worst, square);
     }
     return sqrt(worst);
 }
@@ -531,14 +537,12 @@ static void tell_gyro(const invcal_imu_record *stored)
             error += (double)stored->gyro.matrix[i / 3][k] * GYRO_COUNTS / 2 * 180 / PI *
                      gyro_gain[k][i % 3];
         }
-        error = fabs(error) / (double)stored->sigma[i];
-        worst = error <= worst ? worst : error; /* NaN too */
+        worst = larger(worst, fabs(error) / (double)stored->sigma[i]);
         printf("world: %s sigma %.5f\n", invcal_imu_parameter_name((unsigned)i),
                (double)stored->sigma[i]);
     }
     for (int i = 0; i < 3; i++) {
-        const double error = fabs((double)stored->gyro.offset[i] - gyro_offset[i] / 2);
-        bias = error <= bias ? bias : error;
+        bias = larger(bias, fabs((double)stored->gyro.offset[i] - gyro_offset[i] / 2));
     }
     printf("world: the gyroscope is wrong by %.2f sigma at most, its offset by %.2f counts\n",
            worst, bias);
