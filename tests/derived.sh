@@ -9,6 +9,7 @@ build=$1
 cd "$(dirname "$0")/.." || exit 1
 passed=0
 failed=0
+export PYTHONDONTWRITEBYTECODE=1 # nothing beside the scripts
 
 gate() { # SENTENCE COMMAND...
     sentence=$1

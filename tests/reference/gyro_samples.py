@@ -9,30 +9,14 @@ of every move, in turns from sample to sample by Rodrigues' formula.
 import math
 import sys
 
+from vectors import across, cross, dot, identity, least_squares, times, unit
+
 RATE = 100.0
 DEGREE = math.pi / 180
 
 
-# ---- linear algebra ------------------------------------------------------------------------------
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def times(a, v):
-    return [row[0] * v[0] + row[1] * v[1] + row[2] * v[2] for row in a]
-
-
 def mean(rows):
     return [sum(column) / len(rows) for column in zip(*rows)]
-
-
-def unit(v):
-    return [x / math.sqrt(dot(v, v)) for x in v]
 
 
 def turned(c, w):
@@ -42,30 +26,6 @@ def turned(c, w):
     s, k = (math.sin(angle) / angle, (1 - math.cos(angle)) / square) if angle > 1e-9 else (1.0, 0.5)
     across = [cross(row, w) for row in c]
     return [[x + s * y + k * z for x, y, z in zip(row, first, cross(first, w))] for row, first in zip(c, across)]
-
-
-def inverse(a):
-    """Gauss and Jordan; a is positive definite."""
-    n = len(a)
-    rows = [list(row) + [float(i == k) for k in range(n)] for i, row in enumerate(a)]
-    for i in range(n):
-        rows[i] = [x / rows[i][i] for x in rows[i]]
-        for r in range(n):
-            if r != i:
-                factor = rows[r][i]
-                rows[r] = [x - factor * y for x, y in zip(rows[r], rows[i])]
-    return [row[n:] for row in rows]
-
-
-def least_squares(rows, right, weights):
-    n = len(rows[0])
-    a, b = [[0.0] * n for _ in range(n)], [0.0] * n
-    for row, y, weight in zip(rows, right, weights):
-        for i in range(n):
-            b[i] += weight * row[i] * y
-            for k in range(n):
-                a[i][k] += weight * row[i] * row[k]
-    return [dot(row, b) for row in inverse(a)]
 
 
 # ---- logs ----------------------------------------------------------------------------------------
@@ -121,7 +81,7 @@ class Log:
         self.bias = [mean(rate[begin:end]) for begin, end in rests]
         self.moves = [rate[first[1]:then[0]] for first, then in zip(rests, rests[1:])]
         self.slope = [[0.0] * 3] * 3
-        self.m = [[float(i == k) for k in range(3)] for i in range(3)]
+        self.m = identity(3)
         self.p = [0.0] * 9
 
     def fit_slope(self):
@@ -143,7 +103,7 @@ class Log:
         ups = [unit(self.up(k, self.p)), unit(self.up(k + 1, self.p))]
         bias = mean(self.bias[k:k + 2])
         middle = mean(ups)
-        c = [[float(i == j) for j in range(3)] for i in range(3)]
+        c = identity(3)
         s = [[0.0] * 9 for _ in range(3)]
         for w in self.moves[k]:
             now = times(zip(*c), ups[0])
@@ -162,14 +122,7 @@ class Log:
         up = unit(self.up(k, p))
         end = times(c, unit(self.up(k + 1, p)))
         off = cross(end, up)
-        return [dot(row, off) for row in self.across(k)]
-
-    def across(self, k):
-        """Two unit vectors across the vertical before move k."""
-        up = unit(self.up(k, self.p))
-        least = min(range(3), key=lambda i: abs(up[i]))
-        first = unit(cross(up, [float(i == least) for i in range(3)]))
-        return [first, cross(up, first)]
+        return times(across(unit(self.up(k, self.p))), off)
 
     def equations(self):
         """Rows of 18 and right sides: of the lengths, and of the moves."""
@@ -185,7 +138,7 @@ class Log:
             c, s = self.integrate(k)
             angles = self.angles(k, c, self.p)
             moved = [self.angles(k, c, changed(i)) for i in range(9)]
-            for n, b in enumerate(self.across(k)):
+            for n, b in enumerate(across(unit(self.up(k, self.p)))):
                 of_p = [(x[n] - angles[n]) / 1e-6 for x in moved]
                 of_m = [-dot(b, [s[i][j] for i in range(3)]) for j in range(9)]
                 moves.append((of_m + of_p, -angles[n]))

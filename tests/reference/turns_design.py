@@ -9,6 +9,8 @@ of it.
 """
 import math
 
+from vectors import across, cross, dot, eliminate, identity, product, scaled, times, unit
+
 HALVINGS = 14  # a turn is integrated in 2^14 equal steps
 STEP = 1e-5  # of the differences
 RIDGE = 0.01  # information of a prior, ten times the noise: the choice of a turn begins with it
@@ -19,52 +21,8 @@ TOUR = "+z +x +y +z -x +y -z +x -y -z -x -y +z".split()
 FULL = "+x:360 +y:360 +y +z:360".split()
 
 
-# ---- linear algebra ------------------------------------------------------------------------------
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def scaled(factor, v):
-    return [factor * x for x in v]
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def times(a, v):
-    return [dot(row, v) for row in a]
-
-
-def product(a, b):
-    columns = list(zip(*b))
-    return [[dot(row, column) for column in columns] for row in a]
-
-
-def identity(n, factor=1.0):
-    return [[factor if i == k else 0.0 for k in range(n)] for i in range(n)]
-
-
 def added(a, b):
     return [[x + y for x, y in zip(p, q)] for p, q in zip(a, b)]
-
-
-def eliminate(a):
-    """Gauss and Jordan with pivots: the inverse, and the determinant."""
-    n = len(a)
-    rows = [list(row) + unit for row, unit in zip(a, identity(n))]
-    determinant = 1.0
-    for i in range(n):
-        pivot = max(range(i, n), key=lambda r: abs(rows[r][i]))
-        determinant *= rows[pivot][i] * (1 if pivot == i else -1)
-        rows[i], rows[pivot] = rows[pivot], rows[i]
-        rows[i] = scaled(1 / rows[i][i], rows[i])
-        for r in range(n):
-            if r != i:
-                factor = rows[r][i]
-                rows[r] = [x - factor * y for x, y in zip(rows[r], rows[i])]
-    return [row[n:] for row in rows], determinant
 
 
 def eigen(a):
@@ -90,7 +48,7 @@ def up(word):
     v = [0.0] * 3
     for sign, axis in zip(word[::2], word[1::2]):
         v["xyz".index(axis)] = 1.0 if sign == "+" else -1.0
-    return scaled(1 / math.sqrt(dot(v, v)), v)
+    return unit(v)
 
 
 def integrate(rate, m):
@@ -113,8 +71,7 @@ def reading(p, d):
     """Direction and length that the accelerometer reads at d, with parameters p taken for none."""
     s = [[1 + p[3], p[6] / 2, p[7] / 2], [p[6] / 2, 1 + p[4], p[8] / 2], [p[7] / 2, p[8] / 2, 1 + p[5]]]
     u = [x + y for x, y in zip(times(s, d), p)]
-    length = math.sqrt(dot(u, u))
-    return scaled(1 / length, u), length
+    return unit(u), math.sqrt(dot(u, u))
 
 
 def differences(function, n):
@@ -135,14 +92,9 @@ def rows_of_rest(at):
 
 def rows_of_turn(rate, before, after):
     """The two angles across the direction before, each over sqrt(2)."""
-    least = min(range(3), key=lambda i: abs(before[i]))
-    first = cross(before, identity(3)[least])
-    first = scaled(1 / math.sqrt(dot(first, first)), first)
-    across = [first, cross(before, first)]
-
     def angles(c, p):
         off = cross(times(c, reading(p, after)[0]), reading(p, before)[0])
-        return scaled(math.sqrt(0.5), times(across, off))
+        return scaled(math.sqrt(0.5), times(across(before), off))
 
     none = [0.0] * 9
     of_gyro = differences(
