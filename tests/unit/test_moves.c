@@ -931,8 +931,8 @@ static void feed_rate(const double step[3], random_source *random)
 
     inverse3((const double(*)[3])w.m, inverse);
     for (int i = 0; i < 3; i++) {
-        const double rate =
-            FAST * (inverse[i][0] * step[0] + inverse[i][1] * step[1] + inverse[i][2] * step[2]);
+        const double rate = (double)FAST * (inverse[i][0] * step[0] + inverse[i][1] * step[1] +
+                                            inverse[i][2] * step[2]);
         raw[i] = (int32_t)lround(COUNTS * (0.02 + rate + 1e-3 * random_normal(random)));
     }
     invcal_moves_feed(&w.moves, raw);
@@ -961,10 +961,11 @@ static int turn_and_rest(invcal_session *session, const double degrees[3], rando
 
     world_unit(w.c);
     for (int n = 0; n < TURNING + RESTING; n++) {
-        const double tau = n < TURNING ? (n + 0.5) / TURNING : 0;
+        const double tau = n < TURNING ? (n + 0.5) / (double)TURNING : 0;
         double step[3], r[3][3];
         for (int i = 0; i < 3; i++) {
-            step[i] = degrees[i] * DEGREE * 30 * tau * tau * (1 - tau) * (1 - tau) / TURNING;
+            step[i] =
+                degrees[i] * DEGREE * 30 * tau * tau * (1 - tau) * (1 - tau) / (double)TURNING;
         }
         rotation_by(step, r);
         world_turn(w.c, (const double(*)[3])r);
