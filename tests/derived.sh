@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/derived.sh BUILD
-# What is made of something else is what that makes now: the layout of the sources, expected.h,
+# What is made of something else is what that makes now: the layout of the sources, expected.h, turns_design.h,
 # releases/values.h, the man page, the pictures of the manual; and scripts and English are sound.
 # Ends with `N passed, N failed`.
 build=$1
 cd "$(dirname "$0")/.." || exit 1
 passed=0
 failed=0
+export PYTHONDONTWRITEBYTECODE=1 # nothing beside the scripts
 
 gate() { # SENTENCE COMMAND...
     sentence=$1
@@ -30,14 +31,28 @@ expected() {
     python3 tests/reference/reference.py tests/data > "$build/expected.h" &&
         diff tests/reference/expected.h "$build/expected.h"
 }
+turns() {
+    python3 tests/reference/turns_design.py > "$build/turns_design.h" &&
+        diff tests/reference/turns_design.h "$build/turns_design.h"
+}
 releases() {
     python3 tests/reference/releases/pack.py | diff tests/reference/releases/0.2.0.txt - &&
         python3 tests/reference/releases/values.py > "$build/values.h" &&
         diff tests/reference/releases/values.h "$build/values.h"
 }
-magnetometer() { # the log is a recording that is not kept here
-    python3 tests/reference/magnetometer.py "$recording" > "$build/magnetometer.h" &&
+magnetometer() { # of a recording that is not kept here
+    python3 tests/reference/magnetometer.py "$recordings/ck_acc_mag.csv" > "$build/magnetometer.h" &&
         diff tests/reference/magnetometer.h "$build/magnetometer.h"
+}
+logs() { # the same: what the library keeps of them today
+    ${CC:-cc} -std=c99 -DINVCAL_DOUBLE=1 -Iinclude tests/reference/gyro_logs.c src/?*.c -lm -o "$build/gyro_logs" &&
+        "$build/gyro_logs" "$recordings/xsens_mti_acc.txt" "$recordings/xsens_mti_gyro.txt" \
+            "$recordings/mpu9150_0.txt" "$recordings/mpu9150_1.txt" > "$build/gyro_logs.h" &&
+        diff tests/unit/gyro_logs.h "$build/gyro_logs.h"
+}
+samples() { # the same, from all samples
+    python3 tests/reference/gyro_samples.py "$recordings" > "$build/gyro_samples.h" &&
+        diff tests/reference/gyro_samples.h "$build/gyro_samples.h"
 }
 scripts() {
     sh tests/sources.sh sh | xargs shellcheck -S warning
@@ -55,9 +70,12 @@ top_level() {
 mkdir -p "$build"
 gate "the sources are laid out by .clang-format" layout
 gate "expected.h is what the reference script prints" expected
-recording=${RECORDINGS:-../shared/data}/ck_acc_mag.csv
-if [ -f "$recording" ]; then
+gate "turns_design.h is what its script prints" turns
+recordings=${RECORDINGS:-../shared/data}
+if [ -d "$recordings" ]; then
     gate "magnetometer.h is what its script prints" magnetometer
+    gate "gyro_logs.h is what its program prints" logs
+    gate "gyro_samples.h is what its script prints" samples
 fi
 gate "what releases wrote means what values.py reads" releases
 gate "the tool writes every key that its last release wrote" python3 tests/reference/releases/tool.py "$build/invcal" --check

@@ -7,6 +7,7 @@
 # `N passed, N failed`.
 out=$1/mutation
 export CC="${CC:-cc}"
+export PYTHONDONTWRITEBYTECODE=1 # nothing beside the scripts
 cd "$(dirname "$0")/.." || exit 1
 
 sample=$2 seed=$3

@@ -87,17 +87,25 @@ void board_show(const char *text)
 
 /* ---- what the device is for: it checks itself ----------------------------------------------------- */
 
+/* At rest a length must be 1. NaN is the worst there is, and stays. */
+static void note_length(const invcal_real g[3], double *worst)
+{
+    const double error =
+        fabs(sqrt((double)g[0] * g[0] + (double)g[1] * g[1] + (double)g[2] * g[2]) - 1);
+
+    if (moving == 0 && !(error <= *worst) && !isnan(*worst)) {
+        *worst = error;
+    }
+}
+
 /* Where it is, and then along each axis. */
 void board_use(const invcal_real g[3])
 {
     static const char *const axes[] = {"+x up", "+y up", "+z up", NULL};
     static unsigned steps, axis;
     static double worst;
-    const double length = sqrt((double)g[0] * g[0] + (double)g[1] * g[1] + (double)g[2] * g[2]);
 
-    if (moving == 0) {
-        worst = fmax(worst, fabs(length - 1));
-    }
+    note_length(g, &worst);
     if (++steps % (3 * HAND_RATE) != 0) {
         return;
     }
@@ -124,7 +132,7 @@ void board_use_both(const invcal_real g[3], const invcal_real w[3])
     }
     still = moving == 0 ? still + 1 : 0;
     for (int i = 0; i < 3 && still == 1; i++) {
-        if (fabs(up[i] - (double)g[i]) > 0.005 && (up[0] != 0 || up[1] != 0 || up[2] != 0)) {
+        if (!(fabs(up[i] - (double)g[i]) <= 0.005) && (up[0] != 0 || up[1] != 0 || up[2] != 0)) {
             printf("axis %d: %.4f by the gyroscope, %.4f by the accelerometer\n", i, up[i],
                    (double)g[i]);
             exit(1);
@@ -142,11 +150,7 @@ static double worst_of_day;
 
 void board_count_steps(const invcal_real g[3])
 {
-    const double length = sqrt((double)g[0] * g[0] + (double)g[1] * g[1] + (double)g[2] * g[2]);
-
-    if (moving == 0) {
-        worst_of_day = fmax(worst_of_day, fabs(length - 1));
-    }
+    note_length(g, &worst_of_day);
 }
 
 /* Of 20 s. Every 5 s it is put down in another way. */

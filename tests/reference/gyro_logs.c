@@ -174,6 +174,8 @@ int main(int count, char **names)
     double x[6], time;
 
     if (!m1) {
+        fputs("usage: gyro_logs XSENS_ACC XSENS_GYRO MPU_0 MPU_1, as the head of this source says; each must be "
+              "readable\n", stderr);
         return 3;
     }
     printf("/* SPDX-License-Identifier: MIT\n *\n"

@@ -10,6 +10,8 @@ A symmetric, by Gauss and Newton.
 import math
 import sys
 
+from vectors import cross, dot, solve, unit
+
 MEAN_OF = 16
 
 
@@ -18,22 +20,6 @@ def read(path, wanted):
         names = file.readline().strip().split(",")
         columns = [names.index(name) for name in wanted]
         return [[float(cells[c]) for c in columns] for cells in (line.split(",") for line in file)]
-
-
-def solve(matrix, right):
-    """Gauss with pivots."""
-    n = len(right)
-    rows = [list(row) + [value] for row, value in zip(matrix, right)]
-    for i in range(n):
-        pivot = max(range(i, n), key=lambda r: abs(rows[r][i]))
-        rows[i], rows[pivot] = rows[pivot], rows[i]
-        for r in range(i + 1, n):
-            factor = rows[r][i] / rows[i][i]
-            rows[r] = [a - factor * b for a, b in zip(rows[r], rows[i])]
-    x = [0.0] * n
-    for i in reversed(range(n)):
-        x[i] = (rows[i][n] - sum(rows[i][k] * x[k] for k in range(i + 1, n))) / rows[i][i]
-    return x
 
 
 PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
@@ -109,17 +95,12 @@ def robust(samples, x):
     return x
 
 
-def unit(v):
-    length = math.hypot(*v)
-    return [c / length for c in v]
-
-
 def rotate(angle, v):
     """By a rotation vector (Rodrigues)."""
     size = math.hypot(*angle) or 1e-300
     e = [c / size for c in angle]
-    across = [e[1] * v[2] - e[2] * v[1], e[2] * v[0] - e[0] * v[2], e[0] * v[1] - e[1] * v[0]]
-    along = sum(p * q for p, q in zip(e, v)) * (1 - math.cos(size))
+    across = cross(e, v)
+    along = dot(e, v) * (1 - math.cos(size))
     return [math.cos(size) * v[i] + math.sin(size) * across[i] + along * e[i] for i in range(3)]
 
 

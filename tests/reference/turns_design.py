@@ -1,87 +1,140 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What programs of turns determine, for tests/unit/test_turns.c and tests/tool/plan_moves_test.sh.
+"""python3 turns_design.py > turns_design.h
 
-Needs numpy. A turn is integrated in small steps, what it says of the parameters is a difference of two
-integrations, ranks and conditions are those of numpy: nothing of this is the library's. Unit: the noise of a
-position mean; a turn's two angles have sqrt(2) of it. Prints the figures that the tests state.
+What programs of turns determine, for test_turns.c, test_gyro.c and plan_moves_test.sh. A turn is integrated in small
+steps, what it says of the parameters is a difference of two integrations, ranks and conditions are those of
+eigenvalues: nothing of this is the library's. Unit: the noise of a position mean; a turn's two angles have sqrt(2)
+of it.
 """
-import numpy as np
+import math
 
-STEPS = 20000
-RIDGE = 0.01
-CLEARLY = 1.001
-NAMES = ["gyro_" + a + b for a in "xyz" for b in "xyz"] + [
-    "delta_x", "delta_y", "delta_z", "dk_x", "dk_y", "dk_z", "gamma_xy", "gamma_xz", "gamma_zy"]
+from vectors import across, cross, dot, eliminate, identity, product, scaled, times, unit
+
+HALVINGS = 14  # a turn is integrated in 2^14 equal steps
+STEP = 1e-5  # of the differences
+RIDGE = 0.01  # information of a prior, ten times the noise: the choice of a turn begins with it
+CLEARLY = 1.001  # better than the best so far, so that rounding decides nothing
+SMALL = 1e-7  # an eigenvalue below this share of the largest is none
+GYRO, ALL = 9, 18  # unknowns: of the gyroscope, of both sensors
 TOUR = "+z +x +y +z -x +y -z +x -y -z -x -y +z".split()
+FULL = "+x:360 +y:360 +y +z:360".split()
 
+
+def added(a, b):
+    return [[x + y for x, y in zip(p, q)] for p, q in zip(a, b)]
+
+
+def eigen(a):
+    """Jacobi's rotations: the eigenvalues of a symmetric matrix, and its eigenvectors as rows."""
+    n = len(a)
+    a, v = [list(row) for row in a], identity(n)
+    while sum(a[i][k] ** 2 for i in range(n) for k in range(i)) > 1e-24 * sum(a[i][i] ** 2 for i in range(n)):
+        for p in range(n):
+            for q in range(p + 1, n):
+                angle = math.atan2(2 * a[p][q], a[q][q] - a[p][p]) / 2
+                c, s = math.cos(angle), math.sin(angle)
+                for row in a:
+                    row[p], row[q] = c * row[p] - s * row[q], s * row[p] + c * row[q]
+                for m in (a, v):
+                    m[p], m[q] = ([c * x - s * y for x, y in zip(m[p], m[q])],
+                                  [s * x + c * y for x, y in zip(m[p], m[q])])
+    return [a[i][i] for i in range(n)], v
+
+
+# ---- what a turn and a rest tell -----------------------------------------------------------------
 
 def up(word):
-    v = np.zeros(3)
+    v = [0.0] * 3
     for sign, axis in zip(word[::2], word[1::2]):
-        v["xyz".index(axis)] = 1 if sign == "+" else -1
-    return v / np.linalg.norm(v)
-
-
-def hat(v):
-    return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+        v["xyz".index(axis)] = 1.0 if sign == "+" else -1.0
+    return unit(v)
 
 
 def integrate(rate, m):
-    """Rotation of a turn at constant nominal rate (rad altogether), gyroscope matrix m: Cayley, fine steps."""
-    w = hat(m @ rate) / STEPS
-    return np.linalg.matrix_power(np.linalg.solve(np.eye(3) - w / 2, np.eye(3) + w / 2), STEPS)
+    """Rotation of a turn at constant nominal rate (rad altogether), gyroscope matrix m: by Cayley's map."""
+    half = scaled(0.5 / 2 ** HALVINGS, times(m, rate))
+    plus, minus = identity(3), identity(3)
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        plus[k][j] += half[i]
+        plus[j][k] -= half[i]
+        minus[k][j] -= half[i]
+        minus[j][k] += half[i]
+    c = product(eliminate(minus)[0], plus)
+    for _ in range(HALVINGS):
+        c = product(c, c)
+    return c
 
 
 def reading(p, d):
-    s = np.array([[p[3], p[6] / 2, p[7] / 2], [p[6] / 2, p[4], p[8] / 2], [p[7] / 2, p[8] / 2, p[5]]])
-    u = (np.eye(3) + s) @ d + p[:3]
-    return u / np.linalg.norm(u), np.linalg.norm(u)
+    """Direction and length that the accelerometer reads at d, with parameters p taken for none."""
+    s = [[1 + p[3], p[6] / 2, p[7] / 2], [p[6] / 2, 1 + p[4], p[8] / 2], [p[7] / 2, p[8] / 2, 1 + p[5]]]
+    u = [x + y for x, y in zip(times(s, d), p)]
+    return unit(u), math.sqrt(dot(u, u))
 
 
-def rows_of_rest(u):
-    h = 1e-5
-    return np.array([[(reading(h * e[9:], u)[1] - reading(-h * e[9:], u)[1]) / (2 * h) for e in np.eye(18)]])
+def differences(function, n):
+    """The rows of the derivative of a function by n parameters, all 0."""
+    columns = []
+    for k in range(n):
+        x = [0.0] * n
+        x[k] = STEP
+        plus = function(x)
+        x[k] = -STEP
+        columns.append([(p - q) / (2 * STEP) for p, q in zip(plus, function(x))])
+    return [list(row) for row in zip(*columns)]
+
+
+def rows_of_rest(at):
+    return [[0.0] * GYRO + row for row in differences(lambda p: [reading(p, at)[1]], ALL - GYRO)]
 
 
 def rows_of_turn(rate, before, after):
-    """The two angles, each over sqrt(2)."""
-    across = np.linalg.svd(before[None, :])[2][1:]
+    """The two angles across the direction before, each over sqrt(2)."""
+    def angles(c, p):
+        off = cross(times(c, reading(p, after)[0]), reading(p, before)[0])
+        return scaled(math.sqrt(0.5), times(across(before), off))
 
-    def angles(x):
-        c = integrate(rate, np.eye(3) + x[:9].reshape(3, 3))
-        return across @ np.cross(c @ reading(x[9:], after)[0], reading(x[9:], before)[0]) / np.sqrt(2)
-
-    h = 1e-5
-    return np.array([(angles(h * e) - angles(-h * e)) / (2 * h) for e in np.eye(18)]).T
+    none = [0.0] * 9
+    of_gyro = differences(
+        lambda x: angles(integrate(rate, added(identity(3), [x[0:3], x[3:6], x[6:9]])), none), GYRO)
+    c = integrate(rate, identity(3))
+    return [g + a for g, a in zip(of_gyro, differences(lambda p: angles(c, p), ALL - GYRO))]
 
 
 def arc(before, after):
-    x = np.cross(after, before)
-    s = np.linalg.norm(x)
-    return x / s * np.arctan2(s, before @ after)
+    """The rotation vector of the shortest turn that brings `after` up."""
+    x = cross(after, before)
+    sine = math.sqrt(dot(x, x))
+    return scaled(math.atan2(sine, dot(before, after)) / sine, x)
 
+
+# ---- programs ------------------------------------------------------------------------------------
 
 class Program:
-    def __init__(self, n, start):
-        self.n, self.up, self.turns, self.path = n, up(start), 0, [start]
-        self.a = np.zeros((n, n))
-        self.rest()
+    """Turns from a first rest on, and the information that they and the rests give of n unknowns."""
 
-    def rest(self):
-        if self.n == 18:
-            h = rows_of_rest(self.up)
-            self.a += h.T @ h
+    def __init__(self, n, start):
+        self.n, self.up, self.path = n, up(start), [start]
+        self.information = identity(n, 0.0)
+        self.add(self.rest(self.up))
+
+    def rest(self, at):
+        return rows_of_rest(at) if self.n == ALL else []
+
+    def add(self, rows):
+        for row in rows:
+            self.information = [[a + x * y for a, y in zip(line, row)] for line, x in zip(self.information, row)]
 
     def told(self, rate):
-        after = np.linalg.inv(integrate(rate, np.eye(3))) @ self.up
-        h = rows_of_turn(rate, self.up, after)
-        h = np.vstack([h, rows_of_rest(after)]) if self.n == 18 else h[:, :9]
-        return h, after
+        """The rows of a turn and of the rest after it, and where that is."""
+        after = times(zip(*integrate(rate, identity(3))), self.up)
+        return [row[:self.n] for row in rows_of_turn(rate, self.up, after)] + self.rest(after), after
 
     def turn(self, rate):
-        h, self.up = self.told(rate)
-        self.a += h.T @ h
-        self.turns += 1
+        rows, self.up = self.told(rate)
+        self.add(rows)
 
     def to(self, word):
         self.turn(arc(self.up, up(word)))
@@ -89,68 +142,91 @@ class Program:
         self.path.append(word)
 
     def next(self):
-        k = np.linalg.inv(self.a + RIDGE * np.eye(self.n))
+        k = eliminate(added(self.information, identity(self.n, RIDGE)))[0]
         best, chosen = 0, None
         for z in "+ -":
             for y in "+ -":
                 for x in "+ -":
                     word = "".join(s + a for s, a in ((x, "x"), (y, "y"), (z, "z")) if s != " ")
-                    if not word or np.linalg.norm(np.cross(up(word), self.up)) < 0.3:
+                    if not word or dot(cross(up(word), self.up), cross(up(word), self.up)) < 0.09:
                         continue
                     h, _ = self.told(arc(self.up, up(word)))
-                    merit = np.linalg.det(np.eye(len(h)) + h @ k @ h.T)
+                    of_h = product(product(h, k), list(zip(*h)))
+                    merit = eliminate(added(of_h, identity(len(h))))[1]
                     if merit > CLEARLY * best:
                         best, chosen = merit, word
         self.to(chosen)
 
-    def rank(self):
-        w = np.linalg.eigvalsh(self.a)
-        return int((w > 1e-7 * w[-1]).sum())
+    def sigma(self):
+        inverse = eliminate(self.information)[0]
+        return [math.sqrt(inverse[i][i]) for i in range(self.n)]
 
-    def print(self, name):
-        w = np.linalg.eigvalsh(self.a)
-        print("%s: %d unknowns, %d turns, rank %d" % (name, self.n, self.turns, self.rank()), end="")
-        if self.rank() < self.n:
-            null = np.linalg.eigh(self.a)[1][:, :self.n - self.rank()]
-            share = (null ** 2).sum(1)
-            print("; open: " + " ".join(NAMES[i] for i in range(self.n) if share[i] > 1e-6))
-            print("   ", share.round(3))
-            return
-        root = np.sqrt(np.diag(np.linalg.inv(self.a)))
-        det = np.exp(np.linalg.slogdet(self.a)[1] / self.n)
-        print("; condition %.6f, det^(1/n) per turn %.4f" % (w[-1] / w[0], det / self.turns))
-        print("   ", " ".join("%.5f" % r for r in root))
+    def condition(self):
+        values, _ = eigen(self.information)
+        return max(values) / min(values)
+
+    def root(self):
+        """det^(1/n)"""
+        return eliminate(self.information)[1] ** (1 / self.n)
+
+    def open(self):
+        """The rank, and the parameters of which it says nothing, as bits."""
+        values, vectors = eigen(self.information)
+        null = [v for value, v in zip(values, vectors) if value <= SMALL * max(values)]
+        return self.n - len(null), sum(1 << i for i in range(self.n) if sum(v[i] ** 2 for v in null) > 1e-6)
 
 
 def follow(n, words):
     p = Program(n, words[0])
     for word in words[1:]:
         if ":" in word:
-            p.turn((up(word[:2])) * np.radians(float(word[3:])))
+            p.turn(scaled(math.radians(float(word[3:])), up(word[:2])))
         else:
             p.to(word)
     return p
 
 
-def greedy(n, turns):
+# ---- the header ----------------------------------------------------------------------------------
+
+def print_plan(name, p):
+    lines = [", ".join("%.5f" % x for x in p.sigma()[k:k + 9]) for k in (0, 9)]
+    print("static const double %s_sigma[18] = {\n    %s};" % (name, ",\n    ".join(lines)))
+    print("static const double %s_condition = %.5f;" % (name, p.condition()))
+
+
+def print_greedy(n):
     p = Program(n, "+z")
-    for _ in range(turns):
-        p.next()
-    return p
+    for turns in (12, 24):
+        while len(p.path) <= turns:
+            p.next()
+        print("static const double greedy%d_of_%d_root = %.5f;" % (turns, n, p.root()))
+        if n == ALL:
+            print_plan("greedy%d" % turns, p)
+    print("static const char greedy_of_%d[] =\n    \"%s \"\n    \"%s\";\n" %
+          (n, " ".join(p.path[:13]), " ".join(p.path[13:])))
 
 
-FULL = "+x:360 +y:360 +y +z:360".split()
+def print_open(name, words):
+    rank, parameters = follow(ALL, words).open()
+    print("static const unsigned %s_rank = %d;" % (name, rank))
+    print("static const uint32_t %s_open = UINT32_C(0x%05X);" % (name, parameters))
 
-if __name__ == "__main__":
-    for n in (9, 18):
-        follow(n, TOUR).print("tour12")
-        follow(n, TOUR[:10]).print("its first 9")
-        follow(n, TOUR + TOUR[-2::-1]).print("tour24")
-        follow(n, TOUR + FULL).print("tour16")
-        for turns in (12, 24):
-            p = greedy(n, turns)
-            p.print("greedy%d" % turns)
-            print("   ", " ".join(p.path))
-        follow(n, ["+z"] + 8 * ["+x:90"]).print("about x")
-        follow(n, ["+z"] + 4 * ["+x:90"] + 4 * ["+y:90"]).print("about x and y")
-        follow(n, ["+z", "+x", "+y", "+z"]).print("three turns")
+
+def main():
+    print("/* SPDX-License-Identifier: MIT\n *\n * Made by turns_design.py, which says what it is. */")
+    print("#ifndef TURNS_DESIGN_H\n#define TURNS_DESIGN_H\n\n#include <stdint.h>\n")
+    print("/* Sigma over the noise of a position mean, both sensors unknown; and the condition. */")
+    print_plan("tour12", follow(ALL, TOUR))
+    print_plan("tour9", follow(ALL, TOUR[:10]))
+    print_plan("tour16", follow(ALL, TOUR + FULL))
+    print_plan("tour24", follow(ALL, TOUR + TOUR[-2::-1]))
+    print("\n/* The turns that add most, of 9 and of 18 unknowns, and det^(1/n) after 12 and 24. */")
+    print_greedy(GYRO)
+    print_greedy(ALL)
+    print("/* Turns about one axis, and about two. */")
+    print_open("one_axis", ["+z"] + 8 * ["+x:90"])
+    print_open("two_axes", ["+z"] + 4 * ["+x:90"] + 4 * ["+y:90"])
+    print("\n#endif")
+
+
+main()

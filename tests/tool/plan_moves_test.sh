@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Tests of plan --moves from outside: plan_moves_test.sh path/to/invcal builddir
-# Figures are those that tests/reference/turns_design.py prints, and closed form.
+# Figures are those of tests/reference/turns_design.h, and closed form.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -23,36 +23,44 @@ values() { # values NAME: of all members of this name, in order
     sed -n "s/^ *\"$1\": \(.*[^,]\),*\$/\1/p" "$work/stdout"
 }
 
-sigma_is() { near 0.00002 "$(numbers sigma)" "$*" || { numbers sigma >&2; complain; }; }
+expected() { # expected NAME: a figure or a table of turns_design.h
+    awk -v name="$1" '$4 == name || index($4, name "[") == 1 { on = 1 }
+        on { last = /;/; sub(/.*=/, ""); gsub(/[{};]/, ""); printf "%s", $0 }
+        last { exit }' "$here/../reference/turns_design.h"
+}
+
 member_is() { # member_is NAME VALUE
     [ "$(json "$work/stdout" "$1")" = "$2" ] || { json "$work/stdout" "$1" >&2; return 1; }
 }
+sigma_is() { # sigma_is NAME: of the plan, all 18
+    near 0.00002 "$(numbers sigma)" "$(expected "$1_sigma")" || { numbers sigma >&2; return 1; }
+}
+condition_is() { member_is_near 0.0001 condition "$(expected "$1_condition")"; } # condition_is NAME
 member_is_near() { near "$1" "$(json "$work/stdout" "$2")" "$3" || { json "$work/stdout" "$2" >&2; return 1; }; }
 
 # ---- figures -----------------------------------------------------------------------------------
 
 plan tour12
-check "tour12: sigma of all 18" sigma_is 0.45016 0.79057 0.79057 0.79057 0.45016 0.79057 0.79057 0.79057 \
-    0.45016 0.35355 0.35355 0.33710 0.50000 0.50000 0.45227 0.70711 0.70711 0.70711
-check "tour12: its condition" member_is_near 0.0001 condition 9.236068
+check "tour12: sigma of all 18" sigma_is tour12
+check "tour12: its condition" condition_is tour12
 check "tour12: rank 18" member_is rank 18
 check "tour12: 13 rests of 2 s, 12 turns of 1.5" member_is seconds 44
 check "tour12: nothing is open" member_is undetermined '[]'
 plan tour16
-check "tour16: full turns halve the sigma of the scale" near 0.00002 \
-    "$(numbers sigma | awk '{ print $1, $5, $9, $18 }')" '0.19770 0.20132 0.20132 0.64112'
-check "tour16: its condition" member_is_near 0.0001 condition 26.026369
+check "tour16: full turns halve the sigma of the scale" sigma_is tour16
+check "tour16: its condition" condition_is tour16
 plan tour24
-check "tour24: sigma over the square root of 2" near 0.00002 \
-    "$(numbers sigma | awk '{ print $1, $2, $10, $12, $13, $16 }')" '0.31831 0.55902 0.25 0.24333 0.35355 0.5'
+check "tour24: sigma over the square root of 2" sigma_is tour24
+check "tour24: its condition" condition_is tour24
 plan greedy12
-check "greedy12: its figures" near 0.00002 "$(numbers sigma | awk '{ print $1, $4, $18 }')" '0.38428 0.72122 0.75524'
-check "greedy12: its condition" member_is_near 0.0001 condition 18.311965
+check "greedy12: its figures" sigma_is greedy12
+check "greedy12: its condition" condition_is greedy12
 check "greedy12: it ends with an edge up" [ "$(values words | sed -n 12p)" = '"edge +x -z up: 135 degrees about y"' ]
 plan greedy24
-check "greedy24: its condition" member_is_near 0.0001 condition 9.101087
+check "greedy24: its figures" sigma_is greedy24
+check "greedy24: its condition" condition_is greedy24
 plan +z,+x,+y,+z,-x,+y,-z,+x,-y,-z
-check "nine turns of the tour, given one by one" member_is_near 0.0001 condition 15.674602
+check "nine turns of the tour, given one by one" condition_is tour9
 plan faces
 check "faces: rank 18" member_is rank 18
 check "faces: 12 turns" [ "$(values words | wc -l)" -eq 13 ] # and the next

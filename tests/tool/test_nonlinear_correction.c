@@ -106,9 +106,9 @@ static double worst(double times, double turn)
         read_raw(eta, raw);
         nonlinear_correction_take(&correction, raw);
         invcal_apply(&file.calibration, raw, out);
-        most = fmax(most, fabs(out[0] / FIELD - (cos(turn) * eta[0] - sin(turn) * eta[1])));
-        most = fmax(most, fabs(out[1] / FIELD - (sin(turn) * eta[0] + cos(turn) * eta[1])));
-        most = fmax(most, fabs(out[2] / FIELD - eta[2]));
+        most = larger(most, fabs(out[0] / FIELD - (cos(turn) * eta[0] - sin(turn) * eta[1])));
+        most = larger(most, fabs(out[1] / FIELD - (sin(turn) * eta[0] + cos(turn) * eta[1])));
+        most = larger(most, fabs(out[2] / FIELD - eta[2]));
     }
     return most;
 }

@@ -302,7 +302,7 @@ static void the_scalar_composition_holds_to_the_first_order(void)
         }
         solve(&s, x);
         for (int r = 0; r < NINE; r++) {
-            worst = fmax(worst, fabs(x[r] - truth.x[r]));
+            worst = larger(worst, fabs(x[r] - truth.x[r]));
         }
         TEST_ASSERT_DOUBLE_WITHIN(close, expected_first_order_worst[k], worst);
     }

@@ -88,7 +88,7 @@ static void integrate(const double m[3][3], const double bias[3], int from, int 
         for (int i = 0; i < 3; i++) {
             th[i] = m[i][0] * u[0] + m[i][1] * u[1] + m[i][2] * u[2];
         }
-        world_exp(th, step);
+        rotation_by(th, step);
         world_turn(c, (const double(*)[3])step);
         for (int i = 0; i < 27; i++) {
             s[i / 9][i % 9] += (before[i / 9][i % 9 / 3] + c[i / 9][i % 9 / 3]) / 2 * u[i % 3];

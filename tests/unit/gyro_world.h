@@ -23,23 +23,6 @@ static inline void world_unit(double m[3][3])
     m[0][0] = m[1][1] = m[2][2] = 1;
 }
 
-/* Rodrigues: exp([w x]). */
-static inline void world_exp(const double w[3], double r[3][3])
-{
-    const double x = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
-    const double angle = sqrt(x);
-    const double s = angle > 1e-8 ? sin(angle) / angle : 1;
-    const double k = angle > 1e-8 ? 2 * pow(sin(angle / 2) / angle, 2) : 0.5;
-
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            r[i][j] = k * w[i] * w[j] + (i == j ? 1 - k * x : 0);
-        }
-        r[i][(i + 1) % 3] -= s * w[(i + 2) % 3];
-        r[i][(i + 2) % 3] += s * w[(i + 1) % 3];
-    }
-}
-
 /* c <- c a */
 static inline void world_turn(double c[3][3], const double a[3][3])
 {
@@ -58,24 +41,6 @@ static inline void world_up(const double c[3][3], const double before[3], double
 {
     for (int j = 0; j < 3; j++) {
         after[j] = c[0][j] * before[0] + c[1][j] * before[1] + c[2][j] * before[2];
-    }
-}
-
-static inline void world_inverse(const double m[3][3], double inverse[3][3])
-{
-    double det = 0;
-
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
-            inverse[j][i] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
-        }
-    }
-    for (int i = 0; i < 3; i++) {
-        det += m[0][i] * inverse[i][0];
-    }
-    for (int i = 0; i < 9; i++) {
-        inverse[i / 3][i % 3] /= det;
     }
 }
 
@@ -189,7 +154,7 @@ static inline void world_sample(world *w, const double omega[3], int is_quiet)
     double nominal[3];
     int32_t raw[3];
 
-    world_inverse((const double(*)[3])w->m, inverse);
+    inverse3((const double(*)[3])w->m, inverse);
     double up[3];
     world_up((const double(*)[3])w->c, w->up, up);
     for (int i = 0; i < 3; i++) {
@@ -287,7 +252,7 @@ static inline void world_move(world *w, const double vector[3], double seconds)
                 step[i] = omega / (w->rate * fine);
                 middle[i] += omega / fine;
             }
-            world_exp(step, r);
+            rotation_by(step, r);
             world_turn(w->c, (const double(*)[3])r);
         }
         world_sample(w, middle, 0);
@@ -304,15 +269,21 @@ static inline void world_end(world *w)
     }
 }
 
+/* The means of the rests as the library takes them. */
+static inline void world_means(const world *w, invcal_real raw[WORLD_RESTS][3])
+{
+    for (int i = 0; i < 3 * w->count; i++) {
+        raw[i / 3][i % 3] = (invcal_real)w->mean[i / 3][i % 3];
+    }
+}
+
 static inline invcal_status world_solve(const world *w, const invcal_imu_settings *settings,
                                         invcal_imu *out)
 {
     invcal_real raw[WORLD_RESTS][3];
     const invcal_calibration nominal = unit_nominal();
 
-    for (int i = 0; i < 3 * w->count; i++) {
-        raw[i / 3][i % 3] = (invcal_real)w->mean[i / 3][i % 3];
-    }
+    world_means(w, raw);
     return invcal_imu_solve(raw[0], (unsigned)w->count, &nominal, &w->moves, settings, out);
 }
 

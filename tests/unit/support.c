@@ -76,6 +76,11 @@ double length3(const double v[3])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
+double larger(double a, double b)
+{
+    return isnan(a) || a > b ? a : b;
+}
+
 void random_direction(random_source *source, double direction[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -103,6 +108,21 @@ void random_rotation(random_source *source, double m[3][3])
     m[2][0] = m[0][1] * m[1][2] - m[0][2] * m[1][1];
     m[2][1] = m[0][2] * m[1][0] - m[0][0] * m[1][2];
     m[2][2] = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+}
+
+void rotation_by(const double v[3], double rotation[3][3])
+{
+    const double angle = length3(v);
+    const double s = angle > 1e-8 ? sin(angle) / angle : 1;
+    const double k = angle > 1e-8 ? 2 * pow(sin(angle / 2) / angle, 2) : 0.5;
+
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            rotation[i][j] = k * v[i] * v[j] + (i == j ? 1 - k * angle * angle : 0);
+        }
+        rotation[i][(i + 1) % 3] -= s * v[(i + 2) % 3];
+        rotation[i][(i + 2) % 3] += s * v[(i + 1) % 3];
+    }
 }
 
 triad_truth triad_random(random_source *source, double size)

@@ -22,6 +22,9 @@ double random_normal(random_source *source);
 void random_direction(random_source *source, double direction[3]);
 void random_rotation(random_source *source, double rotation[3][3]);
 
+/* exp[v x], the rotation by a vector, rad: by Rodrigues' formula. */
+void rotation_by(const double v[3], double rotation[3][3]);
+
 /* The true parameters of a triad, in the library's order. */
 typedef struct {
     double x[INVCAL_PARAMETERS];
@@ -76,6 +79,9 @@ triad_truth truth_of(const invcal_calibration *calibration, const invcal_calibra
 double parameter(const invcal_calibration *calibration, unsigned r);
 
 double length3(const double v[3]);
+
+/* The larger of both, and NaN if either is: then no bound holds. (fmax() drops it.) */
+double larger(double a, double b);
 
 /* CRC-32 (IEEE 802.3) from a table, unlike the library's. */
 uint32_t crc_by_table(const uint8_t *bytes, uint32_t count);

@@ -1,8 +1,11 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Cosine and sine of an angle in degrees, against those of libm.
+ */
 #include <float.h>
 #include <math.h>
 
-#include "../../src/circle.h"
+#include "circle.h"
 #include "support.h"
 #include "unity.h"
 
@@ -85,5 +88,5 @@ int main(void)
     RUN_TEST(both_sides_of_a_seam_agree_with_libm);
     RUN_TEST(quarter_turns_are_exact);
     RUN_TEST(what_is_no_angle_has_no_sine);
-    return UNITY_END() != 0;
+    return UNITY_END();
 }

@@ -18,21 +18,16 @@ void tearDown(void)
 {
 }
 
-/* A rotation by an angle about a random axis (Rodrigues). */
+/* A rotation by an angle about a random axis. */
 static void rotate_by(double angle, random_source *random, double r[3][3])
 {
-    double e[3];
+    double v[3];
 
-    random_direction(random, e);
+    random_direction(random, v);
     for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            r[i][j] = (1 - cos(angle)) * e[i] * e[j] + (i == j ? cos(angle) : 0);
-        }
+        v[i] *= angle;
     }
-    for (int i = 0; i < 3; i++) {
-        r[(i + 2) % 3][(i + 1) % 3] += sin(angle) * e[i];
-        r[(i + 1) % 3][(i + 2) % 3] -= sin(angle) * e[i];
-    }
+    rotation_by(v, r);
 }
 
 /* Up and a field that dips by `dip` in any orientation, the field read in axes turned by R'. */

@@ -122,7 +122,7 @@ static double worst_root(const inverse_matrix *inverse)
     double worst = 0;
 
     for (int r = 0; r < N; r++) {
-        worst = fmax(worst, sqrt(inverse->k[r][r]));
+        worst = larger(worst, sqrt(inverse->k[r][r]));
     }
     return worst;
 }
@@ -262,7 +262,7 @@ static double cost_of_drift(const reading_list *list)
     }
     const inverse_matrix twelve = invert(left);
     for (int r = 0; r < N; r++) {
-        most = fmax(most, sqrt(twelve.k[r][r] / nine.k[r][r]));
+        most = larger(most, sqrt(twelve.k[r][r] / nine.k[r][r]));
     }
     return most;
 }

@@ -38,7 +38,7 @@ static void add_turn(double a[81], const double up[3], const double to[3])
         for (int i = 0; i < 3; i++) {
             part[i] = axis[i] / sqrt(length) * angle * (n + 0.5) / 40;
         }
-        world_exp(part, c);
+        rotation_by(part, c);
         for (int i = 0; i < 27; i++) {
             s[i / 9][i % 9] += c[i / 9][i % 9 / 3] * axis[i % 3] / sqrt(length) * angle / 40;
         }

@@ -116,7 +116,7 @@ static unsigned turn_to(int axis)
     for (int i = 0; i < 3 && length > 0; i++) {
         vector[i] *= (atan2(length, dot) + 0.02 * random_normal(&hand.random)) / length;
     }
-    world_inverse((const double(*)[3])hand.m, inverse);
+    inverse3((const double(*)[3])hand.m, inverse);
     world_unit(c);
     memcpy(up, hand.up, sizeof up);
     for (unsigned n = 0; n < 310; n++) {
@@ -125,7 +125,7 @@ static unsigned turn_to(int axis)
         for (int i = 0; i < 3; i++) {
             step[i] = vector[i] * 30 * tau * tau * (1 - tau) * (1 - tau) / 110;
         }
-        world_exp(step, r);
+        rotation_by(step, r);
         world_turn(c, (const double(*)[3])r);
         world_up((const double(*)[3])c, hand.up, up);
         for (int i = 0; i < 3; i++) {
@@ -347,7 +347,8 @@ static void another_length_is_refused(void)
     }
 }
 
-static void refuses(invcal_status expected, invcal_imu_session *changed)
+/* What comes of contents that were changed, kept and resumed; then they are as before again. */
+static void comes_back_as(invcal_status expected, invcal_imu_session *changed)
 {
     TEST_ASSERT_EQUAL_INT(expected, put_back(keep(changed)));
     memcpy(changed, &both, sizeof both);
@@ -361,73 +362,73 @@ static void contents_that_no_moves_have_are_refused(void)
     begin(7);
     take(6);
     memcpy(&c, &both, sizeof c);
-    refuses(INVCAL_OK, &c);
+    comes_back_as(INVCAL_OK, &c);
     for (unsigned i = 0; i < 6; i++) {
         c.moves.rate = (invcal_real)rates[i];
-        refuses(INVCAL_BAD_RATE, &c);
+        comes_back_as(INVCAL_BAD_RATE, &c);
     }
     for (unsigned i = 0; i < 2; i++) {
         c.moves.rate = i ? 8000 : 8;
-        refuses(INVCAL_OK, &c);
+        comes_back_as(INVCAL_OK, &c);
     }
     for (unsigned i = 0; i < 9; i++) {
         c.moves.nominal.matrix[i / 3][i % 3] = (invcal_real)NOT_A_NUMBER;
-        refuses(INVCAL_BAD_NOMINAL, &c);
+        comes_back_as(INVCAL_BAD_NOMINAL, &c);
     }
     memset(c.moves.nominal.matrix, 0, sizeof c.moves.nominal.matrix);
-    refuses(INVCAL_BAD_NOMINAL, &c);
+    comes_back_as(INVCAL_BAD_NOMINAL, &c);
     for (unsigned i = 0; i < 3; i++) {
         c.moves.bias[i] = (invcal_real)INFINITE;
-        refuses(INVCAL_DAMAGED, &c);
+        comes_back_as(INVCAL_DAMAGED, &c);
     }
     c.moves.low = 1;
     c.moves.between = INT32_MAX - 1; /* one beyond */
-    refuses(INVCAL_BAD_RAILS, &c);
+    comes_back_as(INVCAL_BAD_RAILS, &c);
     c.moves.low = INT32_MAX;
     c.moves.between = 0;
-    refuses(INVCAL_BAD_RAILS, &c);
+    comes_back_as(INVCAL_BAD_RAILS, &c);
     c.moves.low = 1;
     c.moves.between = INT32_MAX - 2;
-    refuses(INVCAL_OK, &c);
+    comes_back_as(INVCAL_OK, &c);
     c.moves.low = INT32_MIN;
     c.moves.between = UINT32_MAX;
-    refuses(INVCAL_BAD_RAILS, &c);
+    comes_back_as(INVCAL_BAD_RAILS, &c);
     c.moves.low = INT32_MIN;
     c.moves.between = UINT32_MAX - 1; /* all that there is */
-    refuses(INVCAL_OK, &c);
+    comes_back_as(INVCAL_OK, &c);
     c.moves.count = INVCAL_MAX_MOVES + 1;
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.count--;
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.count = 255;
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.first = INVCAL_MAX_SEGMENTS + 1;
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.first--;
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.rest[2].move++;
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.rest[2].move = 0;
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.first = (uint16_t)(c.moves.first - c.moves.rest[2].move);
     c.moves.rest[2].move = 0; /* neither segments nor a reason */
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.first = (uint16_t)(c.moves.first - c.moves.rest[2].move + 1);
     c.moves.rest[2].move = 1;
-    refuses(INVCAL_OK, &c);
+    comes_back_as(INVCAL_OK, &c);
     c.moves.rest[0].move = 1;
     c.moves.first++;
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.rest[0].move = -INVCAL_STATUS_COUNT;
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.rest[0].move = -INVCAL_MOUNTING;
-    refuses(INVCAL_OK, &c);
+    comes_back_as(INVCAL_OK, &c);
     c.moves.rest[3].when = (uint16_t)(c.moves.rest[4].when + 1);
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.blocks = (uint16_t)(c.moves.rest[4].when - 1);
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.session.noise = 1;
-    refuses(INVCAL_BAD_NOISE, &c);
+    comes_back_as(INVCAL_BAD_NOISE, &c);
 }
 
 /* Tables of which all is good, except that they would be larger than there is room for. */
@@ -442,11 +443,11 @@ static void one_more_than_fits_is_refused(void)
     }
     both.moves.count = INVCAL_MAX_MOVES;
     memcpy(&c, &both, sizeof c);
-    refuses(INVCAL_OK, &c);
+    comes_back_as(INVCAL_OK, &c);
     memset(c.moves.segment, 0xFF, sizeof c.moves.segment); /* as a rest: of a reason */
     c.moves.blocks = UINT16_MAX;
     c.moves.count++;
-    refuses(INVCAL_DAMAGED, &c);
+    comes_back_as(INVCAL_DAMAGED, &c);
     for (unsigned more = 0; more < 2; more++) {
         unsigned left = INVCAL_MAX_SEGMENTS + more;
         c.moves.first = (uint16_t)left;
@@ -455,7 +456,7 @@ static void one_more_than_fits_is_refused(void)
             c.moves.rest[i].move = (int8_t)segments;
             left -= segments;
         }
-        refuses(more ? INVCAL_DAMAGED : INVCAL_OK, &c);
+        comes_back_as(more ? INVCAL_DAMAGED : INVCAL_OK, &c);
     }
 }
 

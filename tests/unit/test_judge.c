@@ -456,7 +456,7 @@ static double worst_ratio(const triad_truth *truth)
     covariance(truth, expected_plan18, 18, k);
     for (unsigned r = 0; r < 9; r++) {
         const double bound = (double)s.quality.noise * sqrt(k[r][r]);
-        worst = fmax(worst, fabs((double)s.quality.sigma[r] / bound - 1));
+        worst = larger(worst, fabs((double)s.quality.sigma[r] / bound - 1));
     }
     return worst;
 }

@@ -137,7 +137,7 @@ static double first_order_error(double size, double *rms)
     invcal_linear_sums linear = with_known_directions(&truth, invcal_linear_add_scalar);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_linear_solve(&linear, &nominal, &calibration, x));
     for (unsigned r = 0; r < 9; r++) {
-        worst = fmax(worst, fabs((double)x[r] - truth.x[r]));
+        worst = larger(worst, fabs((double)x[r] - truth.x[r]));
     }
     for (int i = 0; i < 18; i++) {
         const double error = calibrated_length(&calibration, &truth, expected_plan18[i]) - 1;

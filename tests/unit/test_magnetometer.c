@@ -53,21 +53,17 @@ typedef struct {
 
 static minute the; /* one for all tests: an AVR has 16 KB */
 
+/* r <- exp[angle x] r */
 static void turn(double r[3][3], const double angle[3])
 {
-    const double whole = length3(angle);
+    double by[3][3];
+    double old[3][3];
 
-    for (int j = 0; whole > 0 && j < 3; j++) { /* Rodrigues */
-        const double v[3] = {r[0][j], r[1][j], r[2][j]};
-        double along = 0;
-        for (int i = 0; i < 3; i++) {
-            along += angle[i] * v[i] / whole;
-        }
-        for (int i = 0; i < 3; i++) {
-            const int k = (i + 1) % 3;
-            const int l = (i + 2) % 3;
-            r[i][j] = v[i] * cos(whole) + (angle[k] * v[l] - angle[l] * v[k]) / whole * sin(whole) +
-                      angle[i] / whole * along * (1 - cos(whole));
+    rotation_by(angle, by);
+    memcpy(old, r, sizeof old);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            r[i][j] = by[i][0] * old[0][j] + by[i][1] * old[1][j] + by[i][2] * old[2][j];
         }
     }
 }
@@ -163,7 +159,7 @@ static double errors(const minute *m, double error[INVCAL_PARAMETERS])
 
     for (int i = 0; i < INVCAL_PARAMETERS; i++) {
         error[i] = (found.x[i] - m->truth.x[i]) / (double)m->quality.sigma[i];
-        worst = fmax(worst, fabs(error[i]));
+        worst = larger(worst, fabs(error[i]));
     }
     return worst;
 }
@@ -178,18 +174,17 @@ static void a_magnetometer_without_noise_is_found_exactly(void)
     s.white = 0;
     s.slow = 0;
     for (int n = 0; n < SOME(20); n++) {
-        static minute m;
         double error[INVCAL_PARAMETERS];
-        live(&s, 100 + (uint32_t)n, 0.1, &m);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
-        (void)errors(&m, error);
+        live(&s, 100 + (uint32_t)n, 0.1, &the);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
+        (void)errors(&the, error);
         for (int i = 0; i < INVCAL_PARAMETERS; i++) {
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-9), 0,
-                                      error[i] * (double)m.quality.sigma[i]);
+                                      error[i] * (double)the.quality.sigma[i]);
         }
-        TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, m.found.covered);
-        TEST_ASSERT_EQUAL_UINT(0, m.found.gap);
-        TEST_ASSERT_EQUAL_UINT(0, m.found.left_out);
+        TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, the.found.covered);
+        TEST_ASSERT_EQUAL_UINT(0, the.found.gap);
+        TEST_ASSERT_EQUAL_UINT(0, the.found.left_out);
     }
 }
 
@@ -207,15 +202,14 @@ static void intervals_hold_what_they_say(void)
         int inside = 0;
         int good = 0;
         for (int n = 0; n < logs; n++) {
-            static minute m;
             double error[INVCAL_PARAMETERS];
-            live(&scenes[k], 1 + (uint32_t)n, 0.05, &m);
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
-            (void)errors(&m, error);
+            live(&scenes[k], 1 + (uint32_t)n, 0.05, &the);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
+            (void)errors(&the, error);
             for (int i = 0; i < INVCAL_PARAMETERS; i++) {
-                inside += fabs(error[i]) < (double)invcal_coverage(m.quality.sigma_dof);
+                inside += fabs(error[i]) < (double)invcal_coverage(the.quality.sigma_dof);
             }
-            good += m.quality.verdict == INVCAL_GOOD;
+            good += the.quality.verdict == INVCAL_GOOD;
         }
         const double held = 100.0 * inside / (logs * INVCAL_PARAMETERS);
         TEST_ASSERT_DOUBLE_WITHIN(3, 95, held);
@@ -223,11 +217,30 @@ static void intervals_hold_what_they_say(void)
     }
 }
 
-/* Calibrated, each is as long as 1 within its share of the residuals, and points where its cell is. */
+/* Of the faces and edges of a cube the one that is nearest to a direction, as a bit. */
+static uint32_t nearest_of_cube(const double direction[3])
+{
+    uint32_t nearest = 0;
+    double most = 0;
+
+    for (int k = 0; k < 27; k++) {
+        const double d[3] = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+        const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        const double along = d[0] * direction[0] + d[1] * direction[1] + d[2] * direction[2];
+        if (square > 0 && square < 3 && along / sqrt(square) > most) {
+            most = along / sqrt(square);
+            nearest = UINT32_C(1) << k;
+        }
+    }
+    return nearest;
+}
+
+/* Calibrated, each is as long as 1 within its share of the residuals, and each face or edge has one. */
 static void cells_are_positions_to_look_at(void)
 {
     double squares = 0;
     unsigned total = 0;
+    uint32_t seen = 0;
 
     live(&usual, 8, 0.05, &the);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
@@ -237,6 +250,8 @@ static void cells_are_positions_to_look_at(void)
         invcal_apply(&the.calibration, raw, eta);
         const double direction[3] = {(double)eta[0], (double)eta[1], (double)eta[2]};
         squares += (length3(direction) - 1) * (length3(direction) - 1);
+        TEST_ASSERT_EQUAL_HEX32(0, seen & nearest_of_cube(direction));
+        seen |= nearest_of_cube(direction);
     }
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, (double)the.quality.rms, sqrt(squares / INVCAL_CELLS));
     TEST_ASSERT_TRUE(total > 4000 && total <= 6000);
@@ -245,7 +260,6 @@ static void cells_are_positions_to_look_at(void)
 /* In uT, as nominal has it; and invcal_scale by it keeps the scale of nominal. */
 static void the_field_is_told_in_the_unit_of_nominal(void)
 {
-
     live(&usual, 7, 0, &the);
     TEST_ASSERT_DOUBLE_WITHIN(0.3, 48, (double)the.found.field);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_scale(&the.calibration, the.found.field));
@@ -258,11 +272,8 @@ static void the_field_is_told_in_the_unit_of_nominal(void)
  * sigma covers. */
 static void a_real_one_is_found_as_by_fits_of_all_samples(void)
 {
-    static const invcal_real zero[3] = {0, 0, 0};
-    static const invcal_real counts[3] = {1, 1, 1};
-    invcal_calibration nominal;
+    const invcal_calibration nominal = unit_nominal();
 
-    invcal_nominal(zero, counts, &nominal);
     invcal_magnetometer_init(&the.magnetometer, &nominal);
     for (unsigned n = 0; n < sizeof reference_means / sizeof reference_means[0]; n++) {
         invcal_real raw[3];
@@ -283,7 +294,8 @@ static void a_real_one_is_found_as_by_fits_of_all_samples(void)
         }
         TEST_ASSERT_TRUE(sigma < 0.003);
     }
-    TEST_ASSERT_DOUBLE_WITHIN(0.008, reference_rms, (double)the.found.rms);
+    /* of means, which have less noise; but the first were compared with solutions of few */
+    TEST_ASSERT_DOUBLE_WITHIN(0.004, reference_rms, (double)the.found.rms);
 }
 
 /* ---- what is not -------------------------------------------------------------------------------- */
@@ -294,22 +306,21 @@ static void half_a_sphere_is_weak(void)
 
     s.only_half = 1;
     for (int n = 0; n < SOME(50); n++) {
-        static minute m;
-        live(&s, 1 + (uint32_t)n, 0.05, &m);
-        TEST_ASSERT_TRUE(m.status != INVCAL_OK || m.quality.verdict == INVCAL_WEAK);
-        TEST_ASSERT_TRUE(m.status != INVCAL_OK || m.found.gap >= 60);
+        live(&s, 1 + (uint32_t)n, 0.05, &the);
+        TEST_ASSERT_TRUE(the.status != INVCAL_OK || the.quality.verdict == INVCAL_WEAK);
+        TEST_ASSERT_TRUE(the.status != INVCAL_OK || the.found.gap >= 60);
         invcal_real along[3];
-        invcal_magnetometer_next(&m.magnetometer, along);
+        invcal_magnetometer_next(&the.magnetometer, along);
         TEST_ASSERT_TRUE(along[2] < 0); /* the other half */
     }
 }
 
-/* As strong as half the field, for 2 s of 60. */
-/* Readings of a sphere in `unit` around `centre`, up to the height `most` of it; z scaled by the last. */
+/* Readings of a sphere of radius `unit` around `centre`, without those of directions above z = `most`; the readings' z
+ * axis is scaled by `z`. */
 static void feed_sphere(invcal_magnetometer *m, const double centre[3], double unit, double most,
                         double z)
 {
-    static const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const invcal_calibration nominal = unit_nominal();
     random_source random = random_start(9);
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(m, &nominal));
@@ -366,8 +377,8 @@ static void gaps_are_told(void)
     invcal_calibration c;
     invcal_quality quality;
 
-    feed_sphere(&the.magnetometer, centre, 1, 0.83,
-                1); /* a cell around a face ends at 25 to 33 degrees */
+    /* a cell around a face ends at 25 to 33 degrees from it */
+    feed_sphere(&the.magnetometer, centre, 1, 0.83, 1);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
     TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - 1, found.covered);
@@ -428,7 +439,7 @@ static void it_goes_on_after_a_reset(void)
     static const invcal_store store = {read_slot, erase_slot, program_slot, NULL, SLOT, 4};
     static invcal_magnetometer whole;
     static invcal_magnetometer again;
-    static const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const invcal_calibration nominal = unit_nominal();
     random_source random = random_start(21);
     invcal_calibration c;
     invcal_calibration loaded;
@@ -463,6 +474,7 @@ static void it_goes_on_after_a_reset(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-8, (double)c.matrix[2][2], (double)loaded.matrix[2][2]);
 }
 
+/* As strong as half the field, for 2 s of 60. */
 static void a_magnet_that_passes_is_named_and_does_no_harm(void)
 {
     const int logs = SOME(100);
@@ -473,13 +485,12 @@ static void a_magnet_that_passes_is_named_and_does_no_harm(void)
     s.disturbance = MAGNET;
     s.size = 0.5;
     for (int n = 0; n < logs; n++) {
-        static minute m;
         double error[INVCAL_PARAMETERS];
         s.at = 20 + 38.0 * n / logs;
-        live(&s, 1 + (uint32_t)n, 0.05, &m);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
-        named += m.found.disturbance != INVCAL_UNDISTURBED && m.found.left_out > 0;
-        harmed += errors(&m, error) > 3;
+        live(&s, 1 + (uint32_t)n, 0.05, &the);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
+        named += the.found.disturbance != INVCAL_UNDISTURBED && the.found.left_out > 0;
+        harmed += !(errors(&the, error) <= 3);
     }
     TEST_ASSERT_TRUE(named >= logs - logs / 50);
     TEST_ASSERT_TRUE(harmed <= logs / 20 + 1); /* one of nine parameters: 2.4 % by chance alone */
@@ -494,12 +505,11 @@ static void a_magnet_at_the_beginning_spoils_nothing_called_good(void)
     s.disturbance = MAGNET;
     s.size = 0.5;
     for (int n = 0; n < logs; n++) {
-        static minute m;
         double error[INVCAL_PARAMETERS];
         s.at = 20.0 * n / logs;
-        live(&s, 1 + (uint32_t)n, 0.05, &m);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
-        TEST_ASSERT_TRUE(m.quality.verdict != INVCAL_GOOD || errors(&m, error) < 5);
+        live(&s, 1 + (uint32_t)n, 0.05, &the);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
+        TEST_ASSERT_TRUE(the.quality.verdict != INVCAL_GOOD || errors(&the, error) < 5);
     }
 }
 
@@ -515,15 +525,14 @@ static void a_step_is_named_or_dropped(void)
     s.disturbance = STEP;
     s.size = 0.1;
     for (int n = 0; n < logs; n++) {
-        static minute m;
         double error[INVCAL_PARAMETERS];
         s.at = 1 + 49.0 * n / logs;
-        live(&s, 1 + (uint32_t)n, 0.05, &m);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
-        TEST_ASSERT_TRUE(m.quality.verdict != INVCAL_GOOD || errors(&m, error) < 5);
+        live(&s, 1 + (uint32_t)n, 0.05, &the);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
+        TEST_ASSERT_TRUE(the.quality.verdict != INVCAL_GOOD || errors(&the, error) < 5);
         if (s.at > 25) {
             late++;
-            named += m.found.disturbance == INVCAL_STEP && m.quality.verdict >= INVCAL_ROUGH;
+            named += the.found.disturbance == INVCAL_STEP && the.quality.verdict >= INVCAL_ROUGH;
         }
     }
     TEST_ASSERT_TRUE(named >= late - late / 20 - 1);
@@ -566,11 +575,10 @@ static void a_field_that_differs_from_place_to_place_is_named(void)
     s.size = 0.06;
     s.slow = 0.003;
     for (int n = 0; n < SOME(50); n++) {
-        static minute m;
-        live(&s, 1 + (uint32_t)n, 0.05, &m);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, m.status);
-        TEST_ASSERT_TRUE(m.found.disturbance >= INVCAL_PLACES);
-        TEST_ASSERT_TRUE(m.quality.verdict >= INVCAL_ROUGH);
+        live(&s, 1 + (uint32_t)n, 0.05, &the);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
+        TEST_ASSERT_TRUE(the.found.disturbance >= INVCAL_PLACES);
+        TEST_ASSERT_TRUE(the.quality.verdict >= INVCAL_ROUGH);
     }
 }
 
@@ -1325,7 +1333,7 @@ static void too_small_an_axis_is_refused(void)
  * first, or else fewer than 64 would have been compared. Half of the 100 are longer by `spoilt`. */
 static unsigned left_of_600(uint32_t seed, double spoilt)
 {
-    static const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const invcal_calibration nominal = unit_nominal();
     random_source random = random_start(seed);
     unsigned left = 0;
 
@@ -1502,20 +1510,18 @@ static void bad_input_changes_nothing(void)
 /* One turn about an axis: a circle. */
 static void a_circle_determines_nothing(void)
 {
-    static const invcal_real zero[3] = {0, 0, 0};
-    static const invcal_real counts[3] = {1, 1, 1};
+    const invcal_calibration nominal = unit_nominal();
     invcal_calibration c;
     invcal_quality quality;
-    invcal_calibration nominal;
 
-    invcal_nominal(zero, counts, &nominal);
     invcal_magnetometer_init(&the.magnetometer, &nominal);
     for (int i = 0; i < 2000; i++) {
         const double angle = i * 0.01;
         const invcal_real raw[3] = {(invcal_real)(5 + cos(angle)), (invcal_real)sin(angle), 3};
         invcal_magnetometer_feed(&the.magnetometer, raw);
     }
-    TEST_ASSERT_TRUE(invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL) != INVCAL_OK);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
+                          invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
 }
 
 static void disturbances_have_words(void)

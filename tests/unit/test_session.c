@@ -250,7 +250,7 @@ static double worst_length(const invcal_calibration *calibration)
         }
         invcal_apply(calibration, raw, out);
         const double v[3] = {(double)out[0], (double)out[1], (double)out[2]};
-        worst = fmax(worst, fabs(length3(v) - 1));
+        worst = larger(worst, fabs(length3(v) - 1));
     }
     return worst;
 }

@@ -42,7 +42,7 @@ static void unseen_orientations_come_out_with_unit_length(void)
             double eta[3];
             random_direction(&random, eta);
             const double error = fabs(calibrated_length(&calibration, &truth, eta) - 1);
-            worst = fmax(worst, error);
+            worst = larger(worst, error);
             squares += error * error;
         }
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(2e-7, sqrt(squares / 1000));

@@ -134,7 +134,7 @@ static tally try_random_sets(unsigned positions, double stated, unsigned draws)
         for (unsigned r = 0; r < 9; r++) {
             const double error = fabs(parameter(&calibration, r) - truth.x[r]);
             const double ratio = error / (double)quality.sigma[r];
-            worst = fmax(worst, ratio);
+            worst = larger(worst, ratio);
             t.covered += ratio <= (double)invcal_coverage(quality.sigma_dof);
         }
         t.beyond5 += !(worst <= 5);
@@ -221,8 +221,8 @@ static outcome try_case(position_maker make, double outlier, double bad)
         sigma[delivered] = 0;
         for (unsigned r = 0; r < 9; r++) {
             const double e = fabs(parameter(&calibration, r) - truth.x[r]);
-            error[delivered] = fmax(error[delivered], e);
-            sigma[delivered] = fmax(sigma[delivered], (double)quality.sigma[r]);
+            error[delivered] = larger(error[delivered], e);
+            sigma[delivered] = larger(sigma[delivered], (double)quality.sigma[r]);
         }
         delivered++;
     }

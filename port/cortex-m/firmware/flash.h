@@ -10,9 +10,8 @@
 #include "invcal/store.h"
 
 #define FLASH_SECTORS 4u
-#define FLASH_SECTOR_SIZE                                                                          \
-    4096u /* a session takes up to 384 bytes; with the moves of a gyroscope 3,480 */
-#define FLASH_GRANULARITY 8u /* bytes programmed at once, and once only until erased */
+#define FLASH_SECTOR_SIZE 4096u /* a session takes 384 bytes at most, with moves 3,480 */
+#define FLASH_GRANULARITY 8u    /* bytes programmed at once, and once only until erased */
 
 /* Yours to write; sim/flash_sim.c stands in for them here. They come back when the flash has
  * finished, and return 0, or anything else for a failure. Offsets are from the start of the

@@ -17,8 +17,7 @@ enum {
     IMU_CTRL3 = 0x12,        /* reset */
     IMU_FIFO_STATUS1 = 0x1A, /* how many samples wait, the lower byte; */
     IMU_FIFO_STATUS2 = 0x1B, /* the upper bits, and whether the queue has run over */
-    IMU_FIFO_TAG =
-        0x20, /* whose sample is next; then x, y, z, int16, low byte first. Read all 7. */
+    IMU_FIFO_TAG = 0x20,     /* whose sample; then x, y, z, int16, low byte first. Read all 7. */
     IMU_REGISTERS = 0x28,
     IMU_READ = 0x80
 };

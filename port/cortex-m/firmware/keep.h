@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * keep.h: what is kept in the flash: the session that is going on, and the calibration.
+ * keep.h: what is kept in the flash: the current session, and the calibration.
  *
- * Whatever fails is told, and returned. A flash that fails once may not fail again, so saving is
+ * A failure is reported on the UART, and returned. A flash that fails once may not fail again, so saving is
  * tried three times.
  */
 #ifndef KEEP_H

@@ -3,11 +3,11 @@
  * An accelerometer that calibrates itself, from power-on to calibrated readings:
  *
  *     a calibration is stored       it is applied
- *     else a session is stored      it goes on where it was
+ *     else a session is stored      it resumes, with its positions
  *     else                          a session begins
  *
- * After every position the session is stored, at the end the calibration. All that happens is told
- * on the UART: the user needs nothing else.
+ * The session is stored after every position, the calibration at the end. Everything that happens is
+ * reported on the UART: the user needs nothing else.
  *
  * RAM: the session, 560 bytes. Stack: 988 bytes on a Cortex-M4F, most of them in solve.
  */
@@ -16,7 +16,7 @@
 #include "tell.h"
 #include "uart.h"
 
-#define SHOWN 50u /* one calibrated sample in so many is shown */
+#define SHOWN 50u /* one calibrated sample in this many is shown */
 
 static invcal_session session;
 
@@ -34,8 +34,8 @@ static invcal_status begin_session(void)
     return status;
 }
 
-/* Is what was taken enough, or all that there is room for? A position that contradicts the others is
- * left out of what is asked here: it does not keep the end away. */
+/* Are the positions taken enough, or is there no room for more? One that contradicts the others does not
+ * count here: it does not put off the end. */
 static int is_enough(void)
 {
     static const invcal_real enough[3] = {0.0001f, 0.0001f, 0.0003f}; /* sigma: g, 1, rad */
@@ -53,14 +53,15 @@ static int digest(invcal_event event)
     if (event != INVCAL_TAKEN) {
         return 0;
     }
-    (void)keep_save_session(&session); /* if it fails, and was told, only a reset is feared */
+    (void)keep_save_session(
+        &session); /* a failure is reported; only a reset would lose something */
     return is_enough();
 }
 
 static imu_status take_positions(void)
 {
     int32_t raw[3];
-    int done = is_enough(); /* one that is stored may have come to its end */
+    int done = is_enough(); /* a stored session may be complete */
 
     if (!done) {
         tell_next(&session);
@@ -127,7 +128,7 @@ static int calibrate(invcal_calibration *calibration)
     }
 }
 
-/* What your device does with it. Comes back only if the sensor falls silent. */
+/* Your application. It returns only if the sensor stops responding. */
 static void measure(const invcal_calibration *calibration)
 {
     imu_status status = IMU_LOST;
@@ -158,5 +159,5 @@ int main(void)
     if (keep_load_calibration(&calibration) == INVCAL_OK || calibrate(&calibration)) {
         measure(&calibration);
     }
-    return 1; /* told why; on a board, wait for a reset here */
+    return 1; /* the reason was printed; on a board, wait for a reset here */
 }

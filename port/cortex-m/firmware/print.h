@@ -11,8 +11,8 @@ void print(const char *text);
 
 void print_integer(int32_t value);
 
-/* With so many digits behind the point, 0 ... 6; "?" for what is no number below 2000 million
- * with its point left out. */
+/* With so many digits behind the point, 0 ... 6. Prints "?" for NaN, and for a number that is 2e9 or more with the
+ * point left out. */
 void print_fixed(float value, unsigned digits);
 
 #endif

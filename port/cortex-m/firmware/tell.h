@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * tell.h: what there is to tell, in lines on the UART.
+ * tell.h: the messages to the user, lines on the UART.
  */
 #ifndef TELL_H
 #define TELL_H

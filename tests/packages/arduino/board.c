@@ -84,11 +84,11 @@ enum {
     ADDRESS = 0x68,
     SMPLRT_DIV = 0x19,
     CONFIG = 0x1A,
+    GYRO_CONFIG = 0x1B,
     ACCEL_CONFIG = 0x1C,
     ACCEL_CONFIG2 = 0x1D, /* of the MPU-9250: its accelerometer has a filter of its own */
-    GYRO_CONFIG = 0x1B,
-    FIFO_EN = 0x23,    /* gyroscope x, y, z: 0x40, 0x20, 0x10; accelerometer: 8 */
-    INT_STATUS = 0x3A, /* 0x10: the queue has overflowed; 1: a new sample */
+    FIFO_EN = 0x23,       /* gyroscope x, y, z: 0x40, 0x20, 0x10; accelerometer: 8 */
+    INT_STATUS = 0x3A,    /* 0x10: the queue has overflowed; 1: a new sample */
     ACCEL_XOUT_H = 0x3B,
     GYRO_XOUT_H = 0x43,
     USER_CTRL = 0x6A, /* 0x40: the queue is on; 4: empty it */
@@ -96,10 +96,10 @@ enum {
     FIFO_COUNTH = 0x72,
     FIFO_R_W = 0x74,
     WHO_AM_I = 0x75,
-    REGISTERS = 0x80,
-    IS_MPU6050 = 0x68,
-    IS_MPU9250 = 0x71
+    REGISTERS = 0x80
 };
+
+enum { IS_MPU6050 = 0x68, IS_MPU9250 = 0x71 }; /* in WHO_AM_I */
 
 enum { TWCR = 0xBC, TWINT = 0x80 }; /* of the processor */
 
@@ -484,6 +484,12 @@ static int no_program(void *context, unsigned slot, uint32_t to, const uint8_t *
     return no_erase(context, slot);
 }
 
+/* The larger of both, and NaN if either is: fmax() drops it. */
+static double larger(double a, double b)
+{
+    return isnan(a) || a > b ? a : b;
+}
+
 /* How far a reading of 1 g is from the truth at most, once it is calibrated, in g. */
 static double worst_error(const invcal_calibration *c)
 {
@@ -510,7 +516,7 @@ static double worst_error(const invcal_calibration *c)
             }
             square += error * error;
         }
-        worst = square > worst ? square : worst;
+        worst = larger(worst, square);
     }
     return sqrt(worst);
 }
@@ -531,12 +537,12 @@ static void tell_gyro(const invcal_imu_record *stored)
             error += (double)stored->gyro.matrix[i / 3][k] * GYRO_COUNTS / 2 * 180 / PI *
                      gyro_gain[k][i % 3];
         }
-        worst = fmax(worst, fabs(error) / (double)stored->sigma[i]);
+        worst = larger(worst, fabs(error) / (double)stored->sigma[i]);
         printf("world: %s sigma %.5f\n", invcal_imu_parameter_name((unsigned)i),
                (double)stored->sigma[i]);
     }
     for (int i = 0; i < 3; i++) {
-        bias = fmax(bias, fabs((double)stored->gyro.offset[i] - gyro_offset[i] / 2));
+        bias = larger(bias, fabs((double)stored->gyro.offset[i] - gyro_offset[i] / 2));
     }
     printf("world: the gyroscope is wrong by %.2f sigma at most, its offset by %.2f counts\n",
            worst, bias);

@@ -25,9 +25,8 @@ const unsigned SHOWN = 50; /* one calibrated sample of this many is shown */
 static invcal_imu_session both;
 static invcal_imu_record calibration;
 static bool is_calibrated;
-static unsigned at; /* rests before the next one */
+static unsigned at;   /* rests before the next one */
 static unsigned made; /* bit i: turn i of the tour was made, and was not refused */
-
 
 /* Not inlined into loop, or its variables would be on the stack while the others run. */
 #define APART __attribute__((noinline))

@@ -101,7 +101,7 @@ static void read_line(const char *line)
     if (strncmp(line, "next: ", 6) == 0) {
         understand(line + 6);
     } else if (strncmp(line, "good", 4) == 0 || strncmp(line, "refused", 7) == 0) {
-        /* on the way it has been left already */
+        /* on the way to the next place it has been left already */
         hand.leaving = hand.turning == hand.turn ? REACTION : 0;
     } else if (strncmp(line, "calibration stored", 18) == 0) {
         hand.done = 1;
