@@ -263,13 +263,15 @@ run watch - --json
 in=/dev/null
 # With 3 to 8 degrees of freedom the residuals of a clean log are small by chance in every fifth: the noise of the samples
 # is known, and when watch has enough, so has calibrate of the log up to there. A position takes 3.5 s.
-enough() { # enough OPTIONS: how many of 25 logs have enough, and how many of these calibrate refuses
+follow=
+enough() { # enough OPTIONS, $follow those of watch alone: how many of 25 logs have enough, and how many of these calibrate refuses
     reached=0
     failed_there=0
     seed=0
     while [ $((seed += 1)) -le 25 ]; do
         "$tool" simulate --plan optimal:18 --dwell 2.5 --move 1 --seed $seed > "$work/lucky.csv"
-        taken=$("$tool" watch "$work/lucky.csv" --gravity 9.80665 --need 0.15mg "$@" |
+        # shellcheck disable=SC2086 # words
+        taken=$("$tool" watch "$work/lucky.csv" $follow --gravity 9.80665 --need 0.15mg "$@" |
             awk '/^position .* taken/ { n = $2 } /^enough/ { print n; exit }')
         [ "$taken" ] || continue
         awk -F, -v n="$taken" 'NR == 1 || $1 <= 3.5 * n + 0.2' "$work/lucky.csv" > "$work/lucky_part.csv"
@@ -282,6 +284,8 @@ enough() { # enough OPTIONS: how many of 25 logs have enough, and how many of th
 }
 check "watch: enough is no lucky residual" enough --zero 0,0,0 --lsb 9.80665/16384
 check "watch: nor with a nominal by the range" enough
+follow='--plan optimal:18'
+check "watch: nor with one by the program" enough
 in=$work/plain.csv
 run watch - --json
 check "watch: --json is JSON alone" is_json "$work/stdout"

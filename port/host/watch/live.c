@@ -182,6 +182,13 @@ static int is_checked(void)
     return now.status == INVCAL_OK && now.quality.dof >= CHECKS;
 }
 
+/* The positions so far determine a calibration, and with the next they may be enough. */
+static int is_determined(void)
+{
+    return watch_knows_sigma(&now) && now.quality.verdict != INVCAL_WEAK &&
+           now.quality.dof + 1u >= CHECKS;
+}
+
 /* A target that is 0 is any. */
 static int reaches_target(const live_wish *wish)
 {
@@ -280,7 +287,7 @@ static int take(stage *s)
 
     now.taken++;
     now.last = WATCH_TAKEN;
-    zero_renew(&s->zero, &session);
+    zero_renew(&s->zero, is_determined(), &session);
     state_noise(s);
     judge(s);
     now.outcome = judge_outcome(s, s->wish->set && live_program_take(&followed));

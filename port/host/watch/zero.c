@@ -85,19 +85,14 @@ static int nominal_of_counts(const zero_finder *z, const double zero[3], const d
     return invcal_nominal(zero_counts, counts, out) == INVCAL_OK;
 }
 
-/* The middle of the ranges is the better zero then, and the widest gives the scale; of enough positions for a
- * calibration each gives its own, as in calibrate, whose sigma are relative to it. Returns 1 if so. */
+/* The middle of the ranges is the better zero then, and the widest gives the scale. Returns 1 if so. */
 static int find_by_range(const zero_finder *z, double zero[3], double lsb[3])
 {
-    const int is_enough = z->taken->count >= INVCAL_PARAMETERS;
-
-    if (z->taken->count < RENEW || !(is_enough || is_far_off(z)) ||
+    if (z->taken->count < RENEW || !is_far_off(z) ||
         !nominal_from_range(z->taken, z->wish->field, zero, lsb)) {
         return 0;
     }
-    if (!is_enough) {
-        lsb[0] = lsb[1] = lsb[2] = fmin(lsb[0], fmin(lsb[1], lsb[2]));
-    }
+    lsb[0] = lsb[1] = lsb[2] = fmin(lsb[0], fmin(lsb[1], lsb[2]));
     return 1;
 }
 
@@ -117,14 +112,20 @@ static int fits_all(const invcal_session *session, const invcal_calibration *nom
     return invcal_bad_reading(session->mean[0], session->count, nominal) == session->count;
 }
 
-void zero_renew(const zero_finder *z, invcal_session *session)
+static int find(const zero_finder *z, int is_determined, double zero[3], double lsb[3])
+{
+    return is_determined  ? nominal_from_range(z->taken, z->wish->field, zero, lsb)
+           : z->wish->set ? find_by_program(z, zero, lsb)
+                          : find_by_range(z, zero, lsb);
+}
+
+void zero_renew(const zero_finder *z, int is_determined, invcal_session *session)
 {
     invcal_calibration nominal;
     double zero[3];
     double lsb[3];
 
-    if (zero_is_free(z) &&
-        (z->wish->set ? find_by_program(z, zero, lsb) : find_by_range(z, zero, lsb)) &&
+    if (zero_is_free(z) && find(z, is_determined, zero, lsb) &&
         nominal_of_counts(z, zero, lsb, &nominal) && fits_all(session, &nominal)) {
         session->nominal = nominal; /* else the old one goes on */
     }

@@ -32,7 +32,10 @@ int zero_is_free(const zero_finder *z);
 /* And too few positions have been taken to determine them. */
 int zero_is_guess(const zero_finder *z);
 
-/* A position was taken: the table of the session is in counts, it takes another nominal at any time. */
-void zero_renew(const zero_finder *z, invcal_session *session);
+/* A position was taken: the table of the session is in counts, it takes another nominal at any time.
+ *
+ * is_determined  the positions before it determine a calibration: the guidance needs no nominal, but sigma are relative
+ *                to its scale. It is then that of calibrate. */
+void zero_renew(const zero_finder *z, int is_determined, invcal_session *session);
 
 #endif
