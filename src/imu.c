@@ -416,7 +416,7 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     w->noise_square = s->noise > 0 ? s->noise * s->noise : NOISE_OF_MEAN * NOISE_OF_MEAN;
     w->n = s->held ? IMU_GYRO : IMU_ALL;
     w->begin = moves->count - both;
-    w->raw = raw + 3 * (size_t)(count - both);
+    w->raw = count > both ? raw + 3 * (size_t)(count - both) : raw; /* which may be null */
     w->variance[INVCAL_OF_RESTS] = 1;
     w->variance[INVCAL_OF_MOVES] = 1;
     for (unsigned i = 0; i < moves->count; i++) {
@@ -512,6 +512,8 @@ static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
     return status;
 }
 
+/* No error of the sensors explains residuals of 0.1 rad: the two do not turn alike. Where there is too little
+ * information, steps never become small. */
 static invcal_status iterate(invcal_imu_work *w)
 {
     unsigned most = PASSES;
@@ -528,8 +530,11 @@ static invcal_status iterate(invcal_imu_work *w)
         w->out->passes++;
     }
     w->pass.residuals /= invcal_number(w->pass.kind[INVCAL_OF_MOVES]);
+    if (!(w->pass.residuals < ABSURD_TURN)) {
+        return INVCAL_MOUNTING;
+    }
     /* most was lowered if a step was small enough */
-    return w->pass.residuals < ABSURD_TURN && most < PASSES ? INVCAL_OK : INVCAL_MOUNTING;
+    return most < PASSES ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
 /* Computes sigma. Parameters whose K exceeds `most` are open. Returns the largest K. */

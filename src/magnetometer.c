@@ -159,9 +159,11 @@ static int is_far(const invcal_cell_fit *fit)
  * with p. Returns 0 if there is no solution. */
 static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
 {
-    invcal_cell_fit fit = {.tables = {one, &m->late}};
+    invcal_cell_fit fit;
     unsigned worst;
 
+    fit.tables.early = one;
+    fit.tables.late = &m->late;
     if (!(invcal_cells_gap(&fit.tables, &worst) > WIDE_GAP) || !is_found(m, &fit)) {
         return 0;
     }

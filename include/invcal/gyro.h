@@ -236,8 +236,8 @@ typedef struct {
  *   INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR    of the settings: negative or not a number, or noise of 1 or more;
  *   INVCAL_OUT_OF_RANGE   a mean is not a reading of this field;
  *   INVCAL_TOO_FEW        no moves, or fewer equations than unknowns;
- *   INVCAL_UNDETERMINED   out->open names the undetermined parameters;
- *   INVCAL_MOUNTING       residuals of 0.1 rad, or no convergence: call invcal_imu_mounting.
+ *   INVCAL_UNDETERMINED   out->open names the undetermined parameters; or none, if too few moves to converge;
+ *   INVCAL_MOUNTING       residuals of 0.1 rad, or divergence: call invcal_imu_mounting.
  * Cost: 300,000 instructions per pass for 25 rests and 24 moves. Stack: about 2,400 bytes. */
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,

@@ -31,7 +31,7 @@ is_true() { # RESULT TRUTH
             for (i = 1; i <= 9; i++) {
                 off = (x[1, i] - x[5, i]) / x[2, 1] / x[3, i]
                 off = off < 0 ? -off : off
-                if (!(off < 4)) { print "    element " i ": " off " sigma"; bad = 1 }
+                if (!(off < 3)) { print "    element " i ": " off " sigma"; bad = 1 }
                 near += off < x[4, 1]
             }
             exit bad || near < 7
@@ -58,7 +58,7 @@ for seed in 1 2 3; do
     "$tool" simulate --gyro --dwell 3 --plan directions:"$work/tour.csv" --seed $seed --truth "$work/truth.json" > "$work/tour.log"
     solve "$work/tour.log" --gravity 9.80665
     check "twelve quarter turns, seed $seed: within the intervals" is_true "$work/stdout" "$work/truth.json"
-    near 0.0016 "$(json "$work/stdout" gamma)" '0.01 -0.006 0.008' # not 0.0006: three sigma of a tour
+    near 0.0016 "$(json "$work/stdout" gamma)" '0.01 -0.006 0.008' # three sigma of a tour
     check "twelve quarter turns, seed $seed: the angles of the accelerometer are told by the moves" test $? -eq 0
 done
 "$tool" simulate --gyro --dwell 3 --plan directions:"$work/tour.csv" --outliers 1 > "$work/outlier.log"
