@@ -2,11 +2,11 @@
  *
  * One round of the choice between outliers and systematic errors (mathematics_judgement.md,
  * "Choosing between hypotheses"). outliers.c proposes a group, systematic.c tests the four kinds of systematic
- * error, both against the same fit. The result is a group to leave out, the name of an error, or neither, but
- * rough.
+ * error, both against the same fit. The result is a group to leave out, the name of an error, a verdict of
+ * rough, or nothing.
  *
- * A group is left out only if nothing else explains the residuals: a drift or a step makes good positions look
- * like outliers, and without them a wrong calibration would look good.
+ * Before two or more positions are left out, a drift and a step must be ruled out: either makes good positions
+ * look like outliers, and without those a wrong calibration would look good.
  */
 #include "diagnosis.h"
 

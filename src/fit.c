@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Solves the positions once, then tests further unknowns one by one without solving again
- * (mathematics_judgement.md, "One fit for all of them"), and gives the probability of such an improvement by
+ * (mathematics_judgement.md, "One fit for all of them"), and gives the probability of an improvement by
  * chance ("Chance").
  */
 #include "fit.h"

@@ -2,7 +2,7 @@
  *
  * Turns a stream of gyroscope samples into segments of moves (mathematics_imu.md, "Segments"). Whether the
  * device was at rest is known only when the detector of the accelerometer reports it, up to seven blocks of
- * 1/8 s later. So the newest segments wait as they are, then each is merged into its move, or counted to the
+ * 1/8 s later. So the newest segments wait as they are, then each is merged into its move, or added to the
  * bias of a rest and dropped once that is taken.
  *
  * segment[]: 0 ... first - 1 of complete moves; to fixed - 1 of the current one, merged; to used - 1 still

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * The noise model of an Allan deviation, and the dwell for a target sigma (mathematics_programs.md,
- * "How long to stay"). adev^2 is linear in N^2, B^2, K^2, so they are a least-squares solution, of which none
- * may be negative. With three kinds there are only seven sets: all are tried, and no method for inequalities is
- * needed.
+ * "How long to stay"). adev^2 is linear in N^2, B^2, K^2, so least squares finds them. None may be negative:
+ * with three kinds there are only seven sets, so all are tried, and no method for inequalities is needed.
  */
 #include "invcal/allan.h"
 #include "sums.h"

@@ -4,7 +4,7 @@
  * X = (delta, dk, gamma) to the same, and the 3x3 algebra that other modules share.
  *
  * invcal_ellipsoid and invcal_triad accept only the semi-axes and the centre of a triad. So Newton's iteration
- * for the frame needs a known number of steps, and no caller has to check again.
+ * for the frame ends within a known number of steps, and no caller has to check again.
  */
 #include "solve.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A direction in words, from integers: no printf, no acos. The axis closest to up is named first; each other
- * one that is more than 6 degrees above or below the horizon is named as rising, with its sign.
+ * A direction in words, computed in integers: no printf, no acos. The axis closest to up is named first; each
+ * other one that is more than 6 degrees above or below the horizon is named as rising, with its sign.
  */
 #include "invcal/invcal.h"
 #include "vector.h"
