@@ -12,8 +12,8 @@
  *
  *     (g_x x, g_y y, g_z z, (g_x y + g_y x) / 2, (g_x z + g_z x) / 2, (g_y z + g_z y) / 2)
  *
- * the derivative of J by the parameters if g = A eta (mathematics.md, "Uncertainty"). eta = (x y z) may be g
- * itself: then the row is that of the paper. */
+ * the derivative of J by the parameters, except for the sign, if g = A eta (mathematics.md, "Uncertainty").
+ * eta = (x y z) may be g itself: then the row is that of the paper. */
 void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS]);
 
 static inline void invcal_products_inline(const invcal_real eta[3],
