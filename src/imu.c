@@ -416,7 +416,10 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     w->noise_square = s->noise > 0 ? s->noise * s->noise : NOISE_OF_MEAN * NOISE_OF_MEAN;
     w->n = s->held ? IMU_GYRO : IMU_ALL;
     w->begin = moves->count - both;
-    w->raw = count > both ? raw + 3 * (size_t)(count - both) : raw; /* which may be null */
+    w->raw = raw;
+    if (count > moves->count) { /* else raw may be null, to which nothing is added */
+        w->raw += 3 * (size_t)(count - moves->count);
+    }
     w->variance[INVCAL_OF_RESTS] = 1;
     w->variance[INVCAL_OF_MOVES] = 1;
     for (unsigned i = 0; i < moves->count; i++) {
