@@ -35,7 +35,8 @@
  * written, since the device is in motion then: let the sensor (FIFO) or an interrupt buffer a second of them.
  * Otherwise call invcal_moves_gap, and make the move again.
  *
- * invcal.h states the rules and units; mathematics_imu.md derives this.
+ * invcal.h states the rules and units; mathematics_imu.md derives this. A program and a library with different
+ * build options do not link.
  */
 #ifndef INVCAL_GYRO_H
 #define INVCAL_GYRO_H
@@ -69,7 +70,6 @@ extern "C" {
 #error "INVCAL_MAX_MOVES must be from 4 to 32"
 #endif
 
-/* A program and a library with different choices do not link: see invcal.h. */
 #define INVCAL_GYRO_CHOSEN(name) INVCAL_GYRO_CHOSEN_(name, INVCAL_MAX_SEGMENTS, INVCAL_MAX_MOVES)
 /* Steps of it. (No comment behind them: Arduino's preprocessor would paste it too.) */
 #define INVCAL_GYRO_CHOSEN_(name, s, m) INVCAL_GYRO_CHOSEN__(name, INVCAL_REAL_NAME, s, m)
