@@ -265,6 +265,35 @@ check "export --format ardupilot: the bias, rad/s" near 2e-4 "$(sed -n 's/^INS_G
 run export "$work/dps.json" --format px4 --zero 0,0,0 --lsb 0.000598550415
 check "export --format px4: the bias, rad/s" near 2e-4 "$(sed -n 's/.*CAL_GYRO0_[XYZ]OFF\t\(.*\)\t9$/\1/p' "$work/stdout" | tr '\n' ' ')" '0.0087266 -0.0139626 0.0052360'
 
+
+# A driver delivers rad/s: counts have no bias in them, which is told, not passed over.
+left_out() { # WHY: in a comment and a warning
+    matches "$work/stdout" "^# The gyroscope is left out: $1\.$" && lacks "$work/stdout" 'GYR.*OFF' &&
+        matches "$work/stderr" "warning: .*json: the gyroscope is left out: $1$"
+}
+for format in px4 ardupilot ros; do
+    why='its readings are counts; log them in rad/s or degrees/s'
+    [ $format = ros ] && why='imu_calib measures its bias at each start'
+    run export "$work/cal.json" --format $format --zero 0,0,0 --lsb 0.000598550415
+    check "export --format $format: the gyroscope in counts is left out, and it says so" left_out "$why"
+    run export "$work/none.json" --format $format --zero 0,0,0 --lsb 0.000598550415
+    check "export --format $format: not a word without one" lacks "$work/stdout" gyroscope
+    check "export --format $format: nor a warning" lacks "$work/stderr" gyroscope
+done
+run export "$work/dps.json" --format ros --zero 0,0,0 --lsb 0.000598550415
+check "export --format ros: of any unit" left_out 'imu_calib measures its bias at each start'
+two_digits() { inner "$work/cal.json" sigma | numbers | awk '{ for (i = 1; i <= 9; i++) printf "%.2g ", $i }'; }
+for format in c c-arrays fusion imu_tk-gyro; do
+    run export "$work/cal.json" --format $format
+    check "export --format $format: the gyroscope's verdict" matches "$work/stdout" '^( \*|#) gyroscope: good$'
+    check "export --format $format: its standard deviations" test \
+        "$(sed -n '/of its matrix over its scale/{n;p;n;p;n;p;}' "$work/stdout" | tr -d '*#\n' | tr -s ' ' | sed 's/^ //; s/$/ /')" \
+        = "$(two_digits)"
+    sed '/^    "sigma"/,/^    \]/d; /^    "verdict"/d' "$work/cal.json" > "$work/less.json"
+    run export "$work/less.json" --format $format
+    check "export --format $format: a file without them" matches "$work/stdout" '^( \*|#) gyroscope: unknown$'
+done
+
 change '{ $6 = 17 }'
 run calibrate "$work/changed.csv" --strict --quiet
 check "--strict: a gyroscope that is not calibrated" was_refused 1 "--strict: the gyroscope is not calibrated: .*y never changes"
