@@ -156,9 +156,11 @@ int positions_read(positions *p, const char *path)
         p->noise_square[i] /= p->count;
     }
     if (!failure && look_like_samples(p)) {
-        message("warning: %s: this looks like a raw log, not like position means: most of its %u "
-                "rows repeat the one before; invcal calibrate reads a raw log without --positions",
-                p->name, p->count);
+        message(
+            "warning: %s: this looks like a raw log, not like position means: most of its %u "
+            "rows repeat the one before; invcal calibrate reads a raw log without --positions%s",
+            p->name, p->count,
+            p->seen.of == OF_MAGNETOMETER ? "; for a magnetometer in motion: --magnetometer" : "");
     }
     return failure;
 }
