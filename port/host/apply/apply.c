@@ -348,7 +348,7 @@ static const char *const help[] = {
     "\n"
     "A calibration made with --thermal needs the column temperature, and corrects each\n"
     "reading at its own. Outside the calibrated range, the calibration at its edge is used,\n"
-    "with a warning.\n"
+    "with a warning beyond 1 % of the range.\n"
     "\n"
     "If it was made with --quadratic or --cubic, the nonlinear error is removed first. It is\n"
     "known up to the field along each axis; beyond 1.1 times the field, its value there is\n"
