@@ -41,15 +41,14 @@ static void print_help(void)
 {
     static const char *const head[] = {"usage: invcal COMMAND ...\n"
                                        "\n"
-                                       "Calibrates accelerometers from static positions, by "
-                                       "gravity alone; also gyroscopes, by the\n"
-                                       "turns between these, and magnetometers.\n"
+                                       "Calibrates accelerometers, gyroscopes and magnetometers "
+                                       "from logs.\n"
                                        "\n",
                                        NULL};
     static const char *const tail[] = {
         "\n"
-        "exit codes: 0 good; 1 the data cannot be calibrated; 2 usage; 3 input unreadable or\n"
-        "malformed, or output not writable\n",
+        "exit codes: 0 done, whatever the verdict; 1 the data cannot be calibrated; 2 usage; 3\n"
+        "input unreadable or malformed, or output not writable\n",
         NULL};
 
     help_print(stdout, head);

@@ -72,7 +72,7 @@ echo ".\\\" SPDX-License-Identifier: MIT
 .nh
 .ad l
 .SH NAME
-invcal \\- calibrate accelerometer triads by gravity alone
+invcal \\- calibrate accelerometers, gyroscopes and magnetometers from logs
 .SH SYNOPSIS
 .nf"
 for c in $commands; do

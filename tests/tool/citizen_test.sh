@@ -116,12 +116,22 @@ refuses "--quiet: a refusal is told" 1 'no rest' calibrate "$xsens" --quiet
 refuses "--quiet: a set that is refused is told" 1 'undetermined' plan --faces --quiet
 refuses "--quiet: an error is told" 3 'nowhere' watch "$work/nowhere" --quiet
 
+# ---- what the first help promises ------------------------------------------------------------------
+
+run --help
+mv "$work/stdout" "$work/first"
+run calibrate "$root/tests/data/t265_positions.csv" --positions --gravity 9.8016
+check "--help: 0 whatever the verdict, as of a weak one" test \
+    "$code $(grep -c '^Weak: ' "$work/stdout") $(grep -c 'exit codes: 0 done, whatever the verdict; 1' "$work/first")" = "0 1 1"
+check "--help: the sensors that there are" matches "$work/first" '^Calibrates accelerometers, gyroscopes and magnetometers from logs\.$'
+
 # ---- the manual --------------------------------------------------------------------------------
 
 sh "$root/port/host/man.sh" "$tool" > "$work/invcal.1"
 for s in NAME SYNOPSIS DESCRIPTION '"EXIT STATUS"' EXAMPLES FILES ENVIRONMENT '"SEE ALSO"'; do
     check "the manual has a section $s" matches "$work/invcal.1" "^\.SH $s\$"
 done
+check "the manual is of these sensors, too" matches "$work/invcal.1" '^invcal .- calibrate accelerometers, gyroscopes and magnetometers from logs$'
 check "the manual has a subsection for each command" [ "$(sed -n 's/^\.SS "\([a-z]*\) .*/\1/p' \
     "$work/invcal.1" | tr '\n' ' ')" = "$commands " ]
 in_manual() { # every option of each command stands in its own subsection

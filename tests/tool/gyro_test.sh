@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Tests of the gyroscope, from a log to both calibrations: gyro_test.sh path/to/invcal builddir
+# With the recordings (RECORDINGS, or ../shared/data) also of raw logs of real sensors, against solutions of all samples.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -265,6 +266,35 @@ check "export --format ardupilot: the bias, rad/s" near 2e-4 "$(sed -n 's/^INS_G
 run export "$work/dps.json" --format px4 --zero 0,0,0 --lsb 0.000598550415
 check "export --format px4: the bias, rad/s" near 2e-4 "$(sed -n 's/.*CAL_GYRO0_[XYZ]OFF\t\(.*\)\t9$/\1/p' "$work/stdout" | tr '\n' ' ')" '0.0087266 -0.0139626 0.0052360'
 
+
+# A driver delivers rad/s: counts have no bias in them, which is told, not passed over.
+left_out() { # WHY: in a comment and a warning
+    matches "$work/stdout" "^# The gyroscope is left out: $1\.$" && lacks "$work/stdout" 'GYR.*OFF' &&
+        matches "$work/stderr" "warning: .*json: the gyroscope is left out: $1$"
+}
+for format in px4 ardupilot ros; do
+    why='its readings are counts; log them in rad/s or degrees/s'
+    [ $format = ros ] && why='imu_calib measures its bias at each start'
+    run export "$work/cal.json" --format $format --zero 0,0,0 --lsb 0.000598550415
+    check "export --format $format: the gyroscope in counts is left out, and it says so" left_out "$why"
+    run export "$work/none.json" --format $format --zero 0,0,0 --lsb 0.000598550415
+    check "export --format $format: not a word without one" lacks "$work/stdout" gyroscope
+    check "export --format $format: nor a warning" lacks "$work/stderr" gyroscope
+done
+run export "$work/dps.json" --format ros --zero 0,0,0 --lsb 0.000598550415
+check "export --format ros: of any unit" left_out 'imu_calib measures its bias at each start'
+two_digits() { inner "$work/cal.json" sigma | numbers | awk '{ for (i = 1; i <= 9; i++) printf "%.2g ", $i }'; }
+for format in c c-arrays fusion imu_tk-gyro; do
+    run export "$work/cal.json" --format $format
+    check "export --format $format: the gyroscope's verdict" matches "$work/stdout" '^( \*|#) gyroscope: good$'
+    check "export --format $format: its standard deviations" test \
+        "$(sed -n '/of its matrix over its scale/{n;p;n;p;n;p;}' "$work/stdout" | tr -d '*#\n' | tr -s ' ' | sed 's/^ //; s/$/ /')" \
+        = "$(two_digits)"
+    sed '/^    "sigma"/,/^    \]/d; /^    "verdict"/d' "$work/cal.json" > "$work/less.json"
+    run export "$work/less.json" --format $format
+    check "export --format $format: a file without them" matches "$work/stdout" '^( \*|#) gyroscope: unknown$'
+done
+
 change '{ $6 = 17 }'
 run calibrate "$work/changed.csv" --strict --quiet
 check "--strict: a gyroscope that is not calibrated" was_refused 1 "--strict: the gyroscope is not calibrated: .*y never changes"
@@ -340,12 +370,14 @@ refuses "a gyroscope's file that is not there" 3 'none\.csv' calibrate "$work/ac
 # ---- real sensors, of which only rests and moves are here ---------------------------------------------
 
 real() { awk -v name="$1" -v zero="$2" -v rate="$3" -v noise="$4" -v shake="$5" -f "$here/gyro_log.awk" "$here/../unit/gyro_logs.h" > "$work/real.csv"; }
+reference() { sed -n "/$1/,/;/p" "$here/../reference/gyro_samples.h" | sed 's/.*=//' | tr -d '{};\n'; }
+multiplied() { awk -v k="$1" '{ for (i = 1; i <= NF; i++) printf "%.6f ", $i * k }'; } # numbers, times K
 real xsens 32768 4772 3 20000
 solve "$work/real.csv" --gravity 9.81744
 # of counts of 1/4772 rad/s
-inner "$work/stdout" matrix | numbers | awk '{ for (i = 1; i <= NF; i++) printf "%.6f ", $i * 4772 }' > "$work/nine"
+inner "$work/stdout" matrix | numbers | multiplied 4772 > "$work/nine"
 check "Xsens MTi: as from all samples" near 0.001 "$(cat "$work/nine")" \
-    "$(sed -n '/xsens_gyro/,/;/p' "$here/../reference/gyro_samples.h" | sed 's/.*=//' | tr -d '{};\n')"
+    "$(reference xsens_gyro)"
 check "Xsens MTi: residual" is_small "$(inner "$work/stdout" residual_rms)" 2.1e-3
 run calibrate "$work/real.csv" --gravity 9.81744
 check "Xsens MTi: g-sensitivity about y along x, xsens_slope there" matches "$work/stdout" '^g-sensitivity *about y, at most -0\.1[45][0-9]* ± 0\.0[01][0-9]* °/s per g along x'
@@ -356,5 +388,31 @@ real mpu1 0 7505.747 10 2000
 run calibrate "$work/real.csv" --gravity 9.81
 check "another: the rests that turned are named" test "$(grep -c '^Left out: the move .*:.*the bias before' "$work/stdout")" -eq 4
 check "another: the move that contradicts is named" matches "$work/stdout" '^Left out: the move from position 6 to 7 .*contradicts the others'
+
+# ---- the same from all samples, where the recordings are (RECORDINGS, or ../shared/data) ------------------
+
+recordings=${RECORDINGS:-$here/../../../shared/data}
+turns_left_out() { sed -n 's/^Left out: the move from position \([0-9]* to [0-9]*\) .*: \(.*\)/\1 \2/p' "$work/stdout" | grep "$1" | cut -d ' ' -f 1-3 | tr '\n' ','; }
+if [ -f "$recordings/xsens_mti_gyro.txt" ]; then
+    accepts "Xsens MTi, the raw log" calibrate "$recordings/xsens_mti_acc.txt" --gyro "$recordings/xsens_mti_gyro.txt" \
+        --gravity 9.81744 --json
+    check "Xsens MTi, the raw log: matrix, by the reference's 16 rests" near 0.0006 \
+        "$(inner "$work/stdout" matrix | numbers | multiplied 4772)" "$(reference xsens_gyro)"
+    check "Xsens MTi, the raw log: residual" is_small "$(inner "$work/stdout" residual_rms)" 1.7e-3
+    # numpy over all 38 rests: -0.154 +- 0.006 degrees/s per g
+    check "Xsens MTi, the raw log: g-sensitivity about y along x" near 0.006 \
+        "$(sed -n '/"g_sensitivity"/,$p' "$work/stdout" | sed -n '/"value"/{n;n;p;q;}' | numbers | awk '{ print $1 * 57.29578 }')" -0.154
+    for log in 0 1; do
+        accepts "MPU-9150 $log, the raw log" calibrate "$recordings/mpu9150_$log.txt" --gravity 9.81 --json
+        mv "$work/stdout" "$work/mpu$log.json"
+    done
+    check "MPU-9150 0, the raw log: matrix" near 0.0045 "$(inner "$work/mpu0.json" matrix | numbers)" "$(reference mpu_gyro)"
+    check "MPU-9150 0, the raw log: residual" is_small "$(inner "$work/mpu0.json" residual_rms)" 2.1e-3
+    check "MPU-9150 1, the raw log: residual" near 0.05e-3 "$(inner "$work/mpu1.json" residual_rms)" 1.60e-3
+    run calibrate "$recordings/mpu9150_1.txt" --gravity 9.81
+    check "MPU-9150 1, the raw log: rests 4 and 12, in which it turned, are named by their moves" test \
+        "$(turns_left_out 'turned in one of the two rests')" = "3 to 4,4 to 5,11 to 12,12 to 13,"
+    check "MPU-9150 1, the raw log: and the move that contradicts" test "$(turns_left_out 'contradicts the others')" = "6 to 7,"
+fi
 
 finish

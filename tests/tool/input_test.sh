@@ -372,12 +372,55 @@ refuses "the same without a header" 3 'convert it to seconds, or ignore the colu
     calibrate "$work/bad.csv"
 run apply "$work/simple.json" "$work/bad.csv" --columns 2,3,4
 check "the same, ignored" test "$(head -n 1 "$work/stdout")" = x,y,z
+
+# ---- a temperature that is none -------------------------------------------------------------------
+
+# PX4 writes nan until a driver knows the temperature, others leave the cell empty: what nobody asked for must
+# not cost the log.
+write_dress 1 't,x,y,z,temperature' "t \",\" $ax \",\" (n < 50 ? \"nan\" : 35.5)"
+mv "$work/dress.csv" "$work/nan.csv"
+not_finite="temperature ignored: 'nan' in column 5 is not a finite number$"
+run calibrate "$work/nan.csv" --json
+check "nan: one warning that says where" says "warning: .*nan\.csv:2: $not_finite"
+check "nan: the same calibration" test "$code $(field offset)" = "0 $plain_offset"
+run calibrate "$work/nan.csv"
+check "nan: the table has no temperature either" \
+    matches "$work/stdout" 't \(s\), x y z in counts .*; ignored: 1 other column'
+run calibrate "$work/nan.csv" --report "$work/nan.html"
+check "nan: a page" is_page "$work/nan.html"
+check "nan: without a trace of temperature" lacks "$work/nan.html" 'NaN|[ ",]nan[ ",]|and temperature'
+write_dress 1 't,x,y,z,temperature' "t \",\" $ax \",\" (n < 5000 ? 35.5 : \"\")"
+run calibrate "$work/dress.csv" --json
+check "empty, in the middle of the log: one warning" \
+    says 'warning: .*dress\.csv:5002: temperature ignored: column 5 is empty$'
+check "empty: the same calibration" test "$code $(field offset)" = "0 $plain_offset"
+run watch "$work/nan.csv" --json
+check "watch: the same warning" matches "$work/stderr" "warning: .*nan\.csv:2: $not_finite"
+check "watch: and the same calibration" test "$code $(field offset)" = "0 $plain_offset"
+run allan "$work/nan.csv" --json
+check "allan: the same warning" matches "$work/stderr" "warning: .*nan\.csv:2: $not_finite"
+for option in "--thermal 1" "--columns temperature=5"; do
+    # shellcheck disable=SC2086 # words
+    refuses "nan with $option, which needs it" 3 \
+        "nan\.csv:2: column 5 \(temperature\): 'nan' is not a finite number: correct the line, or ignore .*=none$" \
+        calibrate "$work/nan.csv" $option
+done
+printf 'x,y,z,temp\n1,2,3,nan\n1,2,3,\n1,2,3,21\n' > "$work/cells.csv"
+run apply "$work/simple.json" "$work/cells.csv"
+check "apply: the cells are left empty, the others are copied" \
+    test "$(cut -d , -f 4 "$work/stdout" | tr '\n' ' ')" = 'temperature   21 '
+check "apply: one warning" \
+    says "warning: .*cells\.csv:2: temperature left empty: 'nan' in column 4 is not a finite number$"
 printf 'x,y,z,temp\n1,2,3,warm\n' > "$work/bad.csv"
-refuses "a temperature that is a word" 3 \
+run calibrate "$work/bad.csv"
+check "a temperature that is a word is ignored, too" matches "$work/stderr" \
+    "bad\.csv:2: temperature ignored: 'warm' in column 4 is not a decimal number$"
+refuses "but refused where it is asked for" 3 \
     "'warm' is not a decimal number: correct the line, or ignore the column with --columns temperature=none$" \
-    calibrate "$work/bad.csv"
+    calibrate "$work/bad.csv" --thermal 1
 run apply "$work/simple.json" "$work/bad.csv" --columns temperature=none
-check "a temperature that is ignored" test "$(head -n 1 "$work/stdout")" = x,y,z
+check "a temperature that is ignored by an option" test "$(head -n 1 "$work/stdout")" = x,y,z
+
 bad "two accelerometers" \
     "bad\.csv:1: x, y and z are there twice \('accSmooth\[0\]' and 'accADC\[0\]'\): choose one set with --columns, or delete" \
     'accSmooth[0],accSmooth[1],accSmooth[2],accADC[0],accADC[1],accADC[2]\n1,2,3,4,5,6\n'

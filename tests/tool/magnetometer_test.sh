@@ -101,6 +101,23 @@ done
 refuses "magnetometer: watch needs no noise" 2 '--magnetometer: cannot be combined with --mean-sigma' \
     watch --magnetometer "$work/log.csv" --mean-sigma 1
 
+# Without the option it is looked for rests, of which a waved one has none.
+"$tool" simulate --magnetometer > "$work/named.csv"
+cut -d, -f5-7 "$work/named.csv" | sed 1d > "$work/unnamed.csv"
+advice='; for a magnetometer in motion: --magnetometer$'
+refuses "magnetometer: without --magnetometer it is named" 1 "no rest of two seconds.*$advice" \
+    calibrate "$work/named.csv" --columns mx,my,mz
+refuses "magnetometer: also without a header" 1 "no rest of two seconds.*$advice" calibrate "$work/unnamed.csv"
+run calibrate "$work/named.csv" --columns mx,my,mz --positions
+check "magnetometer: and where samples are stated to be positions" matches "$work/stderr" "looks like a raw log.*$advice"
+run calibrate "$work/named.csv"
+check "magnetometer: not for an accelerometer in motion" lacks "$work/stderr" '--magnetometer'
+run calibrate "$work/named.csv" --columns ax,ay,az --positions
+check "magnetometer: nor where its samples are stated to be positions" lacks "$work/stderr" '--magnetometer'
+"$tool" simulate --plan faces | sed 1s/.*/t,u,v,w/ > "$work/rests.csv"
+run calibrate "$work/rests.csv" --columns u,v,w
+check "magnetometer: nor for what was held still six times" lacks "$work/stderr" '--magnetometer'
+
 # ---- live ---------------------------------------------------------------------------------------
 
 run calibrate --magnetometer "$work/log.csv" --json
@@ -217,6 +234,8 @@ refuses "magnetometer: a need of gravity" 2 'the field .--gravity. is not gravit
 
 recording=${RECORDINGS:-$here/../../../shared/data}/ck_acc_mag.csv
 if [ -f "$recording" ]; then
+    run calibrate "$recording" --columns mx,my,mz
+    check "magnetometer: a real one without --magnetometer" matches "$work/stderr" "2 positions are too few.*$advice"
     accepts "magnetometer: a real one" calibrate --magnetometer "$recording" --json
     sigma=$(sed -n '/"sigma"/,/}/s/.*"offset": \[\(.*\)\].*/\1/p' "$work/stdout")
     fits=$(sed -n '/reference_offsets/,/;/s/^ *{\([-0-9., ]*\)}.*/\1/p' "$here/../reference/magnetometer.h")

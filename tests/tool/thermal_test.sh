@@ -144,6 +144,22 @@ check "and corrected as at the edge" same "$work/edge.csv" "$work/outside.csv"
 at -21.5
 run apply "$work/thermal.json" "$work/at.csv"
 check "colder, too" warns 'up to 1.5 K outside'
+at 70.8
+accepts "within 1 % of the range beyond its edge there is no warning" apply "$work/thermal.json" "$work/at.csv"
+check "and what holds at the edge" same "$work/edge.csv" "$(sed 's/,70\.8$//' "$work/stdout" > "$work/outside.csv"; echo "$work/outside.csv")"
+at 71
+run apply "$work/thermal.json" "$work/at.csv"
+check "beyond that there is one" warns '1 of 1 readings are up to 1 K outside'
+# Two logs of rests at two temperatures, and a thermometer with a noise of 0.03 K.
+for degrees in 20 40; do
+    "$tool" simulate --plan optimal:18 --seed $degrees --temperature $degrees,$degrees --drift 0.0005
+done | awk -F, -v OFS=, '
+    /^t/ { if (NR == 1) print; base = last; next }
+    { n = (n * 16807 + 1) % 2147483647; $5 = sprintf("%.3f", $5 + 0.104 * (n / 2147483647 - 0.5))
+      last = base + $1 + 0.01; $1 = sprintf("%.2f", base + $1); print }' > "$work/own.csv"
+run calibrate "$work/own.csv" --thermal 1 --out "$work/own.json"
+check "a log at two temperatures tells slopes" matches "$work/own.json" '"degree": 1'
+accepts "applied to itself it gives no warning" apply "$work/own.json" "$work/own.csv"
 printf 'x,y,z\n0.1,-0.2,0.9\n' > "$work/bare.csv"
 refuses "a log without temperature is refused" 3 'needs a column of temperature.*--temperature' \
     apply "$work/thermal.json" "$work/bare.csv"

@@ -15,6 +15,7 @@
 #include "cli/input.h"
 #include "cli/message.h"
 #include "apply/nonlinear_correction.h"
+#include "read/temperature.h"
 #include "text/number.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -37,8 +38,9 @@ typedef struct {
     double temperature; /* of all readings; NaN: by the column */
     thermal_correction at;
     nonlinear_correction bent;
-    int is_gyro;  /* the log is of the gyroscope alone */
-    int is_quiet; /* no warning of readings outside the calibrated range */
+    int is_gyro;       /* the log is of the gyroscope alone */
+    int is_quiet;      /* no warning of readings outside the calibrated range */
+    int is_left_empty; /* of a cell of temperature, after a warning */
 } job;
 
 /* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. Only a
@@ -107,6 +109,19 @@ static int write_accelerometer(FILE *spool, const table *log, const columns *whe
     return write_three(spool, log, v);
 }
 
+/* Only a correction over temperature needs one in every row. */
+static int write_temperature(FILE *spool, const table *log, const columns *where, job *j)
+{
+    if (!temperature_is_missing(log, where)) {
+        return copy_number(spool, log, where, COLUMN_TEMPERATURE);
+    }
+    if (!j->is_left_empty) {
+        temperature_warn(log, where, "left empty");
+        j->is_left_empty = 1;
+    }
+    return EXIT_GOOD;
+}
+
 static int has_gyro(const columns *where, const job *j)
 {
     return where->gyro[0] >= 0 && j->file.has_gyro && !j->is_gyro;
@@ -130,7 +145,7 @@ static int write_row(FILE *spool, const table *log, const columns *where, job *j
     }
     if (!failure && where->index[COLUMN_TEMPERATURE] >= 0) {
         putc(',', spool);
-        failure = copy_number(spool, log, where, COLUMN_TEMPERATURE);
+        failure = write_temperature(spool, log, where, j);
     }
     putc('\n', spool);
     return failure;
@@ -180,10 +195,14 @@ static void check_unit(const table *log, const columns *where, const job *j)
 }
 
 /* A correction that depends on temperature needs one. */
+static int needs_temperature(const job *j)
+{
+    return j->file.has_thermal && !j->is_gyro && isnan(j->temperature);
+}
+
 static int check_temperature(const table *log, const columns *where, const job *j)
 {
-    if (j->file.has_thermal && !j->is_gyro && isnan(j->temperature) &&
-        where->index[COLUMN_TEMPERATURE] < 0) {
+    if (needs_temperature(j) && where->index[COLUMN_TEMPERATURE] < 0) {
         message("%s: this calibration needs a column of temperature in °C, K or °F: name it "
                 "temperature, or state --temperature for all readings",
                 log->name);
@@ -299,6 +318,10 @@ static int run(int argc, char **argv)
     if (j.is_quiet) {
         progress_quiet();
     }
+    if (needs_temperature(&j)) {
+        chosen_need(COLUMN_TEMPERATURE);
+    }
+    j.is_left_empty = 0;
     failure = table_open(&log, files[1]);
     failure = failure ? failure : apply(&log, &j);
     table_close(&log);
@@ -325,7 +348,7 @@ static const char *const help[] = {
     "\n"
     "A calibration made with --thermal needs the column temperature, and corrects each\n"
     "reading at its own. Outside the calibrated range, the calibration at its edge is used,\n"
-    "with a warning.\n"
+    "with a warning beyond 1 % of the range.\n"
     "\n"
     "If it was made with --quadratic or --cubic, the nonlinear error is removed first. It is\n"
     "known up to the field along each axis; beyond 1.1 times the field, its value there is\n"

@@ -23,8 +23,9 @@ const invcal_calibration *thermal_correction_at(thermal_correction *c, double te
         return &c->now;
     }
     c->readings++;
-    c->below += temperature < c->file->thermal.min;
-    c->above += temperature > c->file->thermal.max;
+    const double margin = THERMAL_CORRECTION_MARGIN * (c->file->thermal.max - c->file->thermal.min);
+    c->below += temperature < c->file->thermal.min - margin;
+    c->above += temperature > c->file->thermal.max + margin;
     c->coldest = fmin(c->coldest, temperature);
     c->warmest = fmax(c->warmest, temperature);
     /* It holds at both ends of its range (calibration_file.h); where it should not in between, the

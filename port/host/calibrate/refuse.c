@@ -15,6 +15,7 @@
 #define GOOD 12u          /* positions */
 #define SLOW 25.0         /* samples per second: shorter rests would do, if they were found */
 #define LISTED 10u        /* rests that are named */
+#define IN_MOTION 0.1     /* part of the time at rest: nobody has tried to hold it still */
 #define FEW_SAMPLES 1000u /* more rows than anybody has positions */
 
 static const char *status_name(invcal_status status)
@@ -235,6 +236,25 @@ static void offer_six_faces(const calibrate_result *r, invcal_status status, ref
     }
 }
 
+/* A magnetometer may have been waved, as its own calibration wants it. */
+static void offer_magnetometer(const positions *data, refusal *why)
+{
+    const rests_summary *log = data->rests;
+    const columns_origin of = data->seen.of;
+    double rested = 0;
+
+    for (unsigned i = 0; i < data->count && log; i++) {
+        rested += data->origin[i].end - data->origin[i].begin;
+    }
+    const int is_waved = log && (of == OF_MAGNETOMETER ||
+                                 (log->samples >= FEW_SAMPLES && of != OF_ACCELEROMETER &&
+                                  !data->seen.is_gyro && rested < IN_MOTION * log->seconds));
+    if (is_waved) {
+        append(why->remedy, REFUSAL_MAX, "%sfor a magnetometer in motion: --magnetometer",
+               *why->remedy ? "; " : "");
+    }
+}
+
 int calibrate_refuse(calibrate_result *r, const stand_wish *angles, invcal_status status,
                      const fit_reason *reason)
 {
@@ -246,6 +266,9 @@ int calibrate_refuse(calibrate_result *r, const stand_wish *angles, invcal_statu
     why->position = reason->position;
     say_why(r, angles, status, why);
     offer_six_faces(r, status, why);
+    if (status == INVCAL_TOO_FEW) {
+        offer_magnetometer(r->data, why);
+    }
     return EXIT_DATA;
 }
 
@@ -291,6 +314,7 @@ int calibrate_no_rest(calibrate_result *r)
                  "%srecord for longer, and hold each position still for %.2g s or longer",
                  log->is_rate_known ? "" : "state --rate, ", rests_least(log->rate) + 1);
     }
+    offer_magnetometer(r->data, why);
     why->wants_positions = 1;
     return EXIT_DATA;
 }

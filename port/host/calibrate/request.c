@@ -389,6 +389,9 @@ static int read_log_options(request *r)
 {
     int failure = chosen_read(r->syntax->command, r->value[ASK_COLUMNS]);
 
+    if (r->value[ASK_THERMAL]) {
+        chosen_need(COLUMN_TEMPERATURE);
+    }
     if (!failure && r->value[ASK_POSITIONS] && (r->value[ASK_RATE] || r->value[ASK_CLIP])) {
         return request_usage(r, r->value[ASK_RATE] ? ASK_RATE : ASK_CLIP,
                              "needs samples: leave out --positions");

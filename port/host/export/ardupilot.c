@@ -30,6 +30,7 @@ static int refuse(const export_job *job, const char *what, unsigned axis, double
 static int check(const export_job *job)
 {
     const export_diagonal d = export_diagonal_fit(&job->driver);
+    double bias[3];
     double largest = 0;
 
     for (unsigned i = 0; i < 3; i++) {
@@ -47,6 +48,9 @@ static int check(const export_job *job)
                              job->instance);
     }
     export_diagonal_tell(job, &d);
+    if (!export_gyro_bias(job, bias)) {
+        export_gyro_tell(job, EXPORT_NO_UNIT);
+    }
     if (largest > OFFSET_RANGE) {
         message("warning: an offset of %.4g m/s^2 is beyond ArduPilot's range of +-3.5; a ground "
                 "station may ask for confirmation",
@@ -107,6 +111,8 @@ static void write_file(FILE *file, const export_job *job)
             fprintf(file, "%sOFFS_%c,%s\n", gyros[job->instance], (int)"XYZ"[i],
                     constant_float(bias[i], text));
         }
+    } else {
+        export_gyro_comment(file, EXPORT_COMMENT, job, EXPORT_NO_UNIT);
     }
 }
 

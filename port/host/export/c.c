@@ -31,6 +31,7 @@ static void begin(FILE *file, const export_job *job)
 {
     fputs("/*\n", file);
     export_heading(file, EXPORT_COMMENT_C, job);
+    export_gyro_heading(file, EXPORT_COMMENT_C, job);
     fputs(" *\n", file);
 }
 

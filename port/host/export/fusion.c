@@ -80,6 +80,7 @@ static void write_gyro(FILE *file, const export_job *job)
           "gyroscopeOffset)\n"
           " * raw in input units, result in degrees/s.\n",
           file);
+    export_gyro_heading(file, EXPORT_COMMENT_C, job);
     export_comment_no_g(file, EXPORT_COMMENT_C, job);
     fputs(" */\n", file);
     write_values(file, "FusionMatrix", "gyroscope", "Misalignment", f.misalignment[0], 9);

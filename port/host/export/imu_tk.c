@@ -63,6 +63,7 @@ static void write_gyro(FILE *file, const export_job *job)
     write_triad(file, &job->file.gyro, 1);
     export_heading(file, EXPORT_COMMENT, job);
     export_comment(file, EXPORT_COMMENT, "The figures above are the accelerometer's.");
+    export_gyro_heading(file, EXPORT_COMMENT, job);
     export_comment(file, EXPORT_COMMENT, "imu_tk: T K (X - B), X in input units, result in rad/s");
     export_comment_no_g(file, EXPORT_COMMENT, job);
 }

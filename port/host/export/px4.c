@@ -27,6 +27,7 @@ static int is_ignored(const double offset[3], const double scale[3])
 static int check(const export_job *job)
 {
     const export_diagonal d = export_diagonal_fit(&job->driver);
+    double bias[3];
 
     for (unsigned i = 0; i < 3; i++) {
         if (!(d.scale[i] >= SCALE_MIN && d.scale[i] <= SCALE_MAX)) {
@@ -41,6 +42,9 @@ static int check(const export_job *job)
         return failure;
     }
     export_diagonal_tell(job, &d);
+    if (!export_gyro_bias(job, bias)) {
+        export_gyro_tell(job, EXPORT_NO_UNIT);
+    }
     if (is_ignored(job->driver.offset, d.scale)) {
         message("warning: some PX4 releases ignore an offset shorter than 0.01 m/s^2, or scales "
                 "within 0.01 of 1, as here; check what \"sensors status\" shows");
@@ -103,6 +107,8 @@ static void write_file(FILE *file, const export_job *job)
             fprintf(file, "1\t1\tCAL_GYRO%u_%cOFF\t%s\t9\n", job->instance, (int)"XYZ"[i],
                     constant_float(bias[i], text));
         }
+    } else {
+        export_gyro_comment(file, EXPORT_COMMENT, job, EXPORT_NO_UNIT);
     }
 }
 

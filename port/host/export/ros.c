@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "export/text.h"
 
+static const char no_gyro[] = "imu_calib measures its bias at each start";
+
 static void find_bias(const invcal_calibration *c, double bias[3])
 {
     for (unsigned i = 0; i < 3; i++) {
@@ -14,7 +16,11 @@ static int check(const export_job *job)
     double bias[3];
 
     find_bias(&job->driver, bias);
-    return export_check_range(job, bias, 3, 0);
+    const int failure = export_check_range(job, bias, 3, 0);
+    if (!failure) {
+        export_gyro_tell(job, no_gyro);
+    }
+    return failure;
 }
 
 /* The package imu_calib (github.com/dpkoch/imu_calib), src/accel_calib/accel_calib.cpp,
@@ -40,6 +46,7 @@ static void write_file(FILE *file, const export_job *job)
     export_comment(file, EXPORT_COMMENT,
                    "sensor_msgs/Imu linear_acceleration in m/s^2; the driver's scale: %s",
                    job->driver_from);
+    export_gyro_comment(file, EXPORT_COMMENT, job, no_gyro);
     fputs("SM: [", file);
     for (unsigned i = 0; i < 9; i++) {
         fprintf(file, "%s%s",

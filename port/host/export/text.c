@@ -86,6 +86,25 @@ void export_heading(FILE *file, const char *prefix, const export_job *job)
     comment_sigma(file, prefix, c);
 }
 
+void export_gyro_heading(FILE *file, const char *prefix, const export_job *job)
+{
+    const calibration_file *c = &job->file;
+
+    if (!c->has_gyro) {
+        return;
+    }
+    export_comment(file, prefix, "gyroscope: %s", *c->gyro_verdict ? c->gyro_verdict : "unknown");
+    if (!is_known(c->gyro_sigma[0]) || !is_known(c->gyro_sigma[1]) || !is_known(c->gyro_sigma[2])) {
+        export_comment(file, prefix, "standard deviations: unknown");
+        return;
+    }
+    export_comment(file, prefix, "standard deviations of its matrix over its scale, by rows:");
+    for (unsigned i = 0; i < 3; i++) {
+        const double *row = c->gyro_sigma[i];
+        export_comment(file, prefix, "  %.2g %.2g %.2g", row[0], row[1], row[2]);
+    }
+}
+
 const char *export_field_unit(const export_job *job)
 {
     return job->si > 5     ? "g" /* 9.80665 m/s^2 */
@@ -115,6 +134,20 @@ int export_gyro_bias(const export_job *job, double bias[3])
         bias[i] = c->gyro.offset[i] * c->gyro_lsb;
     }
     return c->has_gyro && c->gyro_lsb > 0 && !c->gyro_is_counts;
+}
+
+void export_gyro_tell(const export_job *job, const char *why)
+{
+    if (job->file.has_gyro) {
+        message("warning: %s: the gyroscope is left out: %s", job->source, why);
+    }
+}
+
+void export_gyro_comment(FILE *file, const char *prefix, const export_job *job, const char *why)
+{
+    if (job->file.has_gyro) {
+        export_comment(file, prefix, "The gyroscope is left out: %s.", why);
+    }
 }
 
 void export_comment_no_g(FILE *file, const char *prefix, const export_job *job)

@@ -14,6 +14,7 @@
 /* By --columns: for each meaning a name or a number; empty: it is found. */
 static char chosen[COLUMN_COUNT][HEADING_NAME_MAX];
 static char stated[COLUMNS_CHOICE_MAX]; /* all of it; empty: nothing is stated */
+static int needed[COLUMN_COUNT];
 
 /* The meaning with this name, or COLUMN_COUNT. */
 static column meaning_of(const char *name)
@@ -77,6 +78,7 @@ int chosen_read(const char *command, const char *text)
     int failure = EXIT_GOOD;
 
     memset(chosen, 0, sizeof chosen);
+    memset(needed, 0, sizeof needed);
     snprintf(stated, sizeof stated, "%s", text ? text : "");
     snprintf(copy, sizeof copy, "%s", stated);
     if (text && strlen(text) >= sizeof copy) {
@@ -98,6 +100,16 @@ int chosen_read(const char *command, const char *text)
 int chosen_is(column which)
 {
     return *chosen[which] != '\0';
+}
+
+void chosen_need(column which)
+{
+    needed[which] = 1;
+}
+
+int chosen_is_needed(column which)
+{
+    return needed[which] || chosen_is(which);
 }
 
 const char *chosen_text(void)

@@ -26,6 +26,10 @@ int chosen_read(const char *command, const char *text);
 /* 1 if it is stated which column this is. */
 int chosen_is(column which);
 
+/* An option of this run needs the column, after chosen_read; what is stated is needed, too. */
+void chosen_need(column which);
+int chosen_is_needed(column which);
+
 /* The option as it was stated; empty: it was not. */
 const char *chosen_text(void);
 

@@ -22,15 +22,6 @@ static heading headings[TABLE_COLUMNS_MAX];
 
 /* ---- x, y and z --------------------------------------------------------------------------------- */
 
-/* What a heading with an axis is of. */
-typedef enum {
-    OF_NOTHING, /* what nobody knows */
-    OF_GYROSCOPE,
-    OF_MAGNETOMETER,
-    OF_ANYTHING, /* x, y and z alone */
-    OF_ACCELEROMETER
-} origin;
-
 static int is_among(const char *key, const char *const *keys)
 {
     while (*keys && strcmp(key, *keys) != 0) {
@@ -91,7 +82,7 @@ static void read_headings(const table *t)
 }
 
 /* Keys of headings that may be meant, see heading.h. */
-static origin origin_of(const heading *h)
+static columns_origin origin_of(const heading *h)
 {
     static const char *const accelerometers[] = {
         "a",
@@ -155,8 +146,8 @@ static int find_axis(const table *t, unsigned from, int axis)
 
 /* Which origins are meant. */
 typedef struct {
-    origin least;
-    origin most;
+    columns_origin least;
+    columns_origin most;
 } origins;
 
 static int is_of(const heading *h, origins which)
@@ -242,7 +233,7 @@ static void say_none(const table *t, columns_kind kind)
 /* The sensor that is not calibrated, which may be there as well. */
 static void find_set_aside(const table *t, columns_kind kind, columns *out)
 {
-    const origin which = kind == COLUMNS_MAGNETOMETER ? OF_ACCELEROMETER : OF_MAGNETOMETER;
+    const columns_origin which = kind == COLUMNS_MAGNETOMETER ? OF_ACCELEROMETER : OF_MAGNETOMETER;
     int other[3];
 
     if (find_set(t, 0, (origins){which, which}, other) == t->columns) {
@@ -326,8 +317,7 @@ static double turn_of_system(const heading *x)
 /* What x, y and z are in is a magnetometer's unit: of two that are called G it is gauss. */
 static int is_magnetic(const columns *out)
 {
-    return out->seen.is_magnetometer ||
-           origin_of(&headings[out->index[COLUMN_X]]) == OF_MAGNETOMETER;
+    return out->seen.is_magnetometer || out->seen.of == OF_MAGNETOMETER;
 }
 
 static int find_unit(const table *t, columns *out)
@@ -346,6 +336,7 @@ static int find_unit(const table *t, columns *out)
             return EXIT_FILE;
         }
     }
+    out->seen.of = origin_of(x);
     out->seen.unit = is_magnetic(out) ? x->magnetic
                      : x->states_unit ? x->unit
                                       : unit_of_system(t, x);

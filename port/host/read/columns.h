@@ -11,13 +11,23 @@
 #include "read/heading.h"
 #include "read/table.h"
 
+/* What a heading with an axis is of. */
+typedef enum {
+    OF_NOTHING, /* what nobody knows */
+    OF_GYROSCOPE,
+    OF_MAGNETOMETER,
+    OF_ANYTHING, /* x, y and z alone */
+    OF_ACCELEROMETER
+} columns_origin;
+
 /* What was recognised, to be printed; the table is no longer needed. */
 typedef struct {
-    const char *separator;            /* "commas", ... */
-    unsigned long header_line;        /* 0: none */
-    unsigned long preamble;           /* lines of `name, value` before it */
-    unsigned long unit_line;          /* a row of units; 0: none */
-    int is_magnetometer;              /* one was asked for */
+    const char *separator;     /* "commas", ... */
+    unsigned long header_line; /* 0: none */
+    unsigned long preamble;    /* lines of `name, value` before it */
+    unsigned long unit_line;   /* a row of units; 0: none */
+    int is_magnetometer;       /* one was asked for */
+    columns_origin of;         /* what the headings of x, y and z say; without them nothing */
     char set_aside[HEADING_NAME_MAX]; /* x of the other one, of a magnetometer or accelerometer;
                                        * empty: none */
     char gyro[3][HEADING_NAME_MAX];   /* of a gyroscope, as in the header; empty: there is none */

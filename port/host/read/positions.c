@@ -10,6 +10,7 @@
 #include "cli/message.h"
 #include "text/number.h"
 #include "read/table.h"
+#include "read/temperature.h"
 
 #define NEAR 0.02 /* of all the range: 4 degrees */
 #define MANY 60u  /* rows: few people have as many positions */
@@ -74,7 +75,7 @@ static int add_noise(positions *p, const table *t, const columns *where)
     return failure;
 }
 
-static int add_row(positions *p, const table *t, const columns *where)
+static int add_row(positions *p, const table *t, columns *where)
 {
     double mean[3];
     position_origin origin = {.line = t->line,
@@ -89,9 +90,7 @@ static int add_row(positions *p, const table *t, const columns *where)
     for (int i = 0; i < 3 && !failure; i++) {
         failure = columns_number(t, where, (column)(COLUMN_X + i), &mean[i]);
     }
-    if (!failure && p->has_temperature) {
-        failure = columns_number(t, where, COLUMN_TEMPERATURE, &origin.temperature);
-    }
+    failure = failure ? failure : temperature_read(t, where, &origin.temperature);
     failure = failure ? failure : positions_add(p, mean, &origin);
     return failure || !p->has_noise ? failure : add_noise(p, t, where);
 }
@@ -102,13 +101,13 @@ static int read_rows(positions *p, table *t)
     int more = 0;
     int failure = columns_find(t, COLUMNS_POSITIONS, &where);
 
-    p->seen = where.seen;
     p->has_noise = !failure && where.index[COLUMN_STD_X] >= 0 && where.index[COLUMN_SAMPLES] >= 0;
-    p->has_temperature = !failure && where.index[COLUMN_TEMPERATURE] >= 0;
     p->has_angles = !failure && where.index[COLUMN_ALPHA] >= 0 && where.index[COLUMN_BETA] >= 0;
     while (!failure && (more = table_next(t)) == 1) {
         failure = add_row(p, t, &where);
     }
+    p->seen = where.seen;
+    p->has_temperature = where.index[COLUMN_TEMPERATURE] >= 0;
     if (!failure && more == 0 && p->count == 0) {
         message("%s: has a header, but no positions: was anything recorded?", t->name);
         failure = EXIT_FILE;
@@ -157,9 +156,11 @@ int positions_read(positions *p, const char *path)
         p->noise_square[i] /= p->count;
     }
     if (!failure && look_like_samples(p)) {
-        message("warning: %s: this looks like a raw log, not like position means: most of its %u "
-                "rows repeat the one before; invcal calibrate reads a raw log without --positions",
-                p->name, p->count);
+        message(
+            "warning: %s: this looks like a raw log, not like position means: most of its %u "
+            "rows repeat the one before; invcal calibrate reads a raw log without --positions%s",
+            p->name, p->count,
+            p->seen.of == OF_MAGNETOMETER ? "; for a magnetometer in motion: --magnetometer" : "");
     }
     return failure;
 }

@@ -36,6 +36,7 @@ void recording_sample(recording *r, const samples *log, const sample *s)
         r->open = (recording_block){
             .line = s->line, .clock = s->clock, .angle = {s->angle[0], s->angle[1]}};
     }
+    r->has_temperature = log->has_temperature;
     r->open.temperature += s->temperature;
     for (unsigned i = 0; i < 3; i++) {
         value[i] = s->raw[i] * log->unit;

@@ -147,6 +147,7 @@ void rests_end(positions *p, const samples *log, rests_summary *summary)
     summary->skipped = log->skipped;
     summary->seconds = (double)summary->samples / summary->rate;
     p->rests = summary;
+    p->seen = log->where.seen; /* without a temperature that is ignored */
     p->has_temperature = log->has_temperature;
     p->has_angles = log->has_angles;
 }
@@ -205,7 +206,7 @@ static int begin(reading *r, const samples *log, const double *clip, unsigned gu
 {
     const double rate = guessed > 0 ? guessed : log->rate;
 
-    r->p = (positions){.name = log->table.name, .has_noise = 1, .seen = log->where.seen};
+    r->p = (positions){.name = log->table.name, .has_noise = 1};
     r->summary = (rests_summary){.rate = rate,
                                  .is_rate_known = log->is_rate_known,
                                  .track = r->recording,

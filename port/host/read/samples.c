@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "read/temperature.h"
 
 #define RATE_GUESS 100.0
 #define ROOM 22 /* bits that the largest of the first readings takes, and its fraction */
@@ -18,17 +19,20 @@ enum { TIME = 3, TEMPERATURE = 4, ALPHA = 5, BETA = 6, ASIDE = 7, GYRO = 10 };
 /* The numbers of the current row. */
 static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
 {
-    static const column which[5] = {COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_TIME, COLUMN_TEMPERATURE};
+    static const column which[4] = {COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_TIME};
 
     if (columns_check_instance(&s->table, &s->where)) {
         return EXIT_FILE;
     }
     v[TIME] = v[TEMPERATURE] = v[GYRO] = v[GYRO + 1] = v[GYRO + 2] = 0;
-    for (unsigned i = 0; i < 5; i++) {
+    for (unsigned i = 0; i < 4; i++) {
         if (s->where.index[which[i]] >= 0 &&
             columns_number(&s->table, &s->where, which[i], &v[i])) {
             return EXIT_FILE;
         }
+    }
+    if (temperature_read(&s->table, &s->where, &v[TEMPERATURE])) {
+        return EXIT_FILE;
     }
     v[ALPHA] = columns_angle(&s->table, &s->where, COLUMN_ALPHA);
     v[BETA] = columns_angle(&s->table, &s->where, COLUMN_BETA);
@@ -259,6 +263,7 @@ int samples_next(samples *s, sample *out)
     for (unsigned i = 0; i < 3; i++) {
         out->raw[i] = samples_count(s, v[i]);
     }
+    s->has_temperature = s->where.index[COLUMN_TEMPERATURE] >= 0;
     out->time = v[TIME];
     out->temperature = v[TEMPERATURE];
     out->angle[0] = v[ALPHA];

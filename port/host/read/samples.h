@@ -42,7 +42,7 @@ typedef struct {
     double unit; /* input units of one count */
     double rate; /* samples per second */
     int has_time;
-    int has_temperature;
+    int has_temperature; /* so far: see temperature.h */
     int has_gyro;
     int has_angles;    /* there are columns alpha and beta */
     int is_rate_known; /* given, or from the times; else rate is a guess */

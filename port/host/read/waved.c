@@ -89,7 +89,7 @@ static int read_log(samples *log, positions *p, const waved_wish *wish, waved *o
     invcal_magnetometer m;
     int failure = samples_open(log, wish->path, COLUMNS_MAGNETOMETER, wish->rate, wish->is_live);
 
-    *p = (positions){.name = log->table.name, .seen = log->where.seen};
+    *p = (positions){.name = log->table.name};
     *out = (waved){
         .rate = log->rate, .is_rate_known = log->is_rate_known, .status = INVCAL_BAD_NOMINAL};
     if (!failure && invcal_magnetometer_init(&m, wish->nominal) == INVCAL_OK) {
@@ -98,6 +98,7 @@ static int read_log(samples *log, positions *p, const waved_wish *wish, waved *o
         invcal_magnetometer_next(&m, out->next);
     }
     samples_close(log);
+    p->seen = log->where.seen;
     p->bytes = log->table.bytes;
     p->crc = log->table.crc;
     if (failure || out->status != INVCAL_OK) {

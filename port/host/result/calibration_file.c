@@ -65,15 +65,20 @@ static int read_sigma(json_reader *r, double out[3])
     return read_three(r, read_figure, out);
 }
 
-static int read_matrix(json_reader *r, double out[3][3])
+static int read_nine(json_reader *r, number_reader read, double out[3][3])
 {
     int failure = json_enter(r, '[');
 
     for (unsigned i = 0; i < 3 && !failure; i++) {
         failure = expect_element(r, i, 3);
-        failure = failure ? failure : read_vector(r, out[i]);
+        failure = failure ? failure : read_three(r, read, out[i]);
     }
     return failure ? failure : expect_element(r, 3, 3);
+}
+
+static int read_matrix(json_reader *r, double out[3][3])
+{
+    return read_nine(r, json_read_number, out);
 }
 
 /* A list of texts, with commas between; what is too long for `out` is cut. */
@@ -297,7 +302,10 @@ static int read_gyro_member(json_reader *r, const char *name, void *into)
            : is(name, "matrix")       ? read_matrix(r, g->file->gyro.matrix)
            : is(name, "lsb")          ? json_read_number(r, &g->file->gyro_lsb)
            : is(name, "g_correction") ? read_matrix(r, g->file->gyro_g)
-                                      : json_skip(r);
+           : is(name, "sigma")        ? read_nine(r, read_figure, g->file->gyro_sigma)
+           : is(name, "verdict")
+               ? json_read_text(r, g->file->gyro_verdict, sizeof g->file->gyro_verdict)
+               : json_skip(r);
 }
 
 /* One that was refused is none. */
@@ -438,6 +446,7 @@ static void forget(calibration_file *c)
     for (unsigned i = 0; i < 3; i++) {
         c->zero[i] = c->lsb[i] = NUMBER_UNKNOWN;
         c->sigma_offset[i] = c->sigma_dk[i] = c->sigma_gamma[i] = NUMBER_UNKNOWN;
+        c->gyro_sigma[i][0] = c->gyro_sigma[i][1] = c->gyro_sigma[i][2] = NUMBER_UNKNOWN;
     }
 }
 

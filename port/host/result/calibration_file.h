@@ -52,9 +52,11 @@ typedef struct {
         gyro_g[3]
               [3]; /* of which this, rad/s per field unit, times what is felt is taken off; or 0, */
     int has_gyro_g;
-    double gyro_lsb;    /* nominal: rad/s in one, */
-    int gyro_is_counts; /* which has no name */
-    int has_nonlinear;  /* the calibration is what is left for a linear one after */
+    double gyro_lsb;         /* nominal: rad/s in one, */
+    int gyro_is_counts;      /* which has no name */
+    double gyro_sigma[3][3]; /* of the matrix over gyro_lsb */
+    char gyro_verdict[CALIBRATION_FILE_WORD];
+    int has_nonlinear; /* the calibration is what is left for a linear one after */
     calibration_nonlinear nonlinear;
 } calibration_file;
 
