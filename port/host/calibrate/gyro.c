@@ -65,17 +65,33 @@ static void take_joint(calibrate_result *result)
     }
 }
 
+/* About how the accelerometer reads. A box around few rests misses its zero by far. Null: nothing shows it yet. */
+static const invcal_calibration *find_start(int refused, const calibrate_result *result,
+                                            invcal_calibration *about)
+{
+    const rejection *kept = &result->rejected;
+
+    if (!refused) {
+        return &result->solution.symmetric;
+    }
+    if (!nominal_is_guess(&result->nominal)) {
+        return &result->settings.nominal;
+    }
+    return nominal_from_sphere(kept->kept, kept->kept_count, about) ? about : NULL;
+}
+
 int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_result *result)
 {
     const double *clip = r->value[ASK_CLIP] ? r->clip : NULL;
+    invcal_calibration about;
     const int may_help = refused == EXIT_DATA && result->refused.undetermined != 0;
 
     if (gyro->readings == 0 || (refused && !may_help) || result->data->count == 0) {
         return refused;
     }
-    const int failure = gyro_make(
-        &result->gyro, gyro, &r->gyro, (unsigned)nearbyint(result->log->rate), clip, result->data,
-        &result->rejected, refused ? &result->settings.nominal : &result->solution.symmetric);
+    const int failure =
+        gyro_make(&result->gyro, gyro, &r->gyro, (unsigned)nearbyint(result->log->rate), clip,
+                  result->data, &result->rejected, find_start(refused, result, &about));
     if (failure) {
         return failure;
     }

@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "fit/nominal.h"
 #include "maths/matrix.h"
 #include "text/number.h"
 
@@ -24,6 +25,13 @@
 
 /* Too large for the stack. */
 static invcal_moves moves;
+
+static const char more_moves[] =
+    "make more moves, about each of the three axes: twelve quarter turns "
+    "through the six faces determine everything";
+static const char check_both[] =
+    "check that both are of one device and one clock, and that no readings "
+    "are clipped or lost";
 
 typedef char axes_text[40];
 
@@ -433,16 +441,23 @@ static int check_axes(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gues
     axes_text text;
 
     if (!(guess->misfit < FITS)) {
-        refuse(g, "apart",
+        const int is_sure = g->rests > INVCAL_TOUR;
+        refuse(g, is_sure ? "apart" : "undetermined",
                "the turns of the gyroscope differ from those of the accelerometer by %.2g degrees "
-               "in a move, for any assignment of its axes",
-               guess->misfit / UNIT_DEGREE);
-        advise(g, "check that both are of one device and one clock, and that no readings are "
-                  "clipped or lost");
+               "in a move, for any assignment of its axes%s",
+               guess->misfit / UNIT_DEGREE, is_sure ? "" : "; these moves are too few to show why");
+        advise(g, "%s", is_sure ? check_both : more_moves);
         return 0;
     }
     if (guess->axes[0] == 1 && guess->axes[1] == 2 && guess->axes[2] == 3) {
         return 1;
+    }
+    if (!guess->is_clear) {
+        refuse(g, "axes",
+               "the gyroscope's axes are not the accelerometer's, and these moves do not show "
+               "which they are");
+        advise(g, "%s, or state --gyro-axes", more_moves);
+        return 0;
     }
     for (unsigned i = 0; i < 3; i++) {
         const int8_t stated = wish->axes[abs(guess->axes[i]) - 1];
@@ -597,6 +612,41 @@ static void add_reasons(gyro_fit *g)
     }
 }
 
+/* Too few rests to show which way was up in them. */
+static void say_no_start(gyro_fit *g)
+{
+    refuse(g, "too few",
+           "the %u rest%s between the moves %s not show the accelerometer's zero, and so not which "
+           "way was up",
+           g->rests, g->rests == 1 ? "" : "s", g->rests == 1 ? "does" : "do");
+    advise(g,
+           "%s turn about all three axes, to other sides, or state --zero and --lsb of the "
+           "accelerometer",
+           g->rests < NOMINAL_SPHERE ? "hold it still in four directions or more, and"
+                                     : "the rests are nearly in a plane:");
+}
+
+/* No convergence, or residuals that no noise has. The search found these axes to fit: that leaves moves which are too
+ * few, or a part of them that are wrong. */
+static void say_apart(gyro_fit *g, invcal_status status)
+{
+    unsigned used = 0;
+
+    for (unsigned i = 0; i < g->moves; i++) {
+        used += g->move[i].why == INVCAL_OK;
+    }
+    if (status == INVCAL_MOUNTING && used < INVCAL_TOUR) {
+        refuse(g, "undetermined", "%u usable move%s do%s not determine both sensors", used,
+               used == 1 ? "" : "s", used == 1 ? "es" : "");
+        add_reasons(g);
+        advise(g, "%s", more_moves);
+        return;
+    }
+    refuse(g, "apart", "%s", invcal_status_text(status));
+    add_reasons(g);
+    advise(g, "%s", check_both);
+}
+
 static void say_status(gyro_fit *g, invcal_status status)
 {
     switch (status) {
@@ -611,9 +661,7 @@ static void say_status(gyro_fit *g, invcal_status status)
         say_open(g);
         break;
     default:
-        refuse(g, "apart", "%s", invcal_status_text(status));
-        advise(g, "check that both are of one device and one clock, and that no readings are "
-                  "clipped or lost");
+        say_apart(g, status);
         break;
     }
 }
@@ -724,12 +772,16 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
     const double unit = find_count(t);
     begin_replay(&r, t, rate, clip, p, kept);
     find_rests(g, &r);
-    const long lag = find_lag(g, p, start, bias);
-    g->lag = (double)lag / t->rate;
     if (g->rests < FEW_RESTS) {
         say_status(g, INVCAL_TOO_FEW);
         return EXIT_GOOD;
     }
+    if (!start) {
+        say_no_start(g);
+        return EXIT_GOOD;
+    }
+    const long lag = find_lag(g, p, start, bias);
+    g->lag = (double)lag / t->rate;
     if (!find_unit_and_axes(g, &asked, lag, bias)) {
         return EXIT_GOOD;
     }

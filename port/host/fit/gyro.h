@@ -72,7 +72,7 @@ typedef struct {
 /* Calibrates both.
  *
  * rate   samples per second that rests were found with, and clip as in rests.h.
- * start  the accelerometer, over the field: about.
+ * start  the accelerometer, over the field: about; null: the rests do not show it yet.
  * g      out; large.
  *
  * g says what is wrong. Returns EXIT_GOOD; EXIT_FILE, with a message, without memory. */
