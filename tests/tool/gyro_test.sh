@@ -61,6 +61,20 @@ for seed in 1 2 3; do
     near 0.0016 "$(json "$work/stdout" gamma)" '0.01 -0.006 0.008' # not 0.0006: three sigma of a tour
     check "twelve quarter turns, seed $seed: the angles of the accelerometer are told by the moves" test $? -eq 0
 done
+# The noise comes from 13 lengths among 37 equations with 19 to spare; 2.365 is Student's t of 7 degrees of freedom.
+check "twelve quarter turns: the degrees of freedom are those of the lengths" near 1e-9 "$(json "$work/stdout" degrees_of_freedom)" 6.675675675675675
+check "twelve quarter turns: the interval is theirs" near 0.001 "$(json "$work/stdout" interval95)" 2.3646
+good_tours() { # SEEDS...: how many of them end good
+    for seed in "$@"; do
+        "$tool" simulate --gyro --dwell 3 --plan directions:"$work/tour.csv" --seed "$seed" > "$work/clean.log"
+        "$tool" calibrate "$work/clean.log" | grep '^Good: '
+    done | wc -l
+}
+check "twelve quarter turns, clean, of seeds that scatter most: good" test "$(good_tours 8 15 42 67 80)" -eq 5
+if [ "${LONG-}" ]; then # 0.3 % by chance
+    # shellcheck disable=SC2046 # numbers
+    check "twelve quarter turns, clean: good but for chance" test "$(good_tours $(seq 1 80))" -ge 79
+fi
 "$tool" simulate --gyro --dwell 3 --plan directions:"$work/tour.csv" --outliers 1 > "$work/outlier.log"
 run calibrate "$work/outlier.log"
 check "twelve quarter turns with a wrong rest: rough" matches "$work/stdout" '^Rough: '

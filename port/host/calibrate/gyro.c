@@ -37,6 +37,28 @@ static void measure(const calibrate_result *result, invcal_quality *q)
     q->rms = sqrt(squares / kept->kept_count);
 }
 
+/* The noise of a mean comes from the lengths of the rests alone, as in the library: their share of the degrees of
+ * freedom. */
+static double dof_of_rests(const gyro_fit *g)
+{
+    return (double)g->imu.dof * g->rests / (g->rests + 2.0 * g->imu.moves);
+}
+
+/* The lengths disagree by more than their noise: judged as without moves, by the lengths alone. Only the angles, which
+ * the moves tell, come from them. */
+static int is_disturbed(const calibrate_result *result)
+{
+    const rejection *kept = &result->rejected;
+    fit_settings with;
+    fit_solution solution;
+    fit_quality lengths;
+
+    calibrate_with_moves(result, &with);
+    with.nominal = result->gyro.imu.accelerometer;
+    return fit_make(kept->kept, kept->kept_count, &with, &solution, &lengths, NULL) == INVCAL_OK &&
+           lengths.verdict == INVCAL_ROUGH && !calibrate_is_coarse(result);
+}
+
 /* The moves determine what the rests leave undetermined. */
 static void take_joint(calibrate_result *result)
 {
@@ -46,8 +68,7 @@ static void take_joint(calibrate_result *result)
     invcal_quality q = {.verdict = imu->verdict,
                         .noise = imu->noise,
                         .positions = (uint16_t)result->rejected.kept_count,
-                        .dof = imu->dof,
-                        .sigma_dof = imu->dof};
+                        .sigma_dof = (uint16_t)lround(dof_of_rests(&result->gyro))};
 
     memcpy(q.sigma, &imu->sigma[INVCAL_GYRO_PARAMETERS], sizeof q.sigma);
     measure(result, &q);
@@ -55,11 +76,12 @@ static void take_joint(calibrate_result *result)
     result->is_joint = 1;
     result->solution = fit_solution_of(&imu->accelerometer, &result->settings);
     result->quality = fit_quality_of(&q, &result->settings, &result->solution);
+    result->quality.dof = dof_of_rests(&result->gyro);
     calibrate_with_moves(result, &with);
     fit_information(result->rejected.kept, result->rejected.kept_count, &with, &result->solution,
                     result->quality.noise, information);
     result->quality.condition = eigen_condition(information, INVCAL_PARAMETERS);
-    if (result->quality.verdict == INVCAL_GOOD && calibrate_is_disturbed(result)) {
+    if (result->quality.verdict == INVCAL_GOOD && is_disturbed(result)) {
         result->quality.verdict = INVCAL_ROUGH; /* no rest is left out here */
         result->gyro.imu.verdict = INVCAL_ROUGH;
     }
