@@ -200,7 +200,7 @@ run calibrate "$work/changed.csv"
 check "clipped: that move is left out and named" matches "$work/stdout" "^Left out: the move from position 1 to 2 \(line [0-9]+\): at the end of the sensor's range"
 printf '%s\n' x,y,z 0,0,1 1,0,0 0,0,-1 -1,0,0 0,0,1 1,0,0 0,0,-1 -1,0,0 0,0,1 1,0,0 > "$work/one.csv"
 "$tool" simulate --gyro --dwell 3 --plan directions:"$work/one.csv" > "$work/one.log"
-refuses "all moves about one axis: it names what is open" 1 'The moves between them do not determine them either: .*gyro_xx.*gyro_zz' \
+refuses "all moves about one axis: it names what is open" 1 'The moves between them do not determine them either: .*gyro scale x.*gyro scale z' \
     calibrate "$work/one.log" --zero 0,0,0 --lsb 9.80665/16384
 refuses "the same without zero and scale: the rests are in a plane" 1 'the rests are nearly in a plane: turn about all three axes' calibrate "$work/one.log"
 awk -F, -v OFS=, 'NR == 1 { print; next } { a[NR] = $1 OFS $2 OFS $3 OFS $4; g[NR] = $5 OFS $6 OFS $7 }
@@ -254,6 +254,34 @@ refuses "axes that are exchanged are found in seven rests" 1 'state --gyro-axes 
 paste -d, "$work/acc.csv" "$work/gyro7.csv" | awk -F, 'NF == 7 && $1 != "" && $5 != ""' > "$work/changed.csv"
 solve "$work/changed.csv"
 check "the gyroscope of another device: apart" refused_as apart 'one device and one clock'
+
+# ---- what is told of a gyroscope that is not good -------------------------------------------------------
+
+# A range of 30 degrees/s clips all but one of the moves.
+"$tool" simulate --gyro --dwell 3 --plan edges --gyro-range 30 > "$work/clipped.csv"
+solve "$work/clipped.csv"
+clipped='unusable 16: at the end of the sensor.s range'
+check "clipped but for one move: undetermined, and why" refused_as undetermined "\"reason\": .*gyro scale x, .*; $clipped"
+check "clipped but for one move: turn more slowly, or a larger range" matches "$work/stdout" '"remedy": "turn more slowly, or choose a larger range of the gyroscope; '
+check "clipped but for one move: JSON names all moves" test "$(grep -c '"left_out": "at the end of the sensor.s range"' "$work/stdout")" -eq 16
+run calibrate "$work/clipped.csv"
+check "the last line names the gyroscope" test "$(tail -n 1 "$work/stdout" | grep -c '^The gyroscope is not calibrated. Next, for it: turn more slowly')" -eq 1
+run calibrate "$work/edges.csv"
+check "a good one is not in the last line" lacks "$work/stdout" '^The gyroscope is'
+# Nine rests that leave nothing of the accelerometer open, and one angle of the gyroscope.
+head -n 4500 "$work/edges.csv" > "$work/short.csv"
+run calibrate "$work/short.csv"
+check "weak in the gyroscope alone: the accelerometer is good" matches "$work/stdout" '^Good: every parameter is determined'
+check "weak in the gyroscope alone: the last line says where" test "$(tail -n 1 "$work/stdout")" = \
+    'The gyroscope is weak: gyro angle yz; make more moves, about all three axes.'
+solve "$work/short.csv"
+check "weak in the gyroscope alone: the accelerometer leaves nothing open" matches "$work/stdout" '^  "verdict": "good"'
+check "weak in the gyroscope alone: JSON names it" test "$(inner "$work/stdout" undetermined)" = '["gyro_yz"]'
+run calibrate "$work/short.csv" --strict --quiet
+check "weak in the gyroscope alone: --strict" was_refused 1 '--strict: the gyroscope is weak: gyro angle yz'
+head -n 3500 "$work/edges.csv" > "$work/short.csv"
+run calibrate "$work/short.csv" --json
+check "a refusal names the moves" test "$(grep -c '^ *"seconds": ' "$work/stdout")" -eq 6
 
 # ---- the page ----------------------------------------------------------------------------------------
 

@@ -65,7 +65,11 @@ static void take_joint(calibrate_result *result)
     const invcal_imu *imu = &result->gyro.imu;
     double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     fit_settings with = result->settings;
-    invcal_quality q = {.verdict = imu->verdict,
+    /* what is weak is the gyroscope alone: see tells_more */
+    const int is_weak = imu->verdict == INVCAL_WEAK;
+    invcal_quality q = {.verdict = !is_weak       ? imu->verdict
+                                   : imu->dof > 0 ? INVCAL_GOOD
+                                                  : INVCAL_NO_REDUNDANCY,
                         .noise = imu->noise,
                         .positions = (uint16_t)result->rejected.kept_count,
                         .sigma_dof = (uint16_t)lround(dof_of_rests(&result->gyro))};
@@ -83,7 +87,7 @@ static void take_joint(calibrate_result *result)
     result->quality.condition = eigen_condition(information, INVCAL_PARAMETERS);
     if (result->quality.verdict == INVCAL_GOOD && is_disturbed(result)) {
         result->quality.verdict = INVCAL_ROUGH; /* no rest is left out here */
-        result->gyro.imu.verdict = INVCAL_ROUGH;
+        result->gyro.imu.verdict = is_weak ? INVCAL_WEAK : INVCAL_ROUGH;
     }
 }
 
@@ -120,6 +124,9 @@ int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_r
     if (tells_more(r, refused, result)) {
         take_joint(result);
         return EXIT_GOOD;
+    }
+    if (refused && !result->gyro.word && result->gyro.imu.open) {
+        gyro_refuse_open(&result->gyro);
     }
     if (refused && result->gyro.word) {
         const size_t length = strlen(result->refused.remedy);
