@@ -73,6 +73,17 @@ check "no unit: counts are what it is in" inside white 1.59 1.69
 check "no unit: it says so" matches "$work/stdout" '"unit": "input"'
 check "no sigma, no floor: the longest time" matches "$work/stdout" '"dwell_end": "longest"'
 
+# White noise alone: what is not visible is 0.
+awk 'function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }
+    BEGIN {
+        srand(1)
+        print "t,x,y,z"
+        for (i = 0; i < 6000; i++) printf "%.2f,%.5f,%.5f,%.5f\n", i / 100, normal(), normal(), normal() + 100
+    }' > "$work/white.csv"
+run allan "$work/white.csv" --json
+check "white noise: a random walk of 0" matches "$work/stdout" '^ *"walk": 0,$'
+check "white noise: no minus zero" lacks "$work/stdout" ' -0[],]'
+
 # Bias that wanders: a random walk, K of 1e-5 m/s^2 in a step of 0.1 s, is 3.16e-5 m/s^2 sqrt(Hz).
 awk 'function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }
     BEGIN {

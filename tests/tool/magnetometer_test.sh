@@ -59,6 +59,19 @@ check "magnetometer: the scale, too" matches "$work/stdout" '^scale x .* µT per
 check "magnetometer: and the need" matches "$work/stdout" 'PASS: length within [0-9.]+ of 5\.0 µT'
 run calibrate --magnetometer "$work/ut.csv" --gravity 0.48
 check "magnetometer: unless it is far from the readings" matches "$work/stdout" 'field 0\.48 field units$'
+for stated in '48.0 uT' 48.0µT '48.0+-0.5uT' '48.0±0.5µT'; do
+    run calibrate --magnetometer "$work/log.csv" --gravity "$stated" # of columns in gauss
+    check "magnetometer: a field of $stated" matches "$work/stdout" 'field 48 µT$'
+    check "magnetometer: $stated: scales" matches "$work/stdout" '^scale x .* gauss per µT$'
+    check "magnetometer: $stated: noise" matches "$work/stdout" '^noise  .* µT of one position mean'
+done
+check "magnetometer: what it may be wrong by" matches "$work/stdout" '^of the field +1 %, included in the ± of all three scales'
+run calibrate --magnetometer "$work/log.csv" --gravity 0.48G
+check "magnetometer: G is gauss, not g" matches "$work/stdout" 'field 0\.48 gauss$'
+for stated in 48.5parsec uT 48.5counts; do
+    refuses "magnetometer: a field of $stated" 2 'is not a decimal number' calibrate --magnetometer "$work/log.csv" --gravity "$stated"
+done
+refuses "a field in a magnetometer's unit, of something else" 2 'is not a decimal number' calibrate "$work/log.csv" --gravity 48.5uT
 { echo 'mx,my,mz'; echo 'uT,uT,uT'; sed 1,2d "$work/ut.csv"; } > "$work/row.csv"
 run calibrate --magnetometer "$work/row.csv" --json
 check "magnetometer: units in a row of their own" matches "$work/stdout" '"unit": "uT"'

@@ -132,7 +132,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     head -n 600 "$work/creep.csv" > "$work/creeps.csv"
     run watch "$work/creeps.csv"
     terminal 'invcal watch "$work/creeps.csv"'
-    check "what is refused is told" matches "$work/typed" 'NOT GOOD.*readings creep'
+    check "what is refused is told" matches "$work/typed" 'NOT GOOD.*it drifts'
     check "and rung" test "$(count "$bell")" -eq "$(grep -c '^refused:' "$work/stdout")"
 
     # With a gyroscope it tells turns, and which move does not count.

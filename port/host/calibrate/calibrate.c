@@ -48,6 +48,7 @@ static calibrate_result ask(const request *r, const positions *data, const rests
         .data = data,
         .log = r->value[ASK_POSITIONS] ? NULL : log,
         .settings = r->settings,
+        .field_unit = r->field_unit,
         .place = r->value[ASK_LATITUDE] ? r->place : NULL,
         .told = r->told,
         .need = r->need,
@@ -211,8 +212,8 @@ static const char *const help[] = {
     "  --gravity G[+-S]    length of the field, and its standard deviation; default\n"
     "                      9.80665+-0.027 (m/s^2), which holds anywhere on Earth. Its unit is\n"
     "                      that of the result (field unit): 1 gives g. For a magnetometer,\n"
-    "                      the length of the earth's field, e.g. 48.5 (uT). Its error scales\n"
-    "                      all readings alike\n"
+    "                      the length of the earth's field, e.g. 48.5 or 48.5uT. Its error\n"
+    "                      scales all readings alike\n"
     "  --latitude DEG      instead of --gravity: normal gravity at this latitude (WGS 84),\n"
     "                      north positive. Local gravity differs from it by about 0.0005\n"
     "                      m/s^2, which scales all readings alike\n"

@@ -139,13 +139,30 @@ static int read_place(request *r)
     return EXIT_GOOD;
 }
 
+/* The unit of a magnetometer behind a number, 48.5uT: it is cut off. */
+static void cut_unit(char *text, reading_unit *unit)
+{
+    char *end = text + strlen(text);
+
+    while (end > text && !strchr("0123456789.", end[-1])) {
+        end--;
+    }
+    if (end > text && *end != '\0' && unit_parse_magnetic(end, unit) && *unit != UNIT_COUNTS) {
+        *end = '\0';
+    }
+}
+
 /* G, or G with what it may be wrong by: 9.80665+-0.027, or the sign for that. */
 static int read_field(request *r)
 {
     static const char *const signs[] = {"+-", "±"};
-    const char *text = r->value[ASK_GRAVITY];
+    char text[128]; /* longer than any that makes sense */
     char length[64];
 
+    snprintf(text, sizeof text, "%s", r->value[ASK_GRAVITY]);
+    if (r->value[ASK_MAGNETOMETER]) {
+        cut_unit(text, &r->field_unit);
+    }
     r->field_sigma = 0;
     for (unsigned i = 0; i < 2; i++) {
         const char *sign = strstr(text, signs[i]);

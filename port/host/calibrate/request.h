@@ -95,6 +95,7 @@ typedef struct {
     double tolerance[3];
     char command[REQUEST_COMMAND_MAX]; /* the command line, for the report */
     double place[2];                   /* latitude, height */
+    reading_unit field_unit;           /* as stated; of a magnetometer alone */
     double field_sigma; /* what the length of the field may be wrong by, field units */
     thermal_wish thermal;
     gyro_wish gyro;

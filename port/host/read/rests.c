@@ -42,8 +42,6 @@ const char *rests_reason_text(invcal_status reason)
     switch (reason) {
     case INVCAL_REST_SHORT:
         return "too short: hold it still longer";
-    case INVCAL_REST_DRIFT:
-        return "readings creep: turned slowly, or not settled";
     case INVCAL_REST_CLIPPED:
         return "at the end of the sensor's range";
     case INVCAL_REST_FROZEN:

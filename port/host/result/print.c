@@ -194,8 +194,8 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
                        "±             one standard deviation; %.2f of them cover 95 %%%s",
                        q->coverage, q->from_prior ? "; 1.96 for parameters from the prior" : "");
         if (r->field_sigma > 0) {
-            wrapped_printf(file, LABEL,
-                           "of g          %.2g %s, included in the ± of all three scales%s",
+            wrapped_printf(file, LABEL, "%-14s%.2g %s, included in the ± of all three scales%s",
+                           r->magnetometer ? "of the field" : "of g",
                            told_scale(r->told).scale * r->field_sigma, told_scale(r->told).unit,
                            r->is_field_stated ? "" : "; --gravity or --latitude reduces it");
         }

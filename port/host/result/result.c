@@ -54,6 +54,9 @@ static int is_field_in_input_units(const calibrate_result *r)
 
 const char *calibrate_field_unit(const calibrate_result *result)
 {
+    if (result->field_unit != UNIT_UNKNOWN) {
+        return unit_words(result->field_unit);
+    }
     if (is_field_in_input_units(result)) {
         return calibrate_input_unit(result);
     }

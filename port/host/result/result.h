@@ -60,6 +60,7 @@ typedef struct {
     int has_limits;          /* stated; or is some */
     double field_sigma;      /* of the field, over itself: a part of sigma of the scales, */
     int is_field_stated;     /* as stated; or because it was not */
+    reading_unit field_unit; /* as stated */
     double accuracy; /* 95 % of lengths are right within that, over the field, if the field is */
     double need;     /* what is asked of all of it, field units; 0: nothing; */
     told_unit need_unit;   /* its unit */

@@ -35,7 +35,8 @@ static void write_number(FILE *file, double x)
 {
     char text[NUMBER_TEXT_MAX];
 
-    fputs(fabs(x) <= DBL_MAX ? number_text(x, text) : "null", file);
+    /* no minus zero */
+    fputs(fabs(x) <= DBL_MAX ? number_text(fabs(x) > 0 ? x : 0, text) : "null", file);
 }
 
 static void write_numbers(FILE *file, const double *x, unsigned n)

@@ -18,7 +18,7 @@ enum sensor_status {
     SENSOR_SILENT /* no sample in due time */
 };
 
-/* Sets the chip up. False if nobody answers, or another chip. */
+/* Sets the chip up. False if there is no answer, or another chip. */
 bool sensor_begin();
 
 /* Waits for the next sample, counts. */

@@ -15,7 +15,7 @@
 typedef enum {
     SENSOR_OK,
     SENSOR_LOST,  /* a sample, but it came late: others were lost before it */
-    SENSOR_SILENT /* nobody answers, or another chip */
+    SENSOR_SILENT /* no answer, or another chip */
 } sensor_status;
 
 /* Sets bus and chip up. Returns SENSOR_OK or SENSOR_SILENT. */
