@@ -310,7 +310,8 @@ static invcal_status weigh(job *j)
     }
     for (unsigned i = 0; i < n; i++) {
         const invcal_real ratio = j->noise * j->held[i];
-        dof += ratio * ratio * invcal_variance(j->a, n, i);
+        const invcal_real share = ratio * ratio * invcal_variance(j->a, n, i);
+        dof += share > 1 ? 1 : share; /* above 1 by rounding only */
     }
     invcal_judge_begin(&j->q);
     j->q.dof = invcal_whole(dof);

@@ -961,6 +961,43 @@ static void a_prior_shrinks_and_counts_by_the_closed_form(void)
     }
 }
 
+/* Ten positions and a prior on nine slopes leave at most one degree of freedom of 18 unknowns. Float resolves the
+ * prior so badly beside these readings that its shares would add up to 27 (found by a fuzzer). */
+static void rounding_gives_no_degree_of_freedom(void)
+{
+    static const double raw[][3] = {
+        {303.508789, 20.5, 988.916626},         {-329.845856, 350.391693, 904.349976},
+        {99.2431946, -593.900391, 819.783386},  {449.783997, 586.183044, 736.31665},
+        {-745.780396, -117.320419, 813.414551}, {761.540344, -434.993317, 567.18335},
+        {-217.121719, 887.196228, 483.716675},  {-401.063751, -809.90387, 399.149994},
+        {952.572937, 351.98111, 314.583313},    {-897.293152, 397.142639, 231.116653}};
+    const invcal_real mg = (invcal_real)0.001;
+    const invcal_calibration nominal = {{0, 0, 0}, {{mg, 0, 0}, {0, mg, 0}, {0, 0, mg}}};
+    const invcal_real ends[2] = {(invcal_real)-11.58203125, (invcal_real)81.07421875};
+    invcal_thermal_prior prior = nothing_known;
+
+    if (DEGREE < 1) {
+        TEST_IGNORE_MESSAGE("there are no slopes");
+    }
+    all.count = 10;
+    for (unsigned i = 0; i < all.count; i++) {
+        for (unsigned a = 0; a < 3; a++) {
+            all.raw[3 * i + a] = (invcal_real)raw[i][a];
+        }
+        all.temperature[i] = (invcal_real)(30 * (int)(i % 3) - 10);
+    }
+    for (int r = 0; r < INVCAL_PARAMETERS; r++) {
+        prior.sigma[DEGREE > 0][r] = (invcal_real)(r < 4 ? 0.001 : 0.00115820323);
+    }
+    const invcal_thermal_positions p = positions(1e-4);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&nominal, ends, 2, &found));
+    for (unsigned degree = 0; degree < 2; degree++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_thermal_fit(&p, &prior, &found, degree, &found, &quality));
+    }
+    TEST_ASSERT_LESS_OR_EQUAL_UINT(1, quality.dof);
+}
+
 static invcal_thermal_prior equal_prior(double sigma)
 {
     invcal_thermal_prior prior = nothing_known;
@@ -1557,6 +1594,7 @@ int main(void)
     RUN_TEST(a_prior_on_slopes_holds_what_one_temperature_leaves_open);
     RUN_TEST(a_slope_prior_alone_is_enough_at_a_constant_temperature);
     RUN_TEST(a_prior_shrinks_and_counts_by_the_closed_form);
+    RUN_TEST(rounding_gives_no_degree_of_freedom);
     RUN_TEST(a_prior_counts_for_more_where_the_data_are_noisier_than_stated);
     RUN_TEST(noise_as_large_as_the_field_leaves_everything_to_the_prior);
     RUN_TEST(a_prior_that_is_none_or_has_no_noise_is_refused);
