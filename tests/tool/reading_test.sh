@@ -193,10 +193,10 @@ check "20 Hz, stated: the JSON tells so" test "$(json "$work/stdout" rate) $(jso
     '20 "stated"'
 rate_log 20 1.2
 refuses "rests of 1 s at 20 Hz without times: what to do" 1 \
-    'no rest of two seconds .* at 100 samples per second \(a guess\).* state --rate, and hold each position still for 3 s or longer, below 25 samples per second for 50 samples, or average each yourself and add --positions$' \
+    'no rest of two seconds .* at 100 samples per second \(a guess\).* state --rate, and hold each position still for 3 s or longer, below 25 samples per second for 50 samples, or average each yourself and add --positions; for a magnetometer in motion: --magnetometer$' \
     calibrate "$work/log.csv"
 refuses "rests of 1 s at 20 Hz: what to do" 1 \
-    'no rest of 2\.5 seconds .* at 20 samples per second; refused [0-9]+: too short: .* \(near line [0-9]+, .*hold each position still for 3\.5 s or longer, or average each yourself and add --positions$' \
+    'no rest of 2\.5 seconds .* at 20 samples per second; refused [0-9]+: too short: .* \(near line [0-9]+, .*hold each position still for 3\.5 s or longer, or average each yourself and add --positions; for a magnetometer in motion: --magnetometer$' \
     calibrate "$work/log.csv" --rate 20
 rate_log 20 3.5
 is_right "rests as long as it was told" --rate 20
