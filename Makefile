@@ -313,9 +313,10 @@ format: ## lay out the sources by .clang-format (needs clang-format 19)
 	$(call need,clang-format-19)
 	sh tests/sources.sh c | xargs clang-format-19 -i
 
+APT ?= apt-get
 deps: ## install what all of these need beyond a C compiler (Debian, root)
-	apt-get update
-	apt-get install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev llvm-19 \
+	$(APT) update
+	$(APT) install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev llvm-19 \
 	    clang-format-19 clang-tidy-19 cppcheck pmccabe frama-c-base python3 python3-jsonschema \
 	    arduino-builder arduino-core-avr arduino-ctags python3-kconfiglib python3-yaml libxml2-utils \
 	    python3-mpmath python3-gmpy2 shellcheck codespell man-db groff mandoc doxygen bash \
@@ -325,7 +326,7 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user locales \
 	    parallel default-jre-headless python3-venv \
 	    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr zip unzip gcc-mingw-w64-x86-64 wine wine64
-	command -v npm > /dev/null || apt-get install -y --no-install-recommends nodejs npm
+	command -v npm > /dev/null || $(APT) install -y --no-install-recommends nodejs npm
 
 package: ## lay a package out, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
 	$(Q)sh port/stage.sh "$(PACKAGE)" "$(or $(DEST),$(BUILD)/packages/$(PACKAGE))"

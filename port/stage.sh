@@ -104,7 +104,7 @@ done < "$new.old"
 while read -r _ _ file; do
     if [ -e "$dest/$file" ] && ! cmp -s "$new/$file" "$dest/$file" &&
         ! sed 's/^[0-9]* [0-9]* //' "$new.old" | grep -qxF "$file"; then
-        fail "$dest/$file is there, and not of this package: move it away"
+        fail "$dest/$file is there, and not listed as ours (0.1.0 kept no list): move it away"
     fi
 done < "$new.list"
 

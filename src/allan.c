@@ -1,4 +1,13 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Overlapping Allan deviation of one axis, sample by sample (NIST SP 1065, 5.2.4). The second difference of
+ * running totals, x(i) - 2 x(i - m) + x(i - 2m), is m times the step from one mean of m samples to the next, so
+ * no window is ever summed. Totals wrap modulo 2^64, which does no harm: the difference is exact as long as it
+ * fits 63 bits.
+ *
+ * Each averaging time has its own ring of totals, one at every 2^t-th sample: its size does not depend on m.
+ * Squares of 63 bits need a sum of 128, written in halves, since C99 has no such type.
+ */
 #include "invcal/allan.h"
 
 #include "vector.h"
@@ -62,6 +71,7 @@ static unsigned stage(uint32_t m, unsigned t)
     return t;
 }
 
+/* Windows begin only at multiples of the stride 2^t, so m must be one. */
 static int is_usable(uint32_t m)
 {
     return m >= 1 && m <= INVCAL_ALLAN_LONGEST && m >> stage(m, 0) << stage(m, 0) == m;
@@ -138,6 +148,8 @@ void invcal_allan_push(invcal_allan *allan, int32_t raw)
     }
 }
 
+/* Counts samples from 0 again. Only the total at 0 is entered: the first difference ends 2 lag totals later,
+ * and all those after it reach back to new totals. */
 void invcal_allan_gap(invcal_allan *allan)
 {
     INVCAL_ASSERT(allan);
@@ -149,6 +161,8 @@ void invcal_allan_gap(invcal_allan *allan)
 
 /* ---- the result for one -------------------------------------------------------------------------- */
 
+/* edf of white noise by NIST SP 1065, table 5, as in allan.h, with lag as m'. Without a gap, `count`
+ * differences over 2 lag use count + 2 lag totals. */
 static invcal_real freedom(invcal_real lag, invcal_real count)
 {
     const invcal_real n = count + 2 * lag; /* totals */
@@ -170,6 +184,7 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
     if (is_full(tau)) {
         return INVCAL_NO_SPACE;
     }
+    /* adjacent windows do not overlap: as if each were one sample */
     const uint32_t lag = allan->is_apart ? 1 : tau->m >> stage(tau->m, 0);
     out->m = tau->m;
     out->count = tau->count;

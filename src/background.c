@@ -1,4 +1,9 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Calibration of a device in use (mathematics_programs.md, "Guidance"): the detector and table of a session,
+ * but a position stays only if it adds information. Its worth is its leverage h K h' among all positions kept:
+ * each new one changes K, so all are weighed again when a rest is taken, and never in between.
+ */
 #include <string.h>
 
 #include "guidance.h"
@@ -81,6 +86,7 @@ invcal_event invcal_background_feed(invcal_background *background, const int32_t
 void invcal_background_age(invcal_background *background)
 {
     INVCAL_ASSERT(background);
+    /* from the end, since later ones move up */
     for (unsigned i = background->session.count; i > 0; i--) {
         if (++background->age[i - 1] >= DAYS) {
             drop_position(background, i - 1);

@@ -1,4 +1,9 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * The frame of all records: integers and binary32 reals, the least significant byte first, closed by a CRC-32
+ * (store.h, "the record of a calibration"). Values are shifted into bytes one by one, so neither byte order nor
+ * alignment of the machine matters; reals go through float, whatever invcal_real is.
+ */
 #include "bytes.h"
 
 #include <string.h>
@@ -64,6 +69,7 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
     return are_finite;
 }
 
+/* The polynomial 0x04C11DB7 with its bits reversed, since the least significant bit goes first. */
 uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count)
 {
     crc = ~crc;
@@ -88,6 +94,7 @@ void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length)
     (void)invcal_put_u32(bytes + end, invcal_crc32(0, bytes, end));
 }
 
+/* Compares the kind last: sound bytes of another version are not damaged ones. */
 invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, unsigned kind)
 {
     if (size < EMPTY_FRAME) {

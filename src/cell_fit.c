@@ -1,4 +1,13 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * From cells to a calibration and its quality (mathematics_magnetometer.md, "From cells to positions",
+ * "The effective number of samples", "Disturbances"). The ellipsoid comes from the mean rows, which satisfy its
+ * equation exactly. Sigma and verdict are those of positions: so each cell then becomes one, along its mean and
+ * with the root-mean-square length of its samples, and judge.c solves these like any others.
+ *
+ * Order: coverage, the ellipsoid, the positions, then sigma from the scatter of the samples and the test for a
+ * step.
+ */
 #include <string.h>
 
 #include "cells.h"
@@ -7,6 +16,7 @@
 #include "sums.h"
 #include "vector.h"
 
+/* mathematics_magnetometer.md, "The effective number of samples" and, for a step, "Disturbances". */
 enum { POWER_DOF = 24 };               /* degrees of freedom of the power of samples */
 #define CELLS_SCATTER INVCAL_REAL(3.0) /* ratio of variances: above, it is not chance */
 #define STEP_CHI_SQUARE                                                                            \
@@ -74,7 +84,8 @@ static unsigned mean_row(const invcal_cell_tables *tables, unsigned k,
     return count;
 }
 
-/* A system like invcal_sums; but in a sum over mean rows no two elements are the same. */
+/* A system like invcal_sums; but in a sum over mean rows no two elements are the same: the mean of xy, squared,
+ * is not the mean of x^2 times that of y^2. */
 invcal_status invcal_cells_solve(invcal_cell_fit *fit)
 {
     invcal_real a[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
@@ -172,7 +183,9 @@ invcal_real invcal_cells_field(const invcal_cell_fit *fit)
 
 /* ---- judgement ---------------------------------------------------------------------------------- */
 
-/* Combines the scatter of the samples with that of the cells. If the latter is clearly larger, it stays alone. */
+/* Combines the scatter of the samples, power / n of each cell, with that of the cells, weighted by their
+ * degrees of freedom. If the latter is clearly larger, it stays alone: then cells differ by more than their
+ * samples show. */
 void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
 {
     invcal_quality *const q = &fit->quality;
@@ -200,8 +213,10 @@ void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
     invcal_judge_parameters(k, (const invcal_real(*)[3])fit->triad.matrix, q);
 }
 
-/* The row of cell k: (eta, 1, excess length of late samples). Returns its weight, the number of samples that
- * would give the same variance against an exact length; 0 if early or late has none. */
+/* The row of cell k: (eta, 1, excess length of late samples), since an offset d moves the length by eta d, and
+ * a change of field moves all lengths alike. Half the difference of squares is that of lengths. Returns its
+ * weight, the number of samples that would give the same variance against an exact length; 0 if early or late
+ * has none. */
 static invcal_real compare_late(const invcal_cell_fit *fit, unsigned k, invcal_real row[5])
 {
     const invcal_cell_tables early = {fit->tables.early, fit->tables.early};
@@ -244,6 +259,7 @@ int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power)
         invcal_factor(a, STEP_UNKNOWNS, STEP_UNKNOWNS + 1, INVCAL_FLOOR) != INVCAL_OK) {
         return 0;
     }
+    /* what factoring leaves of the constant: squares that no step explains */
     const invcal_real left = a[INVCAL_PACKED(STEP_UNKNOWNS, STEP_UNKNOWNS)];
     const invcal_real explained = total - left;
     return explained > STEP_CHI_SQUARE * power ||

@@ -15,7 +15,8 @@
 /* The cell into which (x y z) of a row points; its products must be those of (x y z). */
 unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS]);
 
-/* Cells have equal areas if faces end where the tangent is t, 4 asin(t^2 / (1 + t^2)) = 4 pi / 18. */
+/* Cells have equal areas if faces end where the tangent is t, 4 asin(t^2 / (1 + t^2)) = 4 pi / 18
+ * (mathematics_magnetometer.md, "Cells"). */
 #define INVCAL_FACE_ENDS INVCAL_REAL(0.2101) /* t^2 */
 enum { INVCAL_FACES = 6 };
 

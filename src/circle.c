@@ -1,4 +1,9 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Reduces the angle to an eighth of a turn by quarter turns, sums both Taylor series there, and exchanges sine
+ * and cosine. Angles are in degrees, since a quarter turn is then a whole number: the reduction is exact, and
+ * so are the values at its multiples.
+ */
 #include "circle.h"
 
 #define RADIANS INVCAL_REAL(0.017453292519943296) /* in a degree */

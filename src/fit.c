@@ -1,4 +1,9 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Solves the positions once, then tests further unknowns one by one without solving again
+ * (mathematics_judgement.md, "One fit for all of them"), and gives the probability of an improvement by
+ * chance ("Chance").
+ */
 #include "fit.h"
 
 #include "vector.h"
@@ -55,6 +60,7 @@ invcal_real invcal_chance(const invcal_fit *fit, invcal_real after, invcal_real 
     const invcal_real twice = invcal_number(dof) * (1 - z);
     invcal_real p = m == 3 ? 1 + twice : 1;
 
+    /* z^(dof/2) as a product: of libm only sqrt and fabs are used */
     for (unsigned i = 0; i < dof; i++) {
         p *= half;
     }

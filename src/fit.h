@@ -49,7 +49,7 @@ static INVCAL_IN_HEADER void invcal_fit_row_inline(const invcal_fit *fit, unsign
 
 /* The Cholesky factor of the normal equations continues below L: column d becomes its row, with the
  * reciprocal of the diagonal; 0 if the others explain all but 0.1 % of its square. The square of the new
- * c'r is the reduction of the squares by the unknown.
+ * c'r is the reduction of the squares by the unknown (mathematics_judgement.md, "One fit for all of them").
  *
  * Returns the part of c'c that the nine leave. */
 invcal_real invcal_fit_append(const invcal_fit *fit, invcal_column columns[INVCAL_MORE],
@@ -90,7 +90,7 @@ static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *f
 
 /* The probability that chance alone reduces a sum of squares that much: m more unknowns, one to three,
  * reduce it from `before` to z of itself, and leave dof residuals. The tail of Fisher's F,
- * I_z(dof/2, m/2), by its leading terms: with t = dof (1 - z) / 2
+ * I_z(dof/2, m/2), by its leading terms (mathematics_judgement.md, "Chance"): with t = dof (1 - z) / 2
  *
  *     z^(dof/2) / sqrt(pi t) (1, sqrt(pi t), 1 + 2 t),
  *

@@ -1,4 +1,9 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * The rotation from the calibrated axes to those of the case (mathematics_imu.md, "The frame of the case").
+ * Rests are kept as one 3x3 sum, B = sum c a', whose orthonormal factor is the least-squares rotation (Wahba's
+ * problem). Newton's iteration of solve.c finds it, so no singular values are computed.
+ */
 #include "invcal/frame.h"
 
 #include <limits.h>
@@ -44,7 +49,8 @@ invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *ca
     return INVCAL_OK;
 }
 
-/* Of the angles: (tr S I - S)^-1, S = sum c a' R': tr S I - S is sum (I - c c'). */
+/* Covariance of the angles: (tr S I - S)^-1 with S = sum c a' R', or tr S I - S = sum (I - c c'), since a
+ * direction determines no turn about itself. */
 static void judge_frame(const invcal_frame *frame, const invcal_real r[3][3],
                         invcal_frame_quality *quality)
 {
@@ -83,6 +89,7 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
     if (frame->count < 2) {
         return INVCAL_TOO_FEW;
     }
+    /* as LEAST_SPREAD expects, for any number of rests */
     const invcal_real scale = 3 / invcal_number(frame->count);
     for (unsigned i = 0; i < 9; i++) {
         b[i / 3][i % 3] = scale * frame->sum[i / 3][i % 3];
@@ -102,7 +109,8 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
     return INVCAL_OK;
 }
 
-/* With v = a x c: I + [v] + [v]^2 / (1 + a.c), [v]^2 = v v' - v.v I. */
+/* With v = a x c: I + [v] + [v]^2 / (1 + a.c), [v]^2 = v v' - v.v I. Near half a turn a and c are opposite, and
+ * v no longer shows the axis: more than 139 degrees, LEAST_LEVEL, are refused. */
 invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
                                  invcal_real rotation[3][3])
 {

@@ -1,4 +1,10 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * The next direction to take: greedy D-optimal design over the 26 directions of a cube
+ * (mathematics_programs.md, "Guidance"). One more row h multiplies det H'H by 1 + h K h', so the largest
+ * leverage wins. A small ridge on H'H makes K finite from the first position on; refusal.c and background.c use
+ * the same ridge.
+ */
 #include "guidance.h"
 
 #include <stddef.h>
@@ -41,6 +47,7 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
     invcal_real *a = sums->sum;
 
     invcal_sums_system(sums);
+    /* 10: at first the trace is 0 */
     const invcal_real ridge = RIDGE * (10 + invcal_trace(a, INVCAL_PARAMETERS));
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         a[INVCAL_PACKED(r, r)] += ridge;
@@ -102,6 +109,7 @@ void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibratio
     invcal_next_beside(&sums, last, up);
 }
 
+/* J of a direction only planned is 0: it does not enter K. */
 void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                      const invcal_real *up, invcal_real root[INVCAL_PARAMETERS])
 {

@@ -1,4 +1,13 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Accelerometer and gyroscope in one least-squares solution (mathematics_imu.md). Unknowns are the nine
+ * elements of M, by rows, then delta, dk and gamma of the accelerometer; if that is held, only the first nine.
+ *
+ * Order: the integral of a move ("Segments"), the bias of each rest ("The bias"), the equations of rests and
+ * moves ("Two equations from a move"), Gauss-Newton passes with their weights ("Weights"), the result
+ * ("Verdict"). Each pass integrates all segments again with its own M, so no error of linearisation remains in
+ * the solution.
+ */
 #include "imu.h"
 
 #include <stddef.h>
@@ -9,6 +18,8 @@
 #include "solve.h"
 #include "sums.h"
 
+/* mathematics_imu.md: "Weights", "Verdict", and "Two equations from a move" for the angles below which one is
+ * idle. */
 #define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-14) : INVCAL_REAL(1e-11)) /* squared: converged */
 #define FAR_APART INVCAL_REAL(12.5)      /* 5 sigma, squared, over the variance of two angles */
 #define ABSURD_TURN INVCAL_REAL(0.01)    /* residuals of 0.1 rad, squared */
@@ -191,8 +202,10 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
             last = residual[i];
         }
     }
+    /* the remainder of the constant, which rounding may make negative */
     const invcal_real square = INVCAL_FABS(p[BIAS]) / invcal_number(count - BIAS);
     const invcal_real noise = changes / invcal_number(4 * count); /* s^2/2 */
+    /* W of less than 0, by chance, is 0: the residuals are all noise */
     const invcal_real share = square > 2 * noise ? noise / (square - noise) : 1;
     //@ loop unroll INVCAL_MAX_MOVES;
     for (unsigned i = w->begin; i < end; i++) {
@@ -219,6 +232,7 @@ INVCAL_APART static void lengthen(invcal_real v[3], invcal_real times)
     }
 }
 
+/* The right side comes after the unknowns. If there are nine, it overwrites what the accelerometer would add. */
 static void add_row(invcal_imu_work *w, invcal_real h[IMU_ALL + 1], invcal_real y,
                     invcal_real weight)
 {
@@ -226,7 +240,7 @@ static void add_row(invcal_imu_work *w, invcal_real h[IMU_ALL + 1], invcal_real 
     invcal_rank_one(w->pass.sum, h, w->n + 1, weight);
 }
 
-/* Adds the length of up in a rest. */
+/* Adds the length of up in a rest: up D(up) dp = |a| - 1. */
 static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real excess)
 {
     const invcal_real weight = 1 / w->noise_square;
@@ -269,7 +283,8 @@ static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a
 }
 
 /* Adds a move. Its residual is the rotation from a to up0: 3 / (2 + cos) times the sine is the angle up to its
- * fifth power. */
+ * fifth power. Its variance is 2 sigma_a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2: the directions of up in both
+ * rests, the random walk of the angle, and the bias. */
 static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *segment,
                      const invcal_real up[2][3])
 {
@@ -401,7 +416,10 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     w->noise_square = s->noise > 0 ? s->noise * s->noise : NOISE_OF_MEAN * NOISE_OF_MEAN;
     w->n = s->held ? IMU_GYRO : IMU_ALL;
     w->begin = moves->count - both;
-    w->raw = raw + 3 * (size_t)(count - both);
+    w->raw = raw;
+    if (count > moves->count) { /* else raw may be null, to which nothing is added */
+        w->raw += 3 * (size_t)(count - moves->count);
+    }
     w->variance[INVCAL_OF_RESTS] = 1;
     w->variance[INVCAL_OF_MOVES] = 1;
     for (unsigned i = 0; i < moves->count; i++) {
@@ -437,7 +455,8 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
     return invcal_behind(&before, &w->out->accelerometer);
 }
 
-/* Estimates the variance of each kind from its residuals. The expected variance counts as some more of them. */
+/* Estimates the variance of each kind from its residuals: (4 + squares) / (4 + dof). The expected variance
+ * counts as some more of them. Unknowns are shared out to the kinds by their rows. */
 static void weigh_kinds(invcal_imu_work *w)
 {
     for (unsigned k = 0; k < INVCAL_KINDS; k++) {
@@ -474,7 +493,8 @@ static int adapt(invcal_imu_work *w)
     return 1;
 }
 
-/* A Gauss-Newton pass: sums all equations, then takes a step unless the equations change first. */
+/* A Gauss-Newton pass: sums all equations, then takes a step unless the equations change first. Biases are
+ * fitted after the first step: their rows need up, and so a calibrated accelerometer. */
 static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
 {
     if (w->out->passes == 1) {
@@ -495,6 +515,8 @@ static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
     return status;
 }
 
+/* No error of the sensors explains residuals of 0.1 rad: the two do not turn alike. Where there is too little
+ * information, steps never become small. */
 static invcal_status iterate(invcal_imu_work *w)
 {
     unsigned most = PASSES;
@@ -511,7 +533,11 @@ static invcal_status iterate(invcal_imu_work *w)
         w->out->passes++;
     }
     w->pass.residuals /= invcal_number(w->pass.kind[INVCAL_OF_MOVES]);
-    return w->pass.residuals < ABSURD_TURN && most < PASSES ? INVCAL_OK : INVCAL_MOUNTING;
+    if (!(w->pass.residuals < ABSURD_TURN)) {
+        return INVCAL_MOUNTING;
+    }
+    /* most was lowered if a step was small enough */
+    return most < PASSES ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
 /* Computes sigma. Parameters whose K exceeds `most` are open. Returns the largest K. */
@@ -586,6 +612,7 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
         const invcal_real of_moves = w.variance[INVCAL_OF_MOVES] * w.pass.variances /
                                      invcal_number(w.pass.kind[INVCAL_OF_MOVES]);
         const invcal_real of_rests = w.variance[INVCAL_OF_RESTS] * w.noise_square;
+        /* a parameter may be known from rests, from moves, or from both */
         const invcal_real of_either = of_moves > of_rests ? of_moves : of_rests;
         if (!(judge_imu(&w, WEAK_SQUARE * of_either) <= OPEN_SQUARE * of_either)) {
             return INVCAL_UNDETERMINED;

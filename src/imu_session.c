@@ -1,4 +1,12 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Keeps moves and session of both sensors over a reset. The lasting end of the one and the lasting beginning of
+ * the other are adjacent in invcal_imu_session, so they are saved as one run of bytes, and are of the same
+ * instant.
+ *
+ * Bytes put back are checked in full. Where the segments of a move begin is known only from the lengths of all
+ * moves before it: one wrong length would lead beyond the table.
+ */
 #include <stddef.h>
 
 #include "rotation.h"

@@ -1,4 +1,14 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * The two passes over the positions, and the judgement of the result (mathematics.md, "Residuals",
+ * "Uncertainty", "Verdict, and near cones"). The first pass sums exact rows in nominal units, from which p is
+ * solved. The second sums rows of the calibrated positions: derivatives with respect to the parameters as
+ * reported, each weighted by its noise. Sigma is of the second, because K of the first is wrong by the size of
+ * the errors.
+ *
+ * Each step is a function of its own, since prior.c, thermal_fit.c and cell_fit.c take the same steps with
+ * other rows.
+ */
 #include "judge.h"
 
 #include <stddef.h>
@@ -7,6 +17,7 @@
 #include "sums.h"
 #include "vector.h"
 
+/* mathematics.md, "Verdict, and near cones"; and "Uncertainty" for those in standard deviations. */
 #define NOISE_SHARE INVCAL_REAL(0.1) /* of the information on a parameter: above, it is weak */
 #define ABSURD INVCAL_REAL(0.1)      /* rms of the residuals; above: not readings of one field */
 #define LIKELY INVCAL_REAL(1.73)     /* exceeded in 5 % of cases: more noise than stated */
@@ -16,7 +27,7 @@
 
 /* ---- residuals ---------------------------------------------------------------------------------- */
 
-/* |eta| - 1 of j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2 */
+/* |eta| - 1 of j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2: a root less 1 would cancel. */
 INVCAL_INLINE void invcal_residuals_add(invcal_residuals *residuals, unsigned i,
                                         const invcal_row *row)
 {
@@ -111,7 +122,8 @@ invcal_status invcal_positions_check(const invcal_positions *positions)
                                          : INVCAL_BAD_COUNT;
 }
 
-/* Even if undetermined in nominal units, the readings may look well spread once calibrated. */
+/* Used for both passes: even if undetermined in nominal units, the readings may look well spread once
+ * calibrated by a solution made of rounding errors. */
 invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVCAL_PARAMETERS],
                                invcal_real *condition)
 {
@@ -159,6 +171,7 @@ static INVCAL_APART invcal_real excess(invcal_real stated, invcal_real squares, 
     return known > 0 && dof >= 1 ? INVCAL_SQRT(2 * squares / known) - INVCAL_SQRT(2 * dof - 1) : 0;
 }
 
+/* sigma_J^2 = (4 stated^2 + S) / (4 + dof), or S / dof: mathematics.md, "Uncertainty". */
 void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof, invcal_quality *q)
 {
     const invcal_real above = excess(stated, squares, dof);

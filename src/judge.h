@@ -130,9 +130,9 @@ static inline int invcal_is_resolved(invcal_real condition)
     return condition * INVCAL_FLOOR < 2;
 }
 
-/* weak, sigma and the verdict, from K(r,r) = k[r] = sigma^2 / noise^2. Weak: K is large, or the
- * information 1 / K is at most ten times the part added by noise in the readings themselves, about
- * noise^2 in each row: then open directions look determined. */
+/* weak, sigma and the verdict, from K(r,r) = k[r] = sigma^2 / noise^2. Weak: K is large, or the information
+ * 1 / K is at most ten times the part added by noise in the readings themselves, about noise^2 in each row:
+ * then open directions look determined (mathematics.md, "Verdict, and near cones"). */
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
                              invcal_quality *q);
 

@@ -1,4 +1,9 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal_calibrate_judged: calibrates, diagnoses, leaves out what contradicts the others, and repeats this
+ * until nothing more is found (mathematics_judgement.md, "Choosing between hypotheses"). In the end repeated
+ * directions are taken off the degrees of freedom ("What cannot be tested").
+ */
 #include "diagnosis.h"
 #include "outliers.h"
 
@@ -26,7 +31,7 @@ static int is_visited(const invcal_positions *p, invcal_mask left_out, unsigned 
 }
 
 /* A repeated direction is not a check. One count is worth the gain of the matrix, root mean square over all
- * directions. */
+ * directions: its square is a third of the sum of the squared elements, hence the three in VISITED. */
 static void judge_directions(const invcal_positions *p, const invcal_calibration *c,
                              invcal_quality *q)
 {

@@ -1,4 +1,13 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * A magnetometer in motion (mathematics_magnetometer.md). Each sample becomes a row in its cell ("Cells"), and
+ * is compared with the solution so far. The cells are solved again at 100 samples and whenever there are five
+ * eighths more ("Looks"): the number of solutions grows only with the logarithm of that of the samples.
+ *
+ * There are two tables of cells, of samples up to the last look and since, because a step shows as a difference
+ * between them ("Disturbances"). Both are in the coordinates in which the last solution is about the unit
+ * sphere; `work` converts raw counts to them.
+ */
 #include "invcal/magnetometer.h"
 
 #include <stddef.h>
@@ -64,7 +73,9 @@ static void end_block(invcal_magnetometer *m)
     m->in_block = 0;
 }
 
-/* Compares a sample with the solution so far. Returns 0 if its residual is too large. */
+/* Compares a sample with the solution so far. Returns 0 if its residual is too large: more than 5 times the
+ * root mean square. A block is a sixteenth of the samples so far, so that it soon outlasts errors that
+ * neighbours share. */
 static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETERS])
 {
     const invcal_real r = invcal_dot(m->p, h, INVCAL_PARAMETERS) - INVCAL_REAL(0.5);
@@ -103,6 +114,7 @@ static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invc
     return 1;
 }
 
+/* Before the first solution p holds the box: the smallest readings, then the largest. */
 static void recentre_by_box(invcal_magnetometer *m)
 {
     invcal_real *const low = m->p;
@@ -147,9 +159,11 @@ static int is_far(const invcal_cell_fit *fit)
  * with p. Returns 0 if there is no solution. */
 static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
 {
-    invcal_cell_fit fit = {.tables = {one, &m->late}};
+    invcal_cell_fit fit;
     unsigned worst;
 
+    fit.tables.early = one;
+    fit.tables.late = &m->late;
     if (!(invcal_cells_gap(&fit.tables, &worst) > WIDE_GAP) || !is_found(m, &fit)) {
         return 0;
     }
@@ -168,7 +182,8 @@ static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
 }
 
 /* Drops the early samples unless the means of their cells agree with the solution: the variance of a mean is
- * power / n. Since the solution has errors too, some are dropped without need. */
+ * power / n, and the mean of n r^2 / power over the cells must not exceed 1. Since the solution has errors too,
+ * some are dropped without need. */
 static void drop_unlike(invcal_magnetometer *m)
 {
     const invcal_real power = power_of(m);
@@ -361,6 +376,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
     }
     fill_found(m, &fit, &f);
     invcal_cells_weigh(&fit, power_of(m));
+    /* of delta, which is in units of the cells so far */
     for (unsigned i = 0; i < 3; i++) {
         fit.quality.sigma[i] /= invcal_cells_field(&fit);
     }

@@ -1,9 +1,19 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Turns a stream of gyroscope samples into segments of moves (mathematics_imu.md, "Segments"). Whether the
+ * device was at rest is known only when the detector of the accelerometer reports it, up to seven blocks of
+ * 1/8 s later. So the newest segments wait as they are, then each is merged into its move, or added to the
+ * bias of a rest and dropped once that is taken.
+ *
+ * segment[]: 0 ... first - 1 of complete moves; to fixed - 1 of the current one, merged; to used - 1 still
+ * waiting.
+ */
 #include <stddef.h>
 
 #include "rotation.h"
 #include "solve.h"
 
+/* mathematics_imu.md, "Segments". */
 #define FULL INVCAL_REAL(0.1218)       /* 20 degrees, squared: of a segment */
 #define PART INVCAL_REAL(0.0110)       /* 6 degrees, squared: of one that is not merged */
 #define LONGEST_MOVE INVCAL_REAL(10.0) /* seconds */
@@ -57,7 +67,8 @@ static int pack(invcal_real x, int16_t *out)
     return 0;
 }
 
-/* Packs v, and what rho has beyond it. Returns 0 if either is too large. */
+/* Packs v and the coning kappa = rho - v: from these two the segment can be integrated again with another M.
+ * Returns 0 if either is too large. */
 static int pack_segment(const invcal_real rho[3], const invcal_real v[3], invcal_segment *out)
 {
     int fits = 1;
@@ -241,6 +252,7 @@ static void subtract(invcal_moves *m)
     m->marks = 0;
 }
 
+/* The oldest rest goes, and with it the move that begins there, to the next one. */
 static void drop_oldest(invcal_moves *m)
 {
     const unsigned segments = m->rest[1].move > 0 ? (unsigned)m->rest[1].move : 0;

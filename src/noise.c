@@ -1,9 +1,15 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * The noise model of an Allan deviation, and the dwell for a target sigma (mathematics_programs.md,
+ * "How long to stay"). adev^2 is linear in N^2, B^2, K^2, so least squares finds them. None may be negative:
+ * with three kinds there are only seven sets, so all are tried, and no method for inequalities is needed.
+ */
 #include "invcal/allan.h"
 #include "sums.h"
 
 enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
 
+/* Those of the fit: mathematics_programs.md, "How long to stay". */
 #define FLICKER INVCAL_REAL(0.44127120030530317) /* 2 ln 2 / pi */
 #define ABOVE INVCAL_REAL(0.1025)                /* 1.05^2 - 1 */
 #define EDF_MIN 5                                /* with fewer, chance has too long a tail */
@@ -194,7 +200,8 @@ static invcal_real misfit(const curve *c, const mixture *x)
     return INVCAL_SQRT(sum / (invcal_real)c->count);
 }
 
-/* Drops insignificant kinds, one by one, as long as the others explain the curve. */
+/* Drops insignificant kinds, one by one, as long as the others explain the curve. The fit without one begins at
+ * the weights of the fit with it. */
 static void fit_visible(const curve *c, mixture *x)
 {
     mixture fewer;
@@ -261,8 +268,9 @@ invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau)
     return INVCAL_SQRT(sum);
 }
 
-/* Where a / T + b + c T = 1, in units of the wanted variance: the smaller root of
- * c T^2 - (1 - b) T + a, or, if there is none, the minimum. */
+/* Where a / T + b + c T = 1, in units of the wanted variance: the smaller root of c T^2 - (1 - b) T + a, or, if
+ * there is none, the minimum: sqrt(a / c), or without random walk 5 % above the floor. The root is in the form
+ * that does not cancel, and allows c = 0. */
 static invcal_real time_of(const invcal_noise *noise, invcal_real sigma)
 {
     invcal_real term[KINDS];

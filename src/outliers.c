@@ -1,4 +1,13 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Searches for positions that contradict the others, in groups of up to three (mathematics_judgement.md,
+ * "Outliers"). To leave one out is to add an unknown, its error: one more row below the Cholesky factor instead
+ * of another solution ("One fit for all of them"). All single ones and pairs are tried, and triples that
+ * contain a promising pair.
+ *
+ * Then the largest group that is not by chance wins, if no other group of its size is nearly as good
+ * ("Chance").
+ */
 #include "outliers.h"
 
 #include <stddef.h>
@@ -6,6 +15,7 @@
 #include "sums.h"
 #include "vector.h"
 
+/* The table of mathematics_judgement.md, "Chance". */
 #define LEVEL INVCAL_REAL(0.0075) /* one false alarm in a hundred data sets */
 #define RIVAL_LEVEL INVCAL_REAL(0.05)
 #define OWN_LEVEL INVCAL_REAL(0.02) /* of the residuals alone */
@@ -41,6 +51,7 @@ typedef struct {
     invcal_real squares; /* of the others */
 } left_over;
 
+/* A triple may come up once for each of its pairs; it must not be its own rival. */
 static void enter(contest *c, invcal_mask out, invcal_real squares)
 {
     if (out == c->best || !(squares < c->rival_squares)) {
@@ -125,6 +136,7 @@ static int beats_fewer(const search *s, unsigned k, invcal_real *chance)
     return choices * invcal_chance(s->fit, c[k].squares, c[0].squares, k, k, 0) <= OWN_LEVEL;
 }
 
+/* Else the data do not show which of the two groups is wrong. */
 static int beats_rival(const search *s, unsigned k)
 {
     const contest *const c = &s->contests[k];

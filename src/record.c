@@ -1,4 +1,9 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Encodes and decodes the record of a calibration: the table is in store.h. Reals are the first members of the
+ * structure, in the order of the bytes, so that they are copied as one run. Every encoded record is decoded
+ * again: rounding to float may have made it singular or infinite.
+ */
 #include "invcal/store.h"
 
 #include <stddef.h>

@@ -1,4 +1,13 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Finds rests in a stream of raw samples (mathematics.md, "From samples to positions"), in integers. Per
+ * sample: add_small or add_any. Per block of about 1/8 s: decide, which measures its variance and mean, judges
+ * them against the noise and place of the rest, and lets the rest agree or disagree; then its event, if any, is
+ * announced.
+ *
+ * Block means count from `origin`, in 1/1024 count: so they fit 32 bits wherever in the range of int32 the rest
+ * is.
+ */
 #include "invcal/expert.h"
 
 #include <limits.h>
@@ -665,6 +674,7 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
     while (11u << rests->bits < rate) { /* at most 8 steps: a block is 1/11 to 2/11 s */
         rests->bits++;
     }
+    /* blocks in 1/125 s, times 65536: 33555 / 2^6 is 65536 / 125 */
     rests->pace = (uint16_t)((rate * UINT32_C(33555) >> (6 + rests->bits)) + 1);
     const uint32_t least = (rate * SHORTEST >> (18 + rests->bits)) + 1;
     rests->least = (uint8_t)(least > LEAST ? least : LEAST);
@@ -756,6 +766,7 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
     return 1;
 }
 
+/* In two parts, as in as_real: a total has less than 48 bits and a sign. */
 int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3])
 {
     INVCAL_ASSERT(rests && mean);

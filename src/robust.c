@@ -1,4 +1,8 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal_calibrate_robust: searches for outliers, then calibrates once (mathematics_judgement.md,
+ * "Two cross-checks"). Does without diagnosis.c and systematic.c, for devices with little flash.
+ */
 #include "outliers.h"
 #include "vector.h"
 

@@ -8,6 +8,7 @@
 #include "invcal/gyro.h"
 #include "vector.h"
 
+/* int16 holds a v of 1 rad, nearly three times that of a full segment, and a coning of 1/8 rad. */
 #define INVCAL_V_UNIT (1 / INVCAL_REAL(32768.0))      /* of segment.v */
 #define INVCAL_KAPPA_UNIT (1 / INVCAL_REAL(262144.0)) /* of segment.kappa, and of a rest's bias */
 

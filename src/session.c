@@ -1,4 +1,9 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * The whole procedure as one state: rests from samples (rests.c), their means in a table, the next direction
+ * (guidance.c), and the calibration (judged.c). Positions are kept one by one, not as sums, since the judgement
+ * needs each of them again. Feeding a sample never solves, so its cost is bounded.
+ */
 #include <stddef.h>
 #include <string.h>
 
@@ -293,6 +298,7 @@ int invcal_session_is_good(invcal_session *session)
     return session->good == GOOD;
 }
 
+/* With few degrees of freedom a sigma counts for more: its 95 % interval over 1.96. */
 int invcal_session_reaches(const invcal_session *session, const invcal_real target[3])
 {
     invcal_quality q;

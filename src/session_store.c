@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * A session in a memory. Not in session.c, so that a device without such a memory does not link store.c.
+ */
 #include "invcal/store.h"
 
 invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session)

@@ -1,4 +1,11 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * From p to the calibration in closed form (mathematics.md, "From p to the calibration"), from
+ * X = (delta, dk, gamma) to the same, and the 3x3 algebra that other modules share.
+ *
+ * invcal_ellipsoid and invcal_triad accept only the semi-axes and the centre of a triad. So Newton's iteration
+ * for the frame ends within a known number of steps, and no caller has to check again.
+ */
 #include "solve.h"
 
 #include <string.h>
@@ -41,8 +48,9 @@ void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
     }
 }
 
-/* a = S U' with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from a itself, and
- * S = a U, row by row. */
+/* a = S U' with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from a itself, and S = a U,
+ * row by row. A singular value s becomes (s + 1/s) / 2, at least 1, and then each step more than halves its
+ * distance from 1, and near 1 squares it. */
 void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
 {
     invcal_real(*u)[3] = (invcal_real(*)[3])work;       /* U' */
@@ -86,7 +94,8 @@ static void make_triangular(const invcal_real *l, invcal_real root, invcal_real 
  *     delta = -Q^-1 v,  k = 1 + delta Q delta = 1 + v Q^-1 v,  A A = Q / k
  *
  * With v below Q and then -1, one Cholesky gives all: Q = L L', A A = L L' / k. If zero lies outside
- * the ellipsoid, Q and k are negative, and -Q, -k serve as well. */
+ * the ellipsoid, Q and k are negative, and -Q, -k serve as well. A is then made symmetric: that root turns
+ * the axes least. */
 invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
                                invcal_real work[INVCAL_WORK], invcal_calibration *out)
 {

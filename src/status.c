@@ -1,4 +1,9 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Texts of statuses, parameters and verdicts. Each list is in the order of its enumeration in invcal.h; the
+ * statuses of refused rests, from the middle of theirs, are a list of their own, which a session links without
+ * the others.
+ */
 #include "status.h"
 
 const char *invcal_text(const char *texts, unsigned n)

@@ -1,4 +1,9 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Two slots, of which one always has sound bytes: the format and the promise are in store.h. The state of a
+ * slot is read from its bytes alone, by look(), and nothing is remembered between calls: so a power cut,
+ * whenever it comes, leaves nothing to repair. Each step of a save is read back before the next.
+ */
 #include "invcal/store.h"
 
 #include <limits.h>
@@ -130,6 +135,7 @@ static invcal_status survey(work *w, const invcal_store *store)
     const uint32_t sequence = w->sequence;
     w->slot = 1;
     w->other = look(w);
+    /* the later of two confirmed slots, the earlier of two others: see store.h */
     const int is_later = w->sequence - sequence < UINT32_C(0x80000000); /* modulo 2^32 */
     if (w->kept == w->other ? is_later == (w->kept == CONFIRMED) : w->kept < w->other) {
         const state kept = w->other;
@@ -226,6 +232,7 @@ invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint3
     return INVCAL_OK;
 }
 
+/* The slot to load goes last: until then a load must not find the older one instead. */
 invcal_status invcal_store_erase(const invcal_store *store)
 {
     work w;

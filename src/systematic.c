@@ -1,4 +1,9 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Tests for one kind of systematic error (mathematics_judgement.md, "Systematic errors"): three columns, one
+ * for each axis, are added to the nine of a fit ("One fit for all of them"). How much of them the nine leave
+ * shows whether the positions could reveal the error at all ("What cannot be tested").
+ */
 #include "systematic.h"
 
 #include <stddef.h>
@@ -24,7 +29,8 @@ static invcal_real error_of(unsigned kind, invcal_real x, invcal_real before, in
     return x - before > TURNED ? INVCAL_REAL(0.5) : before - x > TURNED ? -INVCAL_REAL(0.5) : 0;
 }
 
-/* An error e of an axis moves J by eta e. */
+/* An error e of an axis moves J by eta e. A position left out still counts as the one before the next:
+ * hysteresis depends on how the axis was turned, whether or not that reading is used. */
 static void sum_columns(const invcal_fit *fit, unsigned kind, unsigned step,
                         invcal_column columns[INVCAL_MORE])
 {

@@ -1,4 +1,13 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Fits polynomials of temperature to positions (mathematics.md, "Temperature"). The exact row is widened to
+ * h (x) (1 t t^2), and one system of 9 (degree + 1) unknowns solves for all coefficients of p. But X, not p, is
+ * a polynomial: so p becomes X at the ends of the range, the readings are calibrated by that, and a second
+ * solve is for the remainder, whose square is negligible. Exactly two: nothing has to converge.
+ *
+ * Order: the system; the solution, which falls back to a lower degree if slopes are open; the judgement, with
+ * the steps of judge.c, at several temperatures; all in one.
+ */
 #include <stddef.h>
 #include <string.h>
 
@@ -70,7 +79,8 @@ static void add_at(job *j, unsigned n, const invcal_row *row, invcal_real weight
     invcal_rank_one(j->a, wide, n + 1, weight);
 }
 
-/* All positions, with the current calibration. */
+/* All positions, with the current calibration: their equations, or, to judge, derivatives as in judge.c. Both
+ * are weighted by the actual noise, 1 / |g|^2. */
 static invcal_status gather(job *j, unsigned n)
 {
     const invcal_thermal_positions *p = j->positions;

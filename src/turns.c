@@ -1,4 +1,10 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Plans turns of a gyroscope: what turns made or planned determine, and which one adds most
+ * (mathematics_imu.md, "What a program determines"). Equations are those of imu.c. For a steady turn about one
+ * axis the integral S has a closed form, so a turn can be judged before it is made. All sums are over the
+ * variance of a position mean.
+ */
 #include <stddef.h>
 #include <string.h>
 
@@ -86,7 +92,8 @@ invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3],
 
 invcal_status invcal_tour(unsigned i, invcal_turn *out)
 {
-    /* faces: x up and down, y up and down, z up and down */
+    /* faces: x up and down, y up and down, z up and down. Each of the twelve edges between them once,
+     * and back; then full turns about x and y, and, after a quarter turn, about z */
     static const uint8_t tour[INVCAL_TOUR_FULL + 1] = {4, 0, 2, 4, 1, 2, 5, 0, 3,
                                                        5, 1, 3, 4, 4, 4, 2, 2};
     invcal_real from[3] = {0, 0, 0};
@@ -112,7 +119,8 @@ invcal_status invcal_tour(unsigned i, invcal_turn *out)
 
 /* ---- the information in a turn ------------------------------------------------------------------ */
 
-/* The variance of each of the two angles of a turn, over that of a position mean. */
+/* The variance of each of the two angles of a turn, over that of a position mean: as in add_move of imu.c, with
+ * a time in proportion to the angle, but at least that of a quarter turn. */
 static invcal_real variance_of(const invcal_turns *turns, invcal_real degrees)
 {
     const invcal_real quarters = INVCAL_FABS(degrees) / QUARTER;
@@ -310,7 +318,7 @@ static invcal_status invert_sums(invcal_real *a, unsigned n, invcal_real vague, 
     return status;
 }
 
-/* det(A + H'H) / det A = det(I + Y Y'), Y' = L^-1 H'. rows is lost. */
+/* det(A + H'H) / det A = det(I + Y Y'), Y' = L^-1 H': three rows need a 3x3 determinant only. rows is lost. */
 static invcal_real merit_of(const invcal_real *inverse, unsigned n, turn_rows *rows)
 {
     invcal_real gram[INVCAL_PACKED_SIZE(TURN_ROWS)];

@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * The loop for builds optimised for size: see invcal_zero in vector.h.
+ */
 #include "vector.h"
 
 /* Volatile: gcc would turn the loop into a call of memset. */

@@ -1,8 +1,12 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * A direction in words, computed in integers: no printf, no acos. The axis closest to up is named first; each
+ * other one that is more than 6 degrees above or below the horizon is named as rising, with its sign.
+ */
 #include "invcal/invcal.h"
 #include "vector.h"
 
-/* Components are counted in parts. */
+/* Components are counted in parts, 640, so that the last border of tilt, 250, still fits a byte. */
 #define WHOLE 640    /* of the unit vector */
 enum { NAMED = 64 }; /* an axis up to this is not named: 6 degrees */
 enum { TEXTS = 7 };

@@ -4,7 +4,8 @@
  *
  *     raw samples -> rests -> row -> sums -> solve -> judge
  *
- * Only what you call is linked. invcal.h states the rules and units.
+ * Only what you call is linked. invcal.h states the rules and units. A program and a library with different
+ * build options do not link.
  */
 #ifndef INVCAL_EXPERT_H
 #define INVCAL_EXPERT_H
@@ -15,7 +16,6 @@
 extern "C" {
 #endif
 
-/* A program and a library with different build options do not link: see invcal.h. */
 #define invcal_calibrate_without INVCAL_CHOSEN(invcal_calibrate_without, INVCAL_MAX_POSITIONS)
 #define invcal_calibrate_robust INVCAL_CHOSEN(invcal_calibrate_robust, INVCAL_MAX_POSITIONS)
 #define invcal_calibrate_with_prior INVCAL_CHOSEN(invcal_calibrate_with_prior, INVCAL_MAX_POSITIONS)

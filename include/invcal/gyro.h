@@ -35,7 +35,8 @@
  * written, since the device is in motion then: let the sensor (FIFO) or an interrupt buffer a second of them.
  * Otherwise call invcal_moves_gap, and make the move again.
  *
- * invcal.h states the rules and units; mathematics_imu.md derives this.
+ * invcal.h states the rules and units; mathematics_imu.md derives this. A program and a library with different
+ * build options do not link.
  */
 #ifndef INVCAL_GYRO_H
 #define INVCAL_GYRO_H
@@ -69,7 +70,6 @@ extern "C" {
 #error "INVCAL_MAX_MOVES must be from 4 to 32"
 #endif
 
-/* A program and a library with different choices do not link: see invcal.h. */
 #define INVCAL_GYRO_CHOSEN(name) INVCAL_GYRO_CHOSEN_(name, INVCAL_MAX_SEGMENTS, INVCAL_MAX_MOVES)
 /* Steps of it. (No comment behind them: Arduino's preprocessor would paste it too.) */
 #define INVCAL_GYRO_CHOSEN_(name, s, m) INVCAL_GYRO_CHOSEN__(name, INVCAL_REAL_NAME, s, m)
@@ -236,8 +236,8 @@ typedef struct {
  *   INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR    of the settings: negative or not a number, or noise of 1 or more;
  *   INVCAL_OUT_OF_RANGE   a mean is not a reading of this field;
  *   INVCAL_TOO_FEW        no moves, or fewer equations than unknowns;
- *   INVCAL_UNDETERMINED   out->open names the undetermined parameters;
- *   INVCAL_MOUNTING       residuals of 0.1 rad, or no convergence: call invcal_imu_mounting.
+ *   INVCAL_UNDETERMINED   out->open names the undetermined parameters; or none, if too few moves to converge;
+ *   INVCAL_MOUNTING       residuals of 0.1 rad, or divergence: call invcal_imu_mounting.
  * Cost: 300,000 instructions per pass for 25 rests and 24 moves. Stack: about 2,400 bytes. */
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,

@@ -145,9 +145,9 @@ typedef enum {
     INVCAL_OK = 0, /* done */
 
     /* the data */
-    INVCAL_NOT_FINITE,    /* a reading is NaN or infinite */
-    INVCAL_TOO_FEW,       /* too few positions, or too few of something else */
-    INVCAL_UNDETERMINED,  /* the positions leave some parameters open: invcal_undetermined */
+    INVCAL_NOT_FINITE,   /* a reading is NaN or infinite */
+    INVCAL_TOO_FEW,      /* too few positions, or too few of something else */
+    INVCAL_UNDETERMINED, /* the positions leave some parameters open: invcal_undetermined */
     INVCAL_NOT_ELLIPSOID, /* the readings do not lie on an ellipsoid that a sensor triad can produce */
 
     /* a static interval that was not accepted as a position */

@@ -7,7 +7,7 @@
  *     store           the same for any bytes, safe against power loss; the layout of the slots
  *     record          a calibration with all that is known about it, as 136 bytes
  *
- * invcal.h states the rules and units.
+ * invcal.h states the rules and units. A program and a library with different build options do not link.
  */
 #ifndef INVCAL_STORE_H
 #define INVCAL_STORE_H
@@ -20,7 +20,6 @@
 extern "C" {
 #endif
 
-/* A program and a library with different build options do not link: see invcal.h. */
 #define invcal_load INVCAL_CHOSEN(invcal_load, 9)
 #define invcal_load_v1 INVCAL_CHOSEN(invcal_load_v1, 9)
 #define invcal_record_init INVCAL_CHOSEN(invcal_record_init, 9)

@@ -10,12 +10,13 @@
 #     Cost: ..., Stack: ..., Error: ...                     a paragraph with this title
 #     invcal_..., INVCAL_... in the text                    a link
 #
-# The macros that put a build's choices into names are left out: functions are called by their names.
+# The macros that put a build's choices into names are left out, with their comments: functions are called by their
+# names.
 { line[NR] = $0 }
 
 END {
     for (i = 1; i <= NR; i++) {
-        if (line[i] ~ /^#define (invcal_|INVCAL_[A-Z_]*CHOSEN)/) {
+        if (is_left_out(i)) {
             while (line[i] ~ /\\$/) {
                 i++
             }
@@ -27,6 +28,10 @@ END {
             print line[i]
         }
     }
+}
+
+function is_left_out(i) {
+    return line[i] ~ /^#define (invcal_|INVCAL_[A-Z_]*CHOSEN)/
 }
 
 # From line i to the end of the comment.
@@ -80,6 +85,9 @@ function behind(i,    last, at, text, code, type, names, n, k) {
 # A comment that begins line i. Returns its last line.
 function comment(i,    last, of, k, text, mode, is_file) {
     last = end_of(i)
+    if (is_left_out(last + 1)) {
+        return last
+    }
     is_file = i == 1 || (last > i && (line[last + 1] == "" || (line[i] ~ /^\/\* ---/ && line[last + 1] ~ /^#if/)))
     if (line[last + 1] == "" && !is_file) {
         print line[i]

@@ -18,7 +18,8 @@ is_code { print; next }
 FNR > 1 && /^#/ {
     text = $0
     sub(/^#+ */, "", text)
-    print $0 " {#" label(page, slug(text)) "}"
+    # Those of the index are groups of the navigation already (layout.awk): no sections of its own.
+    print page == "port/manual/README.md" ? "<h1>" text "</h1>" : $0 " {#" label(page, slug(text)) "}"
     next
 }
 
@@ -28,7 +29,8 @@ gsub(/`/, "&", text) % 2 && $0 != "" { before = text " "; next }
 
 { print spans(names(links(text))) }
 
-# Doxygen takes a code span with a ' for a quotation, and replaces $(NAME) by the environment's.
+# Doxygen takes a code span with a ' for a quotation, and replaces $(NAME) by the environment's. A browser would
+# break a short one after a hyphen: style.css keeps it whole.
 function spans(text,    out, code) {
     while (match(text, /`[^`]*`/)) {
         out = out substr(text, 1, RSTART - 1)
@@ -39,7 +41,7 @@ function spans(text,    out, code) {
             gsub(/[\\$<>&#@%]/, "\\\\&", code)
             code = "<tt>" code "</tt>"
         }
-        out = out code
+        out = out (code ~ /-/ && RLENGTH <= 32 ? "<span class=\"whole\">" code "</span>" : code)
     }
     return out text
 }

@@ -30,7 +30,7 @@ runs_example() { # COMPILER FLAG...
 
 # invcal.c as C++, in a project that has no C.
 runs_as_cpp() { # COMPILER FLAG...
-    "$@" -x c++ -std=c++11 -O1 -ffp-contract=off -Wall -Wconversion -Wshadow -Werror -c "$files/invcal.c" \
+    "$@" -x c++ -std=c++11 -O1 -ffp-contract=off -pedantic-errors -Wall -Wconversion -Wshadow -Werror -c "$files/invcal.c" \
         -o "$out/invcal.o" && sed '/^#include "invcal\/[^i]/d' "$example" > "$out/example.cpp" &&
         "$@" -std=c++11 -I"$out/amalgamation" "$out/example.cpp" "$out/invcal.o" -lm -o "$out/example" &&
         prints_as_expected "$out/example"

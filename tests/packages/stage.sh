@@ -64,7 +64,7 @@ keeps_others() {
     echo 'two, newer' > "$dest/two.c"
     lists 'src/*.c ./'
     echo his > "$dest/one.c"
-    stays 'one.c is there, and not of this package'
+    stays 'one.c is there, and not listed as ours (0.1.0 kept no list)'
 }
 
 refuses() { # SAID LINE...

@@ -513,8 +513,8 @@ done
 run plan --optimal 9
 check "plan: nine positions are said to be unchecked" matches "$work/stdout" 'no redundancy'
 refuses "plan: nothing to compare" 2 'compare: takes two' plan --compare
-refuses "plan: one to compare" 2 'a second SET is missing' plan --compare edges
-refuses "plan: three to compare" 2 'one operand too many: it takes only SET and a second SET; ' plan --compare edges edges edges
+refuses "plan: one to compare" 2 'a second SET for --compare .one alone is an option: --edges. is missing' plan --compare edges
+refuses "plan: three to compare" 2 'one operand too many: it takes only SET and a second SET for --compare' plan --compare edges edges edges
 refuses "plan: an unknown word" 2 "'dodecahedron' is not a set" plan --compare edges dodecahedron
 refuses "plan: what is not solvable is not compared" 1 'faces: ' plan --compare faces edges
 

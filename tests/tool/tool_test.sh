@@ -624,9 +624,9 @@ refuses_file "std columns larger than the field" 3 'hopeless\.csv: the noise fro
 # ---- writing ------------------------------------------------------------------------------------
 
 awk 'BEGIN { for (i = 0; i < 50000; i++) print "1 2 3" }' > "$work/long.csv"
-refuses "--out in a missing directory" 3 'nowhere/cal\.json: cannot be written: No such file' \
+refuses "--out in a missing directory" 3 'nowhere/cal\.json: cannot be written: No such file .*: make its folder first$' \
     calibrate "$good" --positions --out "$work/nowhere/cal.json"
-refuses "--out of a directory" 3 'out: cannot be written: Is a directory' \
+refuses "--out of a directory" 3 'out: cannot be written: Is a directory: name a file in it$' \
     calibrate "$good" --positions --out "$work/out"
 check "nothing was left behind" [ -z "$(ls -A "$work/out")" ]
 cp "$good" "$work/both.csv"

@@ -83,7 +83,6 @@ static inline void world_begin(world *w, double rate, uint32_t seed)
 
     memset(w, 0, sizeof *w);
     world_unit(w->m);
-    w->triad = triad_random(&w->random, 0);
     w->random = random_start(seed);
     w->rate = rate;
     w->up[2] = 1;

@@ -1578,7 +1578,7 @@ int main(void)
     RUN_LONG_TEST(guidance_covers_every_cell);
     RUN_LONG_TEST(any_unit_is_found_or_refused);
     RUN_SLOW_TEST(too_small_an_axis_is_refused);
-    RUN_TEST(early_samples_stay_if_later_ones_agree);
+    RUN_SLOW_TEST(early_samples_stay_if_later_ones_agree);
     RUN_TEST(cells_lie_on_the_sphere_whatever_is_nominal);
     RUN_TEST(independent_noise_is_told_as_such);
     RUN_LONG_TEST(a_session_of_days_stays_as_good);

@@ -1334,7 +1334,7 @@ int main(void)
     RUN_TEST(among_exact_readings_an_error_just_above_rounding_is_found);
     RUN_LONG_TEST(every_position_of_a_full_set_can_be_named);
     RUN_SLOW_TEST(more_than_one_in_six_are_rough);
-    RUN_TEST(what_no_rest_reads_is_left_out_all_the_same);
+    RUN_SLOW_TEST(what_no_rest_reads_is_left_out_all_the_same);
     RUN_TEST(what_makes_no_ellipsoid_is_looked_for_round_by_round);
     RUN_TEST(equal_positions_check_one_another);
     RUN_TEST(a_position_that_nothing_checks_is_not_blamed);

@@ -18,19 +18,20 @@
 #include "fit/sensors.h"
 #include "read/chosen.h"
 #include "read/columns.h"
+#include "result/gyro.h"
 #include "result/pass.h"
 
 /* With --strict the exit code is that of the verdict; all files are written. */
 static int hold(const request *r, const calibrate_result *result)
 {
     char reason[PASS_MAX];
+    char fault[GYRO_TEXT_MAX];
 
     if (!r->value[ASK_STRICT] || result->refused.word) {
         return EXIT_GOOD; /* what is refused has its own */
     }
-    if (result->gyro.word) {
-        message("%s: --strict: the gyroscope is not calibrated: %s", result->data->name,
-                result->gyro.reason);
+    if (*gyro_fault(&result->gyro, fault)) {
+        message("%s: --strict: the gyroscope is %s", result->data->name, fault);
         return EXIT_DATA;
     }
     if (!*pass_strict(result, reason)) {

@@ -37,17 +37,42 @@ static void measure(const calibrate_result *result, invcal_quality *q)
     q->rms = sqrt(squares / kept->kept_count);
 }
 
+/* The noise of a mean comes from the lengths of the rests alone, as in the library: their share of the degrees of
+ * freedom. */
+static double dof_of_rests(const gyro_fit *g)
+{
+    return (double)g->imu.dof * g->rests / (g->rests + 2.0 * g->imu.moves);
+}
+
+/* The lengths disagree by more than their noise: judged as without moves, by the lengths alone. Only the angles, which
+ * the moves tell, come from them. */
+static int is_disturbed(const calibrate_result *result)
+{
+    const rejection *kept = &result->rejected;
+    fit_settings with;
+    fit_solution solution;
+    fit_quality lengths;
+
+    calibrate_with_moves(result, &with);
+    with.nominal = result->gyro.imu.accelerometer;
+    return fit_make(kept->kept, kept->kept_count, &with, &solution, &lengths, NULL) == INVCAL_OK &&
+           lengths.verdict == INVCAL_ROUGH && !calibrate_is_coarse(result);
+}
+
 /* The moves determine what the rests leave undetermined. */
 static void take_joint(calibrate_result *result)
 {
     const invcal_imu *imu = &result->gyro.imu;
     double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     fit_settings with = result->settings;
-    invcal_quality q = {.verdict = imu->verdict,
+    /* what is weak is the gyroscope alone: see tells_more */
+    const int is_weak = imu->verdict == INVCAL_WEAK;
+    invcal_quality q = {.verdict = !is_weak       ? imu->verdict
+                                   : imu->dof > 0 ? INVCAL_GOOD
+                                                  : INVCAL_NO_REDUNDANCY,
                         .noise = imu->noise,
                         .positions = (uint16_t)result->rejected.kept_count,
-                        .dof = imu->dof,
-                        .sigma_dof = imu->dof};
+                        .sigma_dof = (uint16_t)lround(dof_of_rests(&result->gyro))};
 
     memcpy(q.sigma, &imu->sigma[INVCAL_GYRO_PARAMETERS], sizeof q.sigma);
     measure(result, &q);
@@ -55,33 +80,53 @@ static void take_joint(calibrate_result *result)
     result->is_joint = 1;
     result->solution = fit_solution_of(&imu->accelerometer, &result->settings);
     result->quality = fit_quality_of(&q, &result->settings, &result->solution);
+    result->quality.dof = dof_of_rests(&result->gyro);
     calibrate_with_moves(result, &with);
     fit_information(result->rejected.kept, result->rejected.kept_count, &with, &result->solution,
                     result->quality.noise, information);
     result->quality.condition = eigen_condition(information, INVCAL_PARAMETERS);
-    if (result->quality.verdict == INVCAL_GOOD && calibrate_is_disturbed(result)) {
+    if (result->quality.verdict == INVCAL_GOOD && is_disturbed(result)) {
         result->quality.verdict = INVCAL_ROUGH; /* no rest is left out here */
-        result->gyro.imu.verdict = INVCAL_ROUGH;
+        result->gyro.imu.verdict = is_weak ? INVCAL_WEAK : INVCAL_ROUGH;
     }
+}
+
+/* About how the accelerometer reads. A box around few rests misses its zero by far. Null: nothing shows it yet. */
+static const invcal_calibration *find_start(int refused, const calibrate_result *result,
+                                            invcal_calibration *about)
+{
+    const rejection *kept = &result->rejected;
+
+    if (!refused) {
+        return &result->solution.symmetric;
+    }
+    if (!nominal_is_guess(&result->nominal)) {
+        return &result->settings.nominal;
+    }
+    return nominal_from_sphere(kept->kept, kept->kept_count, about) ? about : NULL;
 }
 
 int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_result *result)
 {
     const double *clip = r->value[ASK_CLIP] ? r->clip : NULL;
+    invcal_calibration about;
     const int may_help = refused == EXIT_DATA && result->refused.undetermined != 0;
 
     if (gyro->readings == 0 || (refused && !may_help) || result->data->count == 0) {
         return refused;
     }
-    const int failure = gyro_make(
-        &result->gyro, gyro, &r->gyro, (unsigned)nearbyint(result->log->rate), clip, result->data,
-        &result->rejected, refused ? &result->settings.nominal : &result->solution.symmetric);
+    const int failure =
+        gyro_make(&result->gyro, gyro, &r->gyro, (unsigned)nearbyint(result->log->rate), clip,
+                  result->data, &result->rejected, find_start(refused, result, &about));
     if (failure) {
         return failure;
     }
     if (tells_more(r, refused, result)) {
         take_joint(result);
         return EXIT_GOOD;
+    }
+    if (refused && !result->gyro.word && result->gyro.imu.open) {
+        gyro_refuse_open(&result->gyro);
     }
     if (refused && result->gyro.word) {
         const size_t length = strlen(result->refused.remedy);

@@ -74,7 +74,7 @@ static int take_option(const option_syntax *syntax, int argc, char **argv, int *
 
 static int refuse_surplus(const option_syntax *syntax, const char *operand)
 {
-    char names[80] = "";
+    char names[120] = "";
 
     for (unsigned i = 0; i < syntax->operand_count; i++) {
         append(names, sizeof names, "%s%s", i ? " and " : "", syntax->operands[i]);

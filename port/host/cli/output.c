@@ -20,7 +20,12 @@
 static int cannot_write(const char *what)
 {
     /* NOLINTNEXTLINE(clang-analyzer-unix.Errno): every caller comes from a call that failed */
-    message("%s: cannot be written: %s", what, strerror(errno ? errno : EIO));
+    const int why = errno ? errno : EIO;
+
+    message("%s: cannot be written: %s%s", what, strerror(why),
+            why == ENOENT   ? ": make its folder first"
+            : why == EISDIR ? ": name a file in it"
+                            : "");
     return EXIT_FILE;
 }
 

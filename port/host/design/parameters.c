@@ -13,15 +13,6 @@ static void append(char *text, size_t size, const char *more)
     snprintf(text + length, size - length, "%s", more);
 }
 
-const char *parameter_words(unsigned parameter)
-{
-    static const char *const words[INVCAL_PARAMETERS] = {"offset x", "offset y", "offset z",
-                                                         "scale x",  "scale y",  "scale z",
-                                                         "angle xy", "angle xz", "angle zy"};
-
-    return words[parameter];
-}
-
 unsigned parameters_count(uint16_t bits)
 {
     unsigned count = 0;

@@ -10,8 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* "offset x", "scale y", "angle zy", ... */
-const char *parameter_words(unsigned parameter);
+#include "text/parameter.h"
 
 /* How many bits are set. */
 unsigned parameters_count(uint16_t bits);

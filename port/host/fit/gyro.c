@@ -8,8 +8,11 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "fit/nominal.h"
 #include "maths/matrix.h"
+#include "text/append.h"
 #include "text/number.h"
+#include "text/parameter.h"
 
 #define ROOM 24       /* bits of the largest reading; others may be 128 times as large */
 #define FLAT 5u       /* readings that are alike at the end of a range */
@@ -21,9 +24,18 @@
 #define MOVED 4.0   /* times the mean square at rest */
 #define FEW_RESTS 2u
 #define SAME_MEAN 1e-12
+#define SLOW_TURN                                                                                  \
+    1e-3 /* rad/s of the largest reading while the unit is unknown: no rest seems to turn */
 
 /* Too large for the stack. */
 static invcal_moves moves;
+
+static const char more_moves[] =
+    "make more moves, about each of the three axes: twelve quarter turns "
+    "through the six faces determine everything";
+static const char check_both[] =
+    "check that both are of one device and one clock, and that no readings "
+    "are clipped or lost";
 
 typedef char axes_text[40];
 
@@ -433,16 +445,23 @@ static int check_axes(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gues
     axes_text text;
 
     if (!(guess->misfit < FITS)) {
-        refuse(g, "apart",
+        const int is_sure = g->rests > INVCAL_TOUR;
+        refuse(g, is_sure ? "apart" : "undetermined",
                "the turns of the gyroscope differ from those of the accelerometer by %.2g degrees "
-               "in a move, for any assignment of its axes",
-               guess->misfit / UNIT_DEGREE);
-        advise(g, "check that both are of one device and one clock, and that no readings are "
-                  "clipped or lost");
+               "in a move, for any assignment of its axes%s",
+               guess->misfit / UNIT_DEGREE, is_sure ? "" : "; these moves are too few to show why");
+        advise(g, "%s", is_sure ? check_both : more_moves);
         return 0;
     }
     if (guess->axes[0] == 1 && guess->axes[1] == 2 && guess->axes[2] == 3) {
         return 1;
+    }
+    if (!guess->is_clear) {
+        refuse(g, "axes",
+               "the gyroscope's axes are not the accelerometer's, and these moves do not show "
+               "which they are");
+        advise(g, "%s, or state --gyro-axes", more_moves);
+        return 0;
     }
     for (unsigned i = 0; i < 3; i++) {
         const int8_t stated = wish->axes[abs(guess->axes[i]) - 1];
@@ -546,8 +565,9 @@ static invcal_status make_moves(gyro_fit *g, replay *r, long lag, const double b
     gyro_axes(g->axes, bias, zero);
     for (unsigned k = 0; k < 3; k++) {
         nominal.offset[k] = zero[k] / unit;
-        nominal.matrix[k][k] = g->turn * unit;
+        nominal.matrix[k][k] = g->turn > 0 ? g->turn * unit : ldexp(SLOW_TURN, -ROOM);
     }
+    moves.count = 0;
     const invcal_status status = invcal_moves_init(&moves, &nominal, t->rate);
     if (status != INVCAL_OK) {
         return status;
@@ -563,70 +583,130 @@ static invcal_status make_moves(gyro_fit *g, replay *r, long lag, const double b
     return INVCAL_OK;
 }
 
-static void say_open(gyro_fit *g)
+static unsigned count_why(const gyro_fit *g, invcal_status why)
 {
-    char list[GYRO_TEXT_MAX / 2] = "";
+    unsigned count = 0;
 
-    for (unsigned p = 0; p < INVCAL_IMU_PARAMETERS; p++) {
-        if (g->imu.open >> p & 1) {
-            const size_t length = strlen(list);
-            snprintf(list + length, sizeof list - length, "%s%s", length > 0 ? ", " : "",
-                     invcal_imu_parameter_name(p));
-        }
+    for (unsigned i = 0; i < g->moves; i++) {
+        count += g->move[i].why == why;
     }
-    refuse(g, "undetermined", "the moves leave parameters undetermined: %s", list);
-    advise(g, "turn about each of the three axes: twelve quarter turns through the six faces "
-              "determine everything");
+    return count;
 }
 
 /* How many moves are unusable, by their reasons. */
 static void add_reasons(gyro_fit *g)
 {
     for (unsigned i = 0; i < g->moves; i++) {
-        unsigned alike = 0;
-        int is_first = 1;
-        for (unsigned k = 0; k < g->moves; k++) {
-            alike += g->move[k].why == g->move[i].why;
-            is_first = is_first && (k >= i || g->move[k].why != g->move[i].why);
+        const invcal_status why = g->move[i].why;
+        int is_first = why != INVCAL_OK;
+        for (unsigned k = 0; k < i; k++) {
+            is_first = is_first && g->move[k].why != why;
         }
-        if (is_first && g->move[i].why != INVCAL_OK) {
-            const size_t length = strlen(g->reason);
-            snprintf(g->reason + length, sizeof g->reason - length, "; %u: %s", alike,
-                     gyro_reason(g->move[i].why));
+        if (is_first) {
+            append(g->reason, sizeof g->reason, "; unusable %u: %s", count_why(g, why),
+                   gyro_reason(why));
         }
     }
 }
 
+/* Advice for the reason that most moves share, if any is unusable; else, or after it, to make more. */
+static void advise_moves(gyro_fit *g)
+{
+    static const struct {
+        invcal_status why;
+        const char *text;
+    } known[] = {
+        {INVCAL_REST_CLIPPED, "turn more slowly, or choose a larger range of the gyroscope"},
+        {INVCAL_MOVE_GAP, "record all samples of the moves"},
+        {INVCAL_MOVE_LONG, "take at most ten seconds for a move"},
+        {INVCAL_REST_DRIFT, "keep the device still in each rest, on a table"},
+    };
+    unsigned most = 0;
+    const char *first = NULL;
+
+    for (unsigned k = 0; k < sizeof known / sizeof *known; k++) {
+        const unsigned count = count_why(g, known[k].why);
+        first = count > most ? known[k].text : first;
+        most = count > most ? count : most;
+    }
+    advise(g, "%s%s%s", first ? first : "", first ? "; " : "", more_moves);
+}
+
+void gyro_refuse_open(gyro_fit *g)
+{
+    char list[PARAMETER_LIST_MAX];
+
+    refuse(g, "undetermined", "the moves leave parameters undetermined: %s",
+           parameter_list_imu(g->imu.open, list, sizeof list));
+    add_reasons(g);
+    advise_moves(g);
+}
+
+/* Too few rests to show which way was up in them. */
+static void say_no_start(gyro_fit *g)
+{
+    refuse(g, "too few",
+           "the %u rest%s between the moves %s not show the accelerometer's zero, and so not which "
+           "way was up",
+           g->rests, g->rests == 1 ? "" : "s", g->rests == 1 ? "does" : "do");
+    advise(g,
+           "%s turn about all three axes, to other sides, or state --zero and --lsb of the "
+           "accelerometer",
+           g->rests < NOMINAL_SPHERE ? "hold it still in four directions or more, and"
+                                     : "the rests are nearly in a plane:");
+}
+
+/* No convergence, or residuals that no noise has. The search found these axes to fit: that leaves moves which are too
+ * few, or a part of them that are wrong. */
+static void say_apart(gyro_fit *g, invcal_status status)
+{
+    const unsigned used = count_why(g, INVCAL_OK);
+
+    if (status == INVCAL_MOUNTING && used < INVCAL_TOUR) {
+        refuse(g, "undetermined", "%u usable move%s do%s not determine both sensors", used,
+               used == 1 ? "" : "s", used == 1 ? "es" : "");
+        add_reasons(g);
+        advise_moves(g);
+        return;
+    }
+    refuse(g, "apart", "%s", invcal_status_text(status));
+    add_reasons(g);
+    advise(g, "%s", check_both);
+}
+
 static void say_status(gyro_fit *g, invcal_status status)
 {
+    const unsigned used = count_why(g, INVCAL_OK);
+
     switch (status) {
     case INVCAL_TOO_FEW:
-        refuse(g, "too few", "%u move%s between rests %s too few", g->moves,
-               g->moves == 1 ? "" : "s", g->moves == 1 ? "is" : "are");
+        refuse(g, "too few", "%u usable move%s between rests %s too few", used,
+               used == 1 ? "" : "s", used == 1 ? "is" : "are");
         add_reasons(g);
-        advise(g, "turn from rest to rest within ten seconds, about each of the three axes: twelve "
-                  "quarter turns through the six faces determine everything");
+        advise_moves(g);
         break;
     case INVCAL_UNDETERMINED:
-        say_open(g);
+        gyro_refuse_open(g);
         break;
     default:
-        refuse(g, "apart", "%s", invcal_status_text(status));
-        advise(g, "check that both are of one device and one clock, and that no readings are "
-                  "clipped or lost");
+        say_apart(g, status);
         break;
     }
 }
 
 /* Which move led to which rest, and whether it counts. moves.rest and g->rest end with the same. */
-static void list_moves(gyro_fit *g)
+static void list_moves(gyro_fit *g, long lag)
 {
     const unsigned first = g->rests - moves.count;
 
     g->moves = 0;
     for (unsigned i = 1; i < moves.count && g->rests >= moves.count; i++) {
         gyro_move *m = &g->move[g->moves++];
-        *m = (gyro_move){.to = first + i, .residual = NUMBER_UNKNOWN};
+        size_t begin;
+        size_t end;
+        *m = (gyro_move){.to = first + i, .angle = NUMBER_UNKNOWN, .residual = NUMBER_UNKNOWN};
+        gyro_between(g->turns, lag, &g->rest[m->to - 1], &begin, &end);
+        m->seconds = end > begin ? (double)(end - begin) / g->turns->rate : 0;
         m->why = invcal_moves_reason(&moves, i);
         if (m->why == INVCAL_OK && (g->imu.left_out >> i & 1)) {
             m->why = INVCAL_MOVE_APART;
@@ -724,19 +804,25 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
     const double unit = find_count(t);
     begin_replay(&r, t, rate, clip, p, kept);
     find_rests(g, &r);
-    const long lag = find_lag(g, p, start, bias);
-    g->lag = (double)lag / t->rate;
     if (g->rests < FEW_RESTS) {
         say_status(g, INVCAL_TOO_FEW);
         return EXIT_GOOD;
     }
-    if (!find_unit_and_axes(g, &asked, lag, bias)) {
+    if (!start) {
+        say_no_start(g);
         return EXIT_GOOD;
     }
+    const long lag = find_lag(g, p, start, bias);
+    g->lag = (double)lag / t->rate;
+    const int fits = find_unit_and_axes(g, &asked, lag, bias);
     begin_replay(&r, t, rate, clip, p, kept);
     invcal_status status = make_moves(g, &r, lag, bias, unit);
-    status = status == INVCAL_OK ? solve(g, p, start) : status;
-    list_moves(g);
+    status = status == INVCAL_OK && fits ? solve(g, p, start) : status;
+    list_moves(g, lag);
+    if (!fits) {
+        add_reasons(g);
+        return EXIT_GOOD;
+    }
     if (status != INVCAL_OK) {
         say_status(g, status);
         return EXIT_GOOD;

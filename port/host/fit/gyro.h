@@ -31,7 +31,7 @@ typedef struct {
 typedef struct {
     unsigned to;
     double seconds;
-    double angle;      /* of the turn, rad */
+    double angle;      /* of the turn, rad; NaN: unknown */
     double residual;   /* rad, perpendicular to up; NaN: unknown */
     invcal_status why; /* it is unusable; INVCAL_OK: it counts */
 } gyro_move;
@@ -72,7 +72,7 @@ typedef struct {
 /* Calibrates both.
  *
  * rate   samples per second that rests were found with, and clip as in rests.h.
- * start  the accelerometer, over the field: about.
+ * start  the accelerometer, over the field: about; null: the rests do not show it yet.
  * g      out; large.
  *
  * g says what is wrong. Returns EXIT_GOOD; EXIT_FILE, with a message, without memory. */
@@ -86,6 +86,9 @@ int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *
 
 /* Why a move is unusable: the library's texts for rests mean something else there. */
 const char *gyro_reason(invcal_status why);
+
+/* Refuses a solution that leaves parameters open. */
+void gyro_refuse_open(gyro_fit *g);
 
 /* ---- inside ------------------------------------------------------------------------------------- */
 

@@ -216,10 +216,6 @@ void gyro_measure(gyro_fit *g, long lag, const positions *p)
         gyro_move *m = &g->move[i];
         const gyro_rest *rest = &g->rest[m->to - 1];
         double c[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-        size_t first;
-        size_t last;
-        gyro_between(g->turns, lag, rest, &first, &last);
-        m->seconds = last > first ? (double)(last - first) / g->turns->rate : 0;
         m->angle = 0;
         integrate(g, lag, rest, c, &m->angle);
         m->residual = residual((const double(*)[3])c, rest);

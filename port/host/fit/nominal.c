@@ -2,6 +2,13 @@
 #include "fit/nominal.h"
 
 #include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "maths/eigen.h"
+#include "maths/matrix.h"
+
+#define FLAT 0.02 /* least variance in a direction, over the square of the radius */
 
 int nominal_from_range(const positions *p, double field, double zero[3], double lsb[3])
 {
@@ -25,6 +32,55 @@ int nominal_from_range(const positions *p, double field, double zero[3], double 
         widest = lsb[i] > 0 && lsb[i] <= DBL_MAX ? widest : 0;
     }
     return widest > 0;
+}
+
+/* The least squares of |x - z|^2 - R^2, about the mean m: covariance (z - m) = half the mean of |x - m|^2 (x - m). */
+int nominal_from_sphere(const double *raw, unsigned count, invcal_calibration *out)
+{
+    double mean[3] = {0};
+    double covariance[INVCAL_PACKED_SIZE(3)] = {0};
+    double inverse[INVCAL_PACKED_SIZE(3)];
+    double variance[3];
+    double side[3] = {0};
+    double square = 0;
+    invcal_calibration c = {.offset = {0}};
+
+    for (unsigned n = 0; n < 3 * count; n++) {
+        mean[n % 3] += raw[n] / count;
+    }
+    for (unsigned n = 0; n < count; n++) {
+        const double d[3] = {raw[3 * n] - mean[0], raw[3 * n + 1] - mean[1],
+                             raw[3 * n + 2] - mean[2]};
+        const double length = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        square += length / count;
+        for (unsigned i = 0; i < 3; i++) {
+            side[i] += length * d[i] / 2 / count;
+            for (unsigned j = 0; j <= i; j++) {
+                covariance[INVCAL_PACKED(i, j)] += d[i] * d[j] / count;
+            }
+        }
+    }
+    eigenvalues(covariance, 3, variance);
+    memcpy(inverse, covariance, sizeof inverse);
+    if (count < NOMINAL_SPHERE || !matrix_invert_packed(inverse, 3)) {
+        return 0;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        double off = 0;
+        for (unsigned j = 0; j < 3; j++) {
+            off += inverse[i > j ? INVCAL_PACKED(i, j) : INVCAL_PACKED(j, i)] * side[j];
+        }
+        c.offset[i] = mean[i] + off;
+        square += off * off;
+    }
+    if (!(fmin(variance[0], fmin(variance[1], variance[2])) >= FLAT * square)) {
+        return 0;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        c.matrix[i][i] = 1 / sqrt(square);
+    }
+    *out = c;
+    return 1;
 }
 
 int nominal_make(const double zero[3], const double lsb[3], double field, invcal_calibration *out)

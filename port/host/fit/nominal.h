@@ -35,6 +35,17 @@ typedef struct {
  * Returns 1; 0, with lsb left undefined, if there is no range or none that gives usable numbers. */
 int nominal_from_range(const positions *p, double field, double zero[3], double lsb[3]);
 
+/* The sphere next to the readings: zero, and one scale for all axes. Scale errors of 3 % turn the ways up by some
+ * degrees, no more.
+ *
+ * raw  means of `count` positions.
+ * out  input units to the field's length.
+ *
+ * Returns 1; 0, with out untouched, if they are fewer than NOMINAL_SPHERE or nearly in a plane: they do not show
+ * the zero. */
+#define NOMINAL_SPHERE 4u
+int nominal_from_sphere(const double *raw, unsigned count, invcal_calibration *out);
+
 /* A calibration in field units from zero and scale. Returns 1; 0, with out untouched, if no
  * calculation can be made with them over this field. */
 int nominal_make(const double zero[3], const double lsb[3], double field, invcal_calibration *out);

@@ -95,7 +95,8 @@ static const option options[OPTIONS] = {
     [JSON] = {"--json", 0},
     [QUIET] = {"--quiet", 0},
 };
-static const char *const operands[] = {"SET", "a second SET"};
+static const char *const operands[] = {
+    "SET", "a second SET for --compare (one alone is an option: --edges)"};
 static const option_syntax syntax = {"plan", options, OPTIONS, operands, 2, 2};
 
 #define WORD_MAX 4200u

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "plan/turns.h"
+#include "text/parameter.h"
 
 #include <float.h>
 #include <math.h>
@@ -271,7 +272,7 @@ static void say_refusal(turns_plan *p)
     snprintf(p->refusal, sizeof p->refusal,
              "%u turn%s determine%s %u of 18 parameters; undetermined: %.700s. Turn next: %s",
              p->count, p->count == 1 ? "" : "s", p->count == 1 ? "s" : "", p->rank,
-             turns_parameters(p->open, list), turns_words(&p->next, up, words));
+             parameter_list_imu(p->open, list, sizeof list), turns_words(&p->next, up, words));
 }
 
 static void judge(turns_plan *p)

@@ -55,11 +55,7 @@ typedef struct {
  * parameters undetermined, see refusal. */
 int turns_make(turns_plan *plan, const char *word, const turns_request *request);
 
-/* "gyro scale x", "gyro angle xy", "offset x"; and those of several. */
-const char *turns_parameter(unsigned parameter);
-const char *turns_parameters(unsigned bits, char text[TURNS_LIST_MAX]);
-
-/* Its kind, as in words.h: 0 an offset, 1 a scale, 2 an angle. */
+/* The kind of a parameter, as in words.h: 0 an offset, 1 a scale, 2 an angle. */
 unsigned turns_kind(unsigned parameter);
 
 /* A table for people; one JSON object; a page. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "plan/turns.h"
+#include "text/parameter.h"
 #include "plan/words.h"
 #include "text/figure.h"
 #include "text/tabular.h"
@@ -21,7 +22,7 @@ static void print_turns(FILE *file, const turns_plan *p)
         tabular_cell("%u", i + 1);
         tabular_cell("%s", turns_words(&step->turn, up, words));
         tabular_cell("%u", step->open);
-        tabular_cell("%s", turns_parameters(step->improves, improved));
+        tabular_cell("%s", parameter_list_imu(step->improves, improved, sizeof improved));
         tabular_row();
         up = step->turn.up;
     }
@@ -46,7 +47,7 @@ static void print_sigma(FILE *file, const turns_plan *p)
         const told_unit unit = kind == 0   ? field
                                : kind == 1 ? told_scale(r->told)
                                            : told_angle(r->told);
-        tabular_cell("  %s", turns_parameter(i));
+        tabular_cell("  %s", parameter_words_imu(i));
         tabular_cell("%.4f", p->sigma[i]);
         tabular_cell("%s", figure_digits(unit.scale * r->noise * p->sigma[i], 3, number));
         tabular_cell("%s", unit.unit);
@@ -70,7 +71,7 @@ void turns_print(FILE *file, const turns_plan *p)
         print_sigma(file, p);
         if (p->open) {
             wrapped_printf(file, 0, "%sweak:%s %s; turn next: %s", paint_on(file, PAINT_RED),
-                           paint_off(file), turns_parameters(p->open, list),
+                           paint_off(file), parameter_list_imu(p->open, list, sizeof list),
                            turns_words(&p->next, p->step[p->count - 1].turn.up, text));
         }
     }

@@ -9,6 +9,7 @@
 #include "draw/svg.h"
 #include "plan/facts.h"
 #include "plan/turns.h"
+#include "text/parameter.h"
 #include "text/figure.h"
 
 #define LABEL 18.0 /* pixels above a box */
@@ -53,13 +54,13 @@ static void write_verdict(page *p, const turns_plan *plan)
     if (!plan->is_determined) {
         snprintf(sentence, sizeof sentence,
                  "%u turns determine %u of 18 parameters. Undetermined: %s.", plan->count,
-                 plan->rank, turns_parameters(plan->open, list));
+                 plan->rank, parameter_list_imu(plan->open, list, sizeof list));
         page_verdict(p, PAGE_BAD, "✗ Undetermined", sentence, next);
         return;
     }
     if (plan->open) {
         snprintf(sentence, sizeof sentence, "The turns hardly determine %s.",
-                 turns_parameters(plan->open, list));
+                 parameter_list_imu(plan->open, list, sizeof list));
         page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
         return;
     }
@@ -140,7 +141,7 @@ static void write_sheet(page *p, const turns_plan *plan)
         snprintf(number, sizeof number, "%u", i + 1);
         snprintf(open, sizeof open, "%u", step->open);
         const char *const cells[] = {number, "☐", turns_words(&step->turn, up, words), open,
-                                     turns_parameters(step->improves, improved)};
+                                     parameter_list_imu(step->improves, improved, sizeof improved)};
         page_cells(p, &sheet, cells);
         up = step->turn.up;
     }
@@ -160,7 +161,7 @@ static void write_sigma(page *p, const turns_plan *plan)
     page_section(p, "Expected accuracy");
     page_table_begin(p, &sheet);
     for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
-        const char *const cells[] = {turns_parameter(i), text[0], text[1]};
+        const char *const cells[] = {parameter_words_imu(i), text[0], text[1]};
         snprintf(text[0], sizeof text[0], "%s", figure_digits(plan->sigma[i], 4, number));
         largest(plan, 1u << i, text[1]);
         if (plan->open >> i & 1u) {

@@ -9,8 +9,10 @@
 #include <string.h>
 
 #include "maths/matrix.h"
+#include "text/append.h"
 #include "text/figure.h"
 #include "text/number.h"
+#include "text/parameter.h"
 #include "text/plain.h"
 #include "text/tabular.h"
 #include "text/wrapped.h"
@@ -21,6 +23,22 @@
 const char *gyro_verdict(const gyro_fit *g)
 {
     return invcal_verdict_text((invcal_verdict)g->imu.verdict);
+}
+
+const char *gyro_fault(const gyro_fit *g, char text[GYRO_TEXT_MAX])
+{
+    char list[PARAMETER_LIST_MAX];
+
+    text[0] = '\0';
+    if (g->word) {
+        append(text, GYRO_TEXT_MAX, "not calibrated: %s", g->reason);
+    } else if (g->is_there && g->imu.verdict == INVCAL_WEAK) {
+        append(text, GYRO_TEXT_MAX, "weak: %s; make more moves, about all three axes",
+               parameter_list_imu(g->imu.open, list, sizeof list));
+    } else if (g->is_there && g->imu.verdict != INVCAL_GOOD) {
+        append(text, GYRO_TEXT_MAX, "%s", gyro_verdict(g));
+    }
+    return text;
 }
 
 const char *gyro_unit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
@@ -290,10 +308,21 @@ void gyro_print(FILE *file, const calibrate_result *r)
                        "The accelerometer is calibrated from rests and moves together: the rests "
                        "alone leave parameters undetermined.");
     }
-    snprintf(text, sizeof text, "%s%s", gyro_verdict(g),
-             g->imu.verdict == INVCAL_WEAK ? ": more moves, about all three axes" : "");
-    print_line(file, "verdict", text);
+    print_line(file, "verdict", *gyro_fault(g, text) ? text : gyro_verdict(g));
     fprintf(file, "\n");
+}
+
+void gyro_print_last(FILE *file, const calibrate_result *r)
+{
+    const gyro_fit *g = &r->gyro;
+    char text[GYRO_TEXT_MAX];
+
+    if (g->word) {
+        wrapped_printf(file, 0, "The gyroscope is %snot calibrated%s. Next, for it: %s.",
+                       paint_on(file, PAINT_RED), paint_off(file), g->remedy);
+    } else if (*gyro_fault(g, text)) {
+        wrapped_printf(file, 0, "The gyroscope is %s.", text);
+    }
 }
 
 /* ---- JSON --------------------------------------------------------------------------------------- */
@@ -359,6 +388,7 @@ void gyro_json(json_writer *w, const calibrate_result *r)
         json_text(w, "error", g->word);
         json_text(w, "reason", g->reason);
         json_text(w, "remedy", g->remedy);
+        write_moves(w, r);
         json_object_end(w);
         return;
     }

@@ -16,12 +16,18 @@ const char *gyro_thermal_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
 const char *gyro_move_text(const calibrate_result *r, const gyro_move *m, char text[GYRO_LINE_MAX]);
 const char *gyro_verdict(const gyro_fit *g);
 
+/* What is wrong with a gyroscope that is not good: "not calibrated: ...", "weak: ..."; "" if nothing is. */
+const char *gyro_fault(const gyro_fit *g, char text[GYRO_TEXT_MAX]);
+
 /* Standard deviation of the bias about an axis over the rests, rad/s; by the median, as the device may have
  * turned in some. */
 double gyro_wander(const gyro_fit *g, unsigned axis);
 
 /* Nothing if there is none. */
 void gyro_print(FILE *file, const calibrate_result *r);
+
+/* After the verdict of the accelerometer: the gyroscope, if it is not good, too. */
+void gyro_print_last(FILE *file, const calibrate_result *r);
 void gyro_json(json_writer *w, const calibrate_result *r);
 
 #endif

@@ -563,4 +563,5 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     gyro_print(file, result);
     print_verdict(file, result);
     print_next(file, result, wish);
+    gyro_print_last(file, result);
 }

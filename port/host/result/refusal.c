@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "result/gyro.h"
+
 #define GOOD 12u /* positions */
 #define DETERMINED                                                                                 \
     4.0 /* sigma of a parameter over that of a position mean: what such a set leaves */
@@ -226,5 +228,8 @@ void refusal_json(FILE *file, const calibrate_result *r)
         json_object_end(&w);
     }
     json_list_end(&w);
+    if (r->gyro.word) {
+        gyro_json(&w, r);
+    }
     json_end(&w);
 }

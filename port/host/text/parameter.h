@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * text/parameter.h: the names of the parameters in plain words.
+ */
+#ifndef PARAMETER_H
+#define PARAMETER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* "offset x", "scale y", "angle zy", ... of the nine. */
+const char *parameter_words(unsigned parameter);
+
+/* "gyro scale x", "gyro angle xy", "offset x", ... of the 18 of both sensors. */
+const char *parameter_words_imu(unsigned parameter);
+
+/* Those whose bits are set: "gyro angle yz, offset z". Cut to fit into `size`. Returns text. */
+#define PARAMETER_LIST_MAX 320
+const char *parameter_list_imu(uint32_t bits, char *text, size_t size);
+
+#endif
