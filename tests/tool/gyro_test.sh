@@ -439,7 +439,19 @@ solve "$work/real.csv" --gravity 9.81
 check "MPU-9150: residual" is_small "$(inner "$work/stdout" residual_rms)" 2.1e-3
 real mpu1 0 7505.747 10 2000
 run calibrate "$work/real.csv" --gravity 9.81
-check "another: the rests that turned are named" test "$(grep -c '^Left out: the move .*:.*the bias before' "$work/stdout")" -eq 4
+# How far the bias of a rest is from the median of all, degrees/s, from the table itself.
+turned() { # REST
+    awk '/mpu1_rest/ { on = 1; next } on && /^};/ { exit } on { gsub(/[{},]/, " "); print $1, $2, $3 }' "$here/../unit/gyro_logs.h" > "$work/biases"
+    for axis in 1 2 3; do
+        sort -n -k $axis,$axis "$work/biases" | awk -v axis=$axis '{ x[NR] = $axis } END { print x[int(NR / 2) + 1] }'
+    done | tr '\n' ' ' | { cat; sed -n "$1p" "$work/biases"; } | awk '
+        { printf "%.2g", sqrt(($1 - $4)^2 + ($2 - $5)^2 + ($3 - $6)^2) / 2^18 * 57.29578 }'
+}
+check "another: the two rests that turned are named" test "$(grep -c '^Left out: position' "$work/stdout")" -eq 2
+for rest in 4 12; do
+    check "another: rest $rest, and how fast it turned" matches "$work/stdout" \
+        "^Left out: position $rest \(line [0-9]+\), for the gyroscope, with the moves to and from it: the device turned at $(turned $rest) °/s"
+done
 check "another: the move that contradicts is named" matches "$work/stdout" '^Left out: the move from position 6 to 7 .*contradicts the others'
 
 finish

@@ -11,6 +11,7 @@
 #include "fit/nominal.h"
 #include "maths/matrix.h"
 #include "text/append.h"
+#include "text/figure.h"
 #include "text/number.h"
 #include "text/parameter.h"
 
@@ -67,10 +68,22 @@ static void advise(gyro_fit *g, const char *format, ...)
 const char *gyro_reason(invcal_status why)
 {
     return why == INVCAL_MOVE_APART   ? "contradicts the others"
-           : why == INVCAL_REST_DRIFT ? "the bias before and after differs by 0.5 °/s: the device "
-                                        "turned in one of the two rests"
+           : why == INVCAL_REST_DRIFT ? "the device turned in a rest"
            : why == INVCAL_REST_SAME  ? "no turn"
                                       : invcal_status_text(why);
+}
+
+const char *gyro_move_reason(const gyro_fit *g, const gyro_move *m, char text[GYRO_REASON_MAX])
+{
+    char number[FIGURE_MAX];
+
+    if (m->why == INVCAL_REST_DRIFT) {
+        snprintf(text, GYRO_REASON_MAX, "the device turned at %s °/s in the rest at position %u",
+                 figure_digits(m->rate / UNIT_DEGREE, 2, number), g->rest[m->turned].position + 1);
+    } else {
+        snprintf(text, GYRO_REASON_MAX, "%s", gyro_reason(m->why));
+    }
+    return text;
 }
 
 static const char *axes_words(const int8_t axes[3], axes_text text)
@@ -694,8 +707,24 @@ static void say_status(gyro_fit *g, invcal_status status)
     }
 }
 
+/* Of the two rests of a move, that in which the device turned: the one whose bias is farther from the usual. */
+static void find_turned(const gyro_fit *g, const double bias[3], gyro_move *m)
+{
+    m->rate = -1;
+    for (unsigned k = m->to - 1; k <= m->to; k++) {
+        double square = 0;
+        for (unsigned i = 0; i < 3; i++) {
+            square += pow(g->turn * (g->rest[k].bias[i] - bias[i]), 2);
+        }
+        if (sqrt(square) > m->rate) {
+            m->turned = k;
+            m->rate = sqrt(square);
+        }
+    }
+}
+
 /* Which move led to which rest, and whether it counts. moves.rest and g->rest end with the same. */
-static void list_moves(gyro_fit *g, long lag)
+static void list_moves(gyro_fit *g, long lag, const double bias[3])
 {
     const unsigned first = g->rests - moves.count;
 
@@ -712,6 +741,8 @@ static void list_moves(gyro_fit *g, long lag)
             m->why = INVCAL_MOVE_APART;
         } else if (m->why == INVCAL_OK && (g->imu.idle >> i & 1)) {
             m->why = INVCAL_REST_SAME;
+        } else if (m->why == INVCAL_REST_DRIFT) {
+            find_turned(g, bias, m);
         }
     }
 }
@@ -818,7 +849,7 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
     begin_replay(&r, t, rate, clip, p, kept);
     invcal_status status = make_moves(g, &r, lag, bias, unit);
     status = status == INVCAL_OK && fits ? solve(g, p, start) : status;
-    list_moves(g, lag);
+    list_moves(g, lag, bias);
     if (!fits) {
         add_reasons(g);
         return EXIT_GOOD;

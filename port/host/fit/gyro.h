@@ -34,6 +34,8 @@ typedef struct {
     double angle;      /* of the turn, rad; NaN: unknown */
     double residual;   /* rad, perpendicular to up; NaN: unknown */
     invcal_status why; /* it is unusable; INVCAL_OK: it counts */
+    unsigned turned;   /* INVCAL_REST_DRIFT: that of its two rests in which the device turned, */
+    double rate;       /* and how fast, rad/s: by its bias against that of most rests */
 } gyro_move;
 
 /* The parts of a move's error. */
@@ -86,6 +88,10 @@ int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *
 
 /* Why a move is unusable: the library's texts for rests mean something else there. */
 const char *gyro_reason(invcal_status why);
+
+/* The same of this move, with what was measured. */
+#define GYRO_REASON_MAX 120
+const char *gyro_move_reason(const gyro_fit *g, const gyro_move *m, char text[GYRO_REASON_MAX]);
 
 /* Refuses a solution that leaves parameters open. */
 void gyro_refuse_open(gyro_fit *g);

@@ -231,8 +231,8 @@ static void write_moves(page *p, const report_facts *f)
     char text[GYRO_LINE_MAX];
 
     for (unsigned i = 0; i < g->moves; i++) {
-        if (g->move[i].why != INVCAL_OK) {
-            page_say(p, "Left out: %s.", gyro_move_text(f->result, &g->move[i], text));
+        if (*gyro_left_out(f->result, i, text)) {
+            page_say(p, "Left out: %s.", text);
         }
     }
     page_picture(p,

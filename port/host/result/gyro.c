@@ -81,13 +81,48 @@ const char *gyro_limit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
     return text;
 }
 
-const char *gyro_move_text(const calibrate_result *r, const gyro_move *m, char text[GYRO_LINE_MAX])
+/* A rest in which the device turned. */
+static void say_turned(const calibrate_result *r, unsigned rest, double rate,
+                       char text[GYRO_LINE_MAX])
 {
-    const gyro_rest *rest = &r->gyro.rest[m->to];
+    const gyro_fit *g = &r->gyro;
+    const unsigned position = g->rest[rest].position;
+    char number[FIGURE_MAX];
+    int is_lost[2] = {0, 0};
 
-    snprintf(text, GYRO_LINE_MAX, "the move from position %u to %u (line %lu): %s",
-             rest[-1].position + 1, rest->position + 1, r->data->origin[rest->position].line,
-             gyro_reason(m->why));
+    for (unsigned i = 0; i < g->moves; i++) {
+        const gyro_move *m = &g->move[i];
+        if (m->why == INVCAL_REST_DRIFT && m->turned == rest) {
+            is_lost[m->to != rest] = 1;
+        }
+    }
+    snprintf(text, GYRO_LINE_MAX,
+             "position %u (line %lu), for the gyroscope, with the move%s%s%s%s: the device turned "
+             "at %s °/s in this rest",
+             position + 1, r->data->origin[position].line, is_lost[0] && is_lost[1] ? "s" : "",
+             is_lost[0] ? " to" : "", is_lost[0] && is_lost[1] ? " and" : "",
+             is_lost[1] ? " from it" : " it", figure_digits(rate / UNIT_DEGREE, 2, number));
+}
+
+const char *gyro_left_out(const calibrate_result *r, unsigned move, char text[GYRO_LINE_MAX])
+{
+    const gyro_fit *g = &r->gyro;
+    const gyro_move *m = &g->move[move];
+    const gyro_rest *rest = &g->rest[m->to];
+
+    text[0] = '\0';
+    if (m->why == INVCAL_REST_DRIFT) {
+        for (unsigned i = 0; i < move; i++) {
+            if (g->move[i].why == INVCAL_REST_DRIFT && g->move[i].turned == m->turned) {
+                return text;
+            }
+        }
+        say_turned(r, m->turned, m->rate, text);
+    } else if (m->why != INVCAL_OK) {
+        snprintf(text, GYRO_LINE_MAX, "the move from position %u to %u (line %lu): %s",
+                 rest[-1].position + 1, rest->position + 1, r->data->origin[rest->position].line,
+                 gyro_reason(m->why));
+    }
     return text;
 }
 
@@ -273,9 +308,9 @@ static void print_moves(FILE *file, const calibrate_result *r)
                        g->rests, g->more);
     }
     for (unsigned i = 0; i < g->moves; i++) {
-        if (g->move[i].why != INVCAL_OK) {
+        if (*gyro_left_out(r, i, text)) {
             wrapped_printf(file, 10, "%sLeft out:%s %s", paint_on(file, PAINT_RED), paint_off(file),
-                           gyro_move_text(r, &g->move[i], text));
+                           text);
         }
     }
     print_line(file, "g-sensitivity", gyro_g_text(g, text));
@@ -330,6 +365,7 @@ void gyro_print_last(FILE *file, const calibrate_result *r)
 static void write_moves(json_writer *w, const calibrate_result *r)
 {
     const gyro_fit *g = &r->gyro;
+    char why[GYRO_REASON_MAX];
 
     json_list(w, "moves");
     for (unsigned i = 0; i < g->moves; i++) {
@@ -341,7 +377,7 @@ static void write_moves(json_writer *w, const calibrate_result *r)
         json_number(w, "angle", m->angle);
         json_number(w, "residual", m->residual);
         if (m->why != INVCAL_OK) {
-            json_text(w, "left_out", invcal_status_text(m->why));
+            json_text(w, "left_out", gyro_move_reason(g, m, why));
         }
         json_object_end(w);
     }
