@@ -109,6 +109,19 @@ solve "$work/warm.csv"
 check "bias against temperature" near 0.00001 "$(inner "$work/stdout" temperature_slope | numbers)" '0 0.00026646 0'
 run calibrate "$work/warm.csv"
 check "bias against temperature: it is told" matches "$work/stdout" '^temperature *bias x .* y \+0\.01[56]'
+# drift: 30 counts of 1/131 degrees/s in 85 s, which is 5 s less than 18 rests every 5 s take
+awk -F, -v OFS=, 'NR > 1 { $6 = sprintf("%.0f", $6 + 30 * $1 / 85) } { print }' "$work/edges.csv" > "$work/drift.csv"
+solve "$work/drift.csv"
+check "drift of the bias" near 0.00015 "$(inner "$work/stdout" drift | numbers)" '0 0.0039969 0'
+check "drift of the bias: its sigma" is_small "$(inner "$work/stdout" drift_sigma | numbers | awk '{ print $2 }')" 0.0001
+check "drift of the bias: JSON says what limits" matches "$work/stdout" '"limited_by": "its bias, which changes from rest to rest'
+run calibrate "$work/drift.csv"
+check "drift of the bias: it is told" matches "$work/stdout" '^drift *of the bias, x .*, y \+0\.2[23][0-9]* .* °/s from the first rest to the last'
+solve "$work/tour.log"
+check "12 rests or more tell the drift" lacks "$work/stdout" '^    "drift": \[null'
+head -n 5000 "$work/edges.csv" > "$work/short.csv"
+solve "$work/short.csv"
+check "10 rests do not" test "$(inner "$work/stdout" drift)" = '[null, null, null]'
 # frames: A'G is the same whatever the frame, if both are turned alike
 both() {
     { sed -n '/^  "matrix"/,/^  \]/p' "$work/stdout" | numbers; echo; inner "$work/stdout" matrix | numbers; } | tr '\n' ' ' |
@@ -184,6 +197,19 @@ check "an axis that never changes" refused_as stuck "gyroscope's y never changes
 change '{ $6 = NR % 7 }'
 solve "$work/changed.csv"
 check "an axis that reads noise alone" refused_as stuck "gyroscope's y reads nothing"
+change 'NR > 4001 { $5 = x; $6 = y; $7 = z } { x = $5; y = $6; z = $7 }'
+solve "$work/changed.csv"
+check "stuck from the middle on: it says from where" refused_as stuck 'the gyroscope reads the same from line 4001 on'
+change 'NR > 4001 { $5 = x } { x = $5 }'
+solve "$work/changed.csv"
+check "one axis that stops: another reason" lacks "$work/stdout" 'reads the same'
+cut -d, -f1,5-7 "$work/changed.csv" > "$work/moving.csv"
+awk -F, -v OFS=, 'NR > 4001 { $2 = x; $3 = y; $4 = z } { x = $2; y = $3; z = $4; print }' "$work/moving.csv" > "$work/stuck.csv"
+solve "$work/acc.csv" --gyro "$work/stuck.csv"
+check "stuck, in a file of its own: by the position" refused_as stuck 'reads the same from position 8 \(line 3[0-9]+\) on'
+change 'NR > 8795 { $5 = x; $6 = y; $7 = z } { x = $5; y = $6; z = $7 }'
+solve "$work/changed.csv"
+check "quiet at the end of the last rest: no fault" unit_is counts size
 for what in '$5 = 1e12' '$6 = -32768000' '$7 = 1e-300'; do
     change "NR == 900 { $what }"
     solve "$work/changed.csv"

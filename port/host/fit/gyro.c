@@ -313,6 +313,50 @@ static void usual_bias(const gyro_fit *g, double bias[3])
     }
 }
 
+static int is_as_before(const turns *t, size_t i)
+{
+    const double *x = t->reading[i].x;
+    const double *y = t->reading[i - 1].x;
+
+    return !(fabs(x[0] - y[0]) > 0 || fabs(x[1] - y[1]) > 0 || fabs(x[2] - y[2]) > 0);
+}
+
+/* Returns 0 if all axes stay as they are from before the last move on. */
+static int check_end(gyro_fit *g, const positions *p)
+{
+    const turns *t = g->turns;
+    size_t from = t->readings - 1;
+    size_t at = 0;
+    size_t first;
+    size_t last;
+    unsigned k = 0;
+
+    while (from > 0 && is_as_before(t, from)) {
+        from--;
+    }
+    gyro_between(t, 0, &g->rest[g->rests - 2], &first, &last);
+    if (from > first) {
+        return 1;
+    }
+    while (at < t->samples && t->sample[at].upto <= from) {
+        at++;
+    }
+    while (k + 1 < g->rests && g->rest[k + 1].begin <= at) {
+        k++;
+    }
+    const position_origin *o = &p->origin[g->rest[k].position];
+    if (t->file ||
+        at < g->rest[k].begin) { /* the line is one of another file, or before all rests */
+        refuse(g, "stuck", "the gyroscope reads the same from position %u (line %lu) on",
+               g->rest[k].position + 1, o->line);
+    } else {
+        refuse(g, "stuck", "the gyroscope reads the same from line %lu on",
+               o->line + (unsigned long)(at - g->rest[k].begin));
+    }
+    advise(g, "check how it is read, and record again");
+    return 0;
+}
+
 /* ---- unit and axes ------------------------------------------------------------------------------ */
 
 /* The mean square of readings about the bias. */
@@ -837,6 +881,9 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
     find_rests(g, &r);
     if (g->rests < FEW_RESTS) {
         say_status(g, INVCAL_TOO_FEW);
+        return EXIT_GOOD;
+    }
+    if (!check_end(g, p)) {
         return EXIT_GOOD;
     }
     if (!start) {

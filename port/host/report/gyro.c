@@ -320,6 +320,7 @@ void report_gyro(page *p, const report_facts *f)
     page_fact(p, "readings", "in %s, %.6g a second%s", gyro_unit_text(g, text), g->turns->rate,
               g->turns->is_rate_known ? "" : " (a guess: its error is an error of the scales)");
     page_fact(p, "g-sensitivity", "%s", gyro_g_text(g, text));
+    page_fact(p, "drift", "%s", gyro_drift_text(g, text));
     if (g->range > 0) {
         page_fact(p, "temperature", "%s, one standard deviation", gyro_thermal_text(g, text));
     }

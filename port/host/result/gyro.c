@@ -155,6 +155,24 @@ const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
     return text;
 }
 
+const char *gyro_drift_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
+{
+    char number[3][FIGURE_MAX];
+
+    if (!(g->imu.slope_sigma[0][3] > 0)) {
+        snprintf(text, GYRO_LINE_MAX, "unknown: needs 12 rests or more");
+        return text;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        figure_with_sigma(g->imu.slope[i][3] / UNIT_DEGREE, g->imu.slope_sigma[i][3] / UNIT_DEGREE,
+                          FIGURE_SIGNED, number[i]);
+    }
+    snprintf(text, GYRO_LINE_MAX,
+             "of the bias, x %s, y %s, z %s °/s from the first rest to the last", number[0],
+             number[1], number[2]);
+    return text;
+}
+
 const char *gyro_thermal_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
 {
     char number[3][FIGURE_MAX];
@@ -314,6 +332,7 @@ static void print_moves(FILE *file, const calibrate_result *r)
         }
     }
     print_line(file, "g-sensitivity", gyro_g_text(g, text));
+    print_line(file, "drift", gyro_drift_text(g, text));
     if (g->range > 0) {
         print_line(file, "temperature", gyro_thermal_text(g, text));
     }
@@ -406,6 +425,19 @@ static void write_g(json_writer *w, const calibrate_result *r)
     }
 }
 
+static void write_drift(json_writer *w, const gyro_fit *g)
+{
+    double drift[2][3];
+
+    for (unsigned i = 0; i < 3; i++) {
+        const int is_known = g->imu.slope_sigma[i][3] > 0;
+        drift[0][i] = is_known ? g->imu.slope[i][3] : NUMBER_UNKNOWN;
+        drift[1][i] = is_known ? g->imu.slope_sigma[i][3] : NUMBER_UNKNOWN;
+    }
+    json_vector(w, "drift", drift[0]);
+    json_vector(w, "drift_sigma", drift[1]);
+}
+
 static const char *parameter_name(unsigned p)
 {
     return invcal_imu_parameter_name(p);
@@ -415,6 +447,7 @@ void gyro_json(json_writer *w, const calibrate_result *r)
 {
     const gyro_fit *g = &r->gyro;
     double nine[2][3][3];
+    char text[GYRO_LINE_MAX];
 
     if (!g->is_there) {
         return;
@@ -445,6 +478,8 @@ void gyro_json(json_writer *w, const calibrate_result *r)
     json_number(w, "residual_max", g->imu.move_max);
     write_moves(w, r);
     write_g(w, r);
+    write_drift(w, g);
+    json_text(w, "limited_by", gyro_limit_text(g, text));
     if (g->range > 0) {
         json_vector(w, "temperature_slope", g->thermal);
         json_vector(w, "temperature_slope_sigma", g->thermal_sigma);

@@ -12,6 +12,7 @@
 const char *gyro_unit_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
 const char *gyro_limit_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
 const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
+const char *gyro_drift_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
 const char *gyro_thermal_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
 const char *gyro_verdict(const gyro_fit *g);
 
