@@ -19,7 +19,7 @@
 #define MOVED 4.0   /* times the mean square at rest */
 #define FEW_RESTS 2u
 #define SAME_MEAN 1e-12
-#define SLOW_TURN 1e-3 /* rad/s of the largest reading, unit unknown: no rest seems to turn */
+#define SLOW_TURN 0.01 /* rad/s of the largest reading, unit unknown: no rest seems to turn */
 
 /* Too large for the stack. */
 static invcal_moves moves;
