@@ -78,6 +78,9 @@ fi
 "$tool" simulate --gyro --dwell 3 --plan directions:"$work/tour.csv" --outliers 1 > "$work/outlier.log"
 run calibrate "$work/outlier.log"
 check "twelve quarter turns with a wrong rest: rough" matches "$work/stdout" '^Rough: '
+check "twelve quarter turns with a wrong rest: so is the gyroscope" test "$(tail -n 1 "$work/stdout")" = 'The gyroscope is rough, as the accelerometer is.'
+run calibrate "$work/outlier.log" --strict --quiet
+check "twelve quarter turns with a wrong rest: --strict" was_refused 1 '--strict: the verdict is rough'
 solve "$work/tour.log" --gravity 9.80665
 check "they say that the moves told the accelerometer" matches "$work/stdout" '"accelerometer": "rests and moves"'
 refuses "six faces without the gyroscope are as ever" 1 'undetermined: angle xy, angle xz, angle zy' \

@@ -35,8 +35,10 @@ const char *gyro_fault(const gyro_fit *g, char text[GYRO_TEXT_MAX])
     } else if (g->is_there && g->imu.verdict == INVCAL_WEAK) {
         append(text, GYRO_TEXT_MAX, "weak: %s; make more moves, about all three axes",
                parameter_list_imu(g->imu.open, list, sizeof list));
+    } else if (g->is_there && g->imu.verdict == INVCAL_NO_REDUNDANCY) {
+        append(text, GYRO_TEXT_MAX, "without redundancy to check it; make more moves");
     } else if (g->is_there && g->imu.verdict != INVCAL_GOOD) {
-        append(text, GYRO_TEXT_MAX, "%s", gyro_verdict(g));
+        append(text, GYRO_TEXT_MAX, "%s, as the accelerometer is", gyro_verdict(g));
     }
     return text;
 }
@@ -362,7 +364,12 @@ void gyro_print(FILE *file, const calibrate_result *r)
                        "The accelerometer is calibrated from rests and moves together: the rests "
                        "alone leave parameters undetermined.");
     }
-    print_line(file, "verdict", *gyro_fault(g, text) ? text : gyro_verdict(g));
+    if (g->imu.verdict == INVCAL_WEAK) {
+        (void)gyro_fault(g, text);
+    } else {
+        snprintf(text, sizeof text, "%s", gyro_verdict(g));
+    }
+    print_line(file, "verdict", text);
     fprintf(file, "\n");
 }
 
