@@ -79,6 +79,9 @@ fi
 "$tool" simulate --gyro --dwell 3 --plan directions:"$work/tour.csv" --outliers 1 > "$work/outlier.log"
 run calibrate "$work/outlier.log"
 check "twelve quarter turns with a wrong rest: rough" matches "$work/stdout" '^Rough: '
+check "twelve quarter turns with a wrong rest: so is the gyroscope" test "$(tail -n 1 "$work/stdout")" = 'The gyroscope is rough, as the accelerometer is.'
+run calibrate "$work/outlier.log" --strict --quiet
+check "twelve quarter turns with a wrong rest: --strict" was_refused 1 '--strict: the verdict is rough'
 solve "$work/tour.log" --gravity 9.80665
 check "they say that the moves told the accelerometer" matches "$work/stdout" '"accelerometer": "rests and moves"'
 refuses "six faces without the gyroscope are as ever" 1 'undetermined: angle xy, angle xz, angle zy' \
@@ -110,6 +113,19 @@ solve "$work/warm.csv"
 check "bias against temperature" near 0.00001 "$(inner "$work/stdout" temperature_slope | numbers)" '0 0.00026646 0'
 run calibrate "$work/warm.csv"
 check "bias against temperature: it is told" matches "$work/stdout" '^temperature *bias x .* y \+0\.01[56]'
+# drift: 30 counts of 1/131 degrees/s in 85 s, which is 5 s less than 18 rests every 5 s take
+awk -F, -v OFS=, 'NR > 1 { $6 = sprintf("%.0f", $6 + 30 * $1 / 85) } { print }' "$work/edges.csv" > "$work/drift.csv"
+solve "$work/drift.csv"
+check "drift of the bias" near 0.00015 "$(inner "$work/stdout" drift | numbers)" '0 0.0039969 0'
+check "drift of the bias: its sigma" is_small "$(inner "$work/stdout" drift_sigma | numbers | awk '{ print $2 }')" 0.0001
+check "drift of the bias: JSON says what limits" matches "$work/stdout" '"limited_by": "its bias, which changes from rest to rest'
+run calibrate "$work/drift.csv"
+check "drift of the bias: it is told" matches "$work/stdout" '^drift *of the bias, x .*, y \+0\.2[23][0-9]* .* °/s from the first rest to the last'
+solve "$work/tour.log"
+check "12 rests or more tell the drift" lacks "$work/stdout" '^    "drift": \[null'
+head -n 5000 "$work/edges.csv" > "$work/short.csv"
+solve "$work/short.csv"
+check "10 rests do not" test "$(inner "$work/stdout" drift)" = '[null, null, null]'
 # frames: A'G is the same whatever the frame, if both are turned alike
 both() {
     { sed -n '/^  "matrix"/,/^  \]/p' "$work/stdout" | numbers; echo; inner "$work/stdout" matrix | numbers; } | tr '\n' ' ' |
@@ -185,6 +201,19 @@ check "an axis that never changes" refused_as stuck "gyroscope's y never changes
 change '{ $6 = NR % 7 }'
 solve "$work/changed.csv"
 check "an axis that reads noise alone" refused_as stuck "gyroscope's y reads nothing"
+change 'NR > 4001 { $5 = x; $6 = y; $7 = z } { x = $5; y = $6; z = $7 }'
+solve "$work/changed.csv"
+check "stuck from the middle on: it says from where" refused_as stuck 'the gyroscope reads the same from line 4001 on'
+change 'NR > 4001 { $5 = x } { x = $5 }'
+solve "$work/changed.csv"
+check "one axis that stops: another reason" lacks "$work/stdout" 'reads the same'
+cut -d, -f1,5-7 "$work/changed.csv" > "$work/moving.csv"
+awk -F, -v OFS=, 'NR > 4001 { $2 = x; $3 = y; $4 = z } { x = $2; y = $3; z = $4; print }' "$work/moving.csv" > "$work/stuck.csv"
+solve "$work/acc.csv" --gyro "$work/stuck.csv"
+check "stuck, in a file of its own: by the position" refused_as stuck 'reads the same from position 8 \(line 3[0-9]+\) on'
+change 'NR > 8795 { $5 = x; $6 = y; $7 = z } { x = $5; y = $6; z = $7 }'
+solve "$work/changed.csv"
+check "quiet at the end of the last rest: no fault" unit_is counts size
 for what in '$5 = 1e12' '$6 = -32768000' '$7 = 1e-300'; do
     change "NR == 900 { $what }"
     solve "$work/changed.csv"
@@ -195,7 +224,8 @@ solve "$work/changed.csv"
 check "rests without moves" refused_as 'too few' 'reads no turns between the rests'
 awk -F, -v OFS=, 'NR > 1 && $1 % 5 > 3 { next } { print }' "$work/edges.csv" > "$work/changed.csv"
 solve "$work/changed.csv"
-check "moves that were not recorded" refused_as 'too few' 'too few complete moves between rests'
+check "moves that were not recorded" refused_as 'too few' 'too few complete moves between rests .*; unusable 17: samples were lost in the move'
+check "moves that were not recorded: JSON, too" test "$(grep -c '"left_out": "samples were lost in the move"' "$work/stdout")" -eq 17
 change 'function clip(x) { return x > 9000 ? 9000 : x < -9000 ? -9000 : x } { $5 = clip($5); $6 = clip($6); $7 = clip($7) }'
 run calibrate "$work/changed.csv"
 check "clipped: that move is left out and named" matches "$work/stdout" "^Left out: the move from position 1 to 2 \(line [0-9]+\): at the end of the sensor's range"
@@ -203,6 +233,9 @@ printf '%s\n' x,y,z 0,0,1 1,0,0 0,0,-1 -1,0,0 0,0,1 1,0,0 0,0,-1 -1,0,0 0,0,1 1,
 "$tool" simulate --gyro --dwell 3 --plan directions:"$work/one.csv" > "$work/one.log"
 refuses "all moves about one axis: it names what is open" 1 'The moves between them do not determine them either: .*gyro scale x.*gyro scale z' \
     calibrate "$work/one.log" --zero 0,0,0 --lsb 9.80665/16384
+awk -F, -v OFS=, 'NR > 1 { y = $6; $6 = -$5; $5 = y } { print }' "$work/one.log" > "$work/changed.csv"
+refuses "all moves about one axis, axes exchanged: not clear which" 1 "axes are not the accelerometer's, and these moves do not show which they are: make more moves" \
+    calibrate "$work/changed.csv" --zero 0,0,0 --lsb 9.80665/16384
 refuses "the same without zero and scale: the rests are in a plane" 1 'the rests are nearly in a plane: turn about all three axes' calibrate "$work/one.log"
 awk -F, -v OFS=, 'NR == 1 { print; next } { a[NR] = $1 OFS $2 OFS $3 OFS $4; g[NR] = $5 OFS $6 OFS $7 }
     END { for (i = 2; i <= NR - 60; i++) print a[i], g[i + 60] }' "$work/edges.csv" > "$work/changed.csv"
@@ -471,7 +504,19 @@ solve "$work/real.csv" --gravity 9.81
 check "MPU-9150: residual" is_small "$(inner "$work/stdout" residual_rms)" 2.1e-3
 real mpu1 0 7505.747 10 2000
 run calibrate "$work/real.csv" --gravity 9.81
-check "another: the rests that turned are named" test "$(grep -c '^Left out: the move .*:.*the bias before' "$work/stdout")" -eq 4
+# How far the bias of a rest is from the median of all, degrees/s, from the table itself.
+turned() { # REST
+    awk '/mpu1_rest/ { on = 1; next } on && /^};/ { exit } on { gsub(/[{},]/, " "); print $1, $2, $3 }' "$here/../unit/gyro_logs.h" > "$work/biases"
+    for axis in 1 2 3; do
+        sort -n -k $axis,$axis "$work/biases" | awk -v axis=$axis '{ x[NR] = $axis } END { print x[int(NR / 2) + 1] }'
+    done | tr '\n' ' ' | { cat; sed -n "$1p" "$work/biases"; } | awk '
+        { printf "%.2g", sqrt(($1 - $4)^2 + ($2 - $5)^2 + ($3 - $6)^2) / 2^18 * 57.29578 }'
+}
+check "another: the two rests that turned are named" test "$(grep -c '^Left out: position' "$work/stdout")" -eq 2
+for rest in 4 12; do
+    check "another: rest $rest, and how fast it turned" matches "$work/stdout" \
+        "^Left out: position $rest \(line [0-9]+\), for the gyroscope, with the moves to and from it: the device turned at $(turned $rest) °/s"
+done
 check "another: the move that contradicts is named" matches "$work/stdout" '^Left out: the move from position 6 to 7 .*contradicts the others'
 
 # ---- the same from all samples, where the recordings are (RECORDINGS, or ../shared/data) ------------------

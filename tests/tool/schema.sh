@@ -73,6 +73,8 @@ prints 0 calibration calibrate "$work/stand.csv" --stand
 check "the file of --truth is a truth" fits truth "$work/truth.json"
 "$tool" simulate --gyro --dwell 3 --plan edges --truth "$work/truth.json" > "$work/gyro.csv"
 prints 0 calibration calibrate "$work/gyro.csv"
+head -n 3500 "$work/gyro.csv" > "$work/short.csv"
+prints 1 calibration_refusal calibrate "$work/short.csv"
 check "the file of --truth with a gyroscope is a truth" fits truth "$work/truth.json"
 "$tool" simulate --gyro --gyro-g 0,0,0,-0.15,0,0,0,0,0 --dwell 3 --plan per-group:8 --truth "$work/truth.json" > "$work/gyro.csv"
 prints 0 calibration calibrate "$work/gyro.csv"

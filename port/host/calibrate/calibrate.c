@@ -30,15 +30,15 @@ static int hold(const request *r, const calibrate_result *result)
     if (!r->value[ASK_STRICT] || result->refused.word) {
         return EXIT_GOOD; /* what is refused has its own */
     }
+    if (*pass_strict(result, reason)) {
+        message("%s: --strict: %s", result->data->name, reason);
+        return EXIT_DATA;
+    }
     if (*gyro_fault(&result->gyro, fault)) {
         message("%s: --strict: the gyroscope is %s", result->data->name, fault);
         return EXIT_DATA;
     }
-    if (!*pass_strict(result, reason)) {
-        return EXIT_GOOD;
-    }
-    message("%s: --strict: %s", result->data->name, reason);
-    return EXIT_DATA;
+    return EXIT_GOOD;
 }
 
 /* What is known of the result before there is one. */

@@ -2,17 +2,12 @@
 #include "fit/gyro.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/command.h"
-#include "cli/message.h"
-#include "fit/nominal.h"
 #include "maths/matrix.h"
-#include "text/append.h"
 #include "text/number.h"
-#include "text/parameter.h"
 
 #define ROOM 24       /* bits of the largest reading; others may be 128 times as large */
 #define FLAT 5u       /* readings that are alike at the end of a range */
@@ -24,54 +19,12 @@
 #define MOVED 4.0   /* times the mean square at rest */
 #define FEW_RESTS 2u
 #define SAME_MEAN 1e-12
-#define SLOW_TURN                                                                                  \
-    1e-3 /* rad/s of the largest reading while the unit is unknown: no rest seems to turn */
+#define SLOW_TURN 0.01 /* rad/s of the largest reading, unit unknown: no rest seems to turn */
 
 /* Too large for the stack. */
 static invcal_moves moves;
 
-static const char more_moves[] =
-    "make more moves, about each of the three axes: twelve quarter turns "
-    "through the six faces determine everything";
-static const char check_both[] =
-    "check that both are of one device and one clock, and that no readings "
-    "are clipped or lost";
-
 typedef char axes_text[40];
-
-/* ---- words -------------------------------------------------------------------------------------- */
-
-static void refuse(gyro_fit *g, const char *word, const char *format, ...) MESSAGE_FORMAT(3, 4);
-
-static void refuse(gyro_fit *g, const char *word, const char *format, ...)
-{
-    va_list arguments;
-
-    g->word = word;
-    va_start(arguments, format);
-    vsnprintf(g->reason, sizeof g->reason, format, arguments);
-    va_end(arguments);
-}
-
-static void advise(gyro_fit *g, const char *format, ...) MESSAGE_FORMAT(2, 3);
-
-static void advise(gyro_fit *g, const char *format, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(g->remedy, sizeof g->remedy, format, arguments);
-    va_end(arguments);
-}
-
-const char *gyro_reason(invcal_status why)
-{
-    return why == INVCAL_MOVE_APART   ? "contradicts the others"
-           : why == INVCAL_REST_DRIFT ? "the bias before and after differs by 0.5 °/s: the device "
-                                        "turned in one of the two rests"
-           : why == INVCAL_REST_SAME  ? "no turn"
-                                      : invcal_status_text(why);
-}
 
 static const char *axes_words(const int8_t axes[3], axes_text text)
 {
@@ -143,8 +96,8 @@ static int check_readings(gyro_fit *g)
             i++;
         }
         if (i >= t->readings) {
-            refuse(g, "stuck", "the gyroscope's %c never changes", "xyz"[k]);
-            advise(g, "check that it is read, and record again");
+            gyro_refuse(g, "stuck", "the gyroscope's %c never changes", "xyz"[k]);
+            gyro_advise(g, "check that it is read, and record again");
             return 0;
         }
         g->rail[0][k] = rail_of(t, k, -1);
@@ -300,6 +253,50 @@ static void usual_bias(const gyro_fit *g, double bias[3])
     }
 }
 
+static int is_as_before(const turns *t, size_t i)
+{
+    const double *x = t->reading[i].x;
+    const double *y = t->reading[i - 1].x;
+
+    return !(fabs(x[0] - y[0]) > 0 || fabs(x[1] - y[1]) > 0 || fabs(x[2] - y[2]) > 0);
+}
+
+/* Returns 0 if all axes stay as they are from before the last move on. */
+static int check_end(gyro_fit *g, const positions *p)
+{
+    const turns *t = g->turns;
+    size_t from = t->readings - 1;
+    size_t at = 0;
+    size_t first;
+    size_t last;
+    unsigned k = 0;
+
+    while (from > 0 && is_as_before(t, from)) {
+        from--;
+    }
+    gyro_between(t, 0, &g->rest[g->rests - 2], &first, &last);
+    if (from > first) {
+        return 1;
+    }
+    while (at < t->samples && t->sample[at].upto <= from) {
+        at++;
+    }
+    while (k + 1 < g->rests && g->rest[k + 1].begin <= at) {
+        k++;
+    }
+    const position_origin *o = &p->origin[g->rest[k].position];
+    if (t->file ||
+        at < g->rest[k].begin) { /* the line is one of another file, or before all rests */
+        gyro_refuse(g, "stuck", "the gyroscope reads the same from position %u (line %lu) on",
+                    g->rest[k].position + 1, o->line);
+    } else {
+        gyro_refuse(g, "stuck", "the gyroscope reads the same from line %lu on",
+                    o->line + (unsigned long)(at - g->rest[k].begin));
+    }
+    gyro_advise(g, "check how it is read, and record again");
+    return 0;
+}
+
 /* ---- unit and axes ------------------------------------------------------------------------------ */
 
 /* The mean square of readings about the bias. */
@@ -423,18 +420,19 @@ static int settle_unit(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gue
     if (guess->moves < 2 || !guess->is_clear || is_near(guess->turn, g->turn, SAME_UNIT)) {
         return 1;
     }
-    refuse(g, "unit",
-           "the stated unit of the gyroscope is %s (%.6g rad/s), but the accelerometer saw turns "
-           "%.3g times as large",
-           wish->turn > 0 ? "--gyro-lsb" : unit_turn_words(header), g->turn, guess->turn / g->turn);
+    gyro_refuse(
+        g, "unit",
+        "the stated unit of the gyroscope is %s (%.6g rad/s), but the accelerometer saw turns "
+        "%.3g times as large",
+        wish->turn > 0 ? "--gyro-lsb" : unit_turn_words(header), g->turn, guess->turn / g->turn);
     if (named > 0) {
-        advise(g, "its unit is %s: state --gyro-lsb %s", unit_turn_words(named),
-               fabs(named - 1) < 1e-9             ? "rad/s"
-               : fabs(named - UNIT_DEGREE) < 1e-9 ? "deg/s"
-               : named < 1e-4                     ? "0.001"
-                                                  : "0.0572958");
+        gyro_advise(g, "its unit is %s: state --gyro-lsb %s", unit_turn_words(named),
+                    fabs(named - 1) < 1e-9             ? "rad/s"
+                    : fabs(named - UNIT_DEGREE) < 1e-9 ? "deg/s"
+                    : named < 1e-4                     ? "0.001"
+                                                       : "0.0572958");
     } else {
-        advise(g, "state --gyro-lsb %.3g, in degrees/s", guess->turn / UNIT_DEGREE);
+        gyro_advise(g, "state --gyro-lsb %.3g, in degrees/s", guess->turn / UNIT_DEGREE);
     }
     return 0;
 }
@@ -445,33 +443,25 @@ static int check_axes(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gues
     axes_text text;
 
     if (!(guess->misfit < FITS)) {
-        const int is_sure = g->rests > INVCAL_TOUR;
-        refuse(g, is_sure ? "apart" : "undetermined",
-               "the turns of the gyroscope differ from those of the accelerometer by %.2g degrees "
-               "in a move, for any assignment of its axes%s",
-               guess->misfit / UNIT_DEGREE, is_sure ? "" : "; these moves are too few to show why");
-        advise(g, "%s", is_sure ? check_both : more_moves);
+        gyro_say_misfit(g, guess->misfit);
         return 0;
     }
     if (guess->axes[0] == 1 && guess->axes[1] == 2 && guess->axes[2] == 3) {
         return 1;
     }
     if (!guess->is_clear) {
-        refuse(g, "axes",
-               "the gyroscope's axes are not the accelerometer's, and these moves do not show "
-               "which they are");
-        advise(g, "%s, or state --gyro-axes", more_moves);
+        gyro_say_unclear(g);
         return 0;
     }
     for (unsigned i = 0; i < 3; i++) {
         const int8_t stated = wish->axes[abs(guess->axes[i]) - 1];
         axes[i] = (int8_t)(guess->axes[i] < 0 ? -stated : stated);
     }
-    refuse(g, "axes",
-           "the gyroscope's axes are not the accelerometer's: about x, y and z of the "
-           "accelerometer turn its %s",
-           axes_words(axes, text));
-    advise(g, "state --gyro-axes %s, or correct the driver", text);
+    gyro_refuse(g, "axes",
+                "the gyroscope's axes are not the accelerometer's: about x, y and z of the "
+                "accelerometer turn its %s",
+                axes_words(axes, text));
+    gyro_advise(g, "state --gyro-axes %s, or correct the driver", text);
     return 0;
 }
 
@@ -482,17 +472,17 @@ static int find_unit_and_axes(gyro_fit *g, const gyro_wish *wish, long lag, cons
 
     memcpy(g->axes, wish->axes, sizeof g->axes);
     if (!has_turned(g, lag, bias)) {
-        refuse(g, "too few", "the gyroscope reads no turns between the rests");
-        advise(g, "record without a break from rest to rest, moves included");
+        gyro_refuse(g, "too few", "the gyroscope reads no turns between the rests");
+        gyro_advise(g, "record without a break from rest to rest, moves included");
         return 0;
     }
     const int dead = find_dead(g, lag, bias);
     if (dead >= 0) {
-        refuse(
+        gyro_refuse(
             g, "stuck",
             "the gyroscope's %c reads nothing, though the moves turned the device about all axes",
             "xyz"[dead]);
-        advise(g, "check that this axis is read, and record again");
+        gyro_advise(g, "check that this axis is read, and record again");
         return 0;
     }
     const int is_told = gyro_search(g->turns, lag, g->rest, g->rests, bias, g->axes, &guess);
@@ -500,9 +490,9 @@ static int find_unit_and_axes(gyro_fit *g, const gyro_wish *wish, long lag, cons
         return 0;
     }
     if (!(g->turn > 0)) {
-        refuse(g, "too few",
-               "too few complete moves between rests to determine the unit of the gyroscope");
-        advise(g, "turn to other sides, each within ten seconds, or state --gyro-lsb");
+        gyro_refuse(g, "too few",
+                    "too few complete moves between rests to determine the unit of the gyroscope");
+        gyro_advise(g, "turn to other sides, each within ten seconds, or state --gyro-lsb");
         return 0;
     }
     return !is_told || check_axes(g, wish, &guess);
@@ -583,119 +573,24 @@ static invcal_status make_moves(gyro_fit *g, replay *r, long lag, const double b
     return INVCAL_OK;
 }
 
-static unsigned count_why(const gyro_fit *g, invcal_status why)
+/* Of the two rests of a move, that in which the device turned: the one whose bias is farther from the usual. */
+static void find_turned(const gyro_fit *g, const double bias[3], gyro_move *m)
 {
-    unsigned count = 0;
-
-    for (unsigned i = 0; i < g->moves; i++) {
-        count += g->move[i].why == why;
-    }
-    return count;
-}
-
-/* How many moves are unusable, by their reasons. */
-static void add_reasons(gyro_fit *g)
-{
-    for (unsigned i = 0; i < g->moves; i++) {
-        const invcal_status why = g->move[i].why;
-        int is_first = why != INVCAL_OK;
-        for (unsigned k = 0; k < i; k++) {
-            is_first = is_first && g->move[k].why != why;
+    m->rate = -1;
+    for (unsigned k = m->to - 1; k <= m->to; k++) {
+        double square = 0;
+        for (unsigned i = 0; i < 3; i++) {
+            square += pow(g->turn * (g->rest[k].bias[i] - bias[i]), 2);
         }
-        if (is_first) {
-            append(g->reason, sizeof g->reason, "; unusable %u: %s", count_why(g, why),
-                   gyro_reason(why));
+        if (sqrt(square) > m->rate) {
+            m->turned = k;
+            m->rate = sqrt(square);
         }
-    }
-}
-
-/* Advice for the reason that most moves share, if any is unusable; else, or after it, to make more. */
-static void advise_moves(gyro_fit *g)
-{
-    static const struct {
-        invcal_status why;
-        const char *text;
-    } known[] = {
-        {INVCAL_REST_CLIPPED, "turn more slowly, or choose a larger range of the gyroscope"},
-        {INVCAL_MOVE_GAP, "record all samples of the moves"},
-        {INVCAL_MOVE_LONG, "take at most ten seconds for a move"},
-        {INVCAL_REST_DRIFT, "keep the device still in each rest, on a table"},
-    };
-    unsigned most = 0;
-    const char *first = NULL;
-
-    for (unsigned k = 0; k < sizeof known / sizeof *known; k++) {
-        const unsigned count = count_why(g, known[k].why);
-        first = count > most ? known[k].text : first;
-        most = count > most ? count : most;
-    }
-    advise(g, "%s%s%s", first ? first : "", first ? "; " : "", more_moves);
-}
-
-void gyro_refuse_open(gyro_fit *g)
-{
-    char list[PARAMETER_LIST_MAX];
-
-    refuse(g, "undetermined", "the moves leave parameters undetermined: %s",
-           parameter_list_imu(g->imu.open, list, sizeof list));
-    add_reasons(g);
-    advise_moves(g);
-}
-
-/* Too few rests to show which way was up in them. */
-static void say_no_start(gyro_fit *g)
-{
-    refuse(g, "too few",
-           "the %u rest%s between the moves %s not show the accelerometer's zero, and so not which "
-           "way was up",
-           g->rests, g->rests == 1 ? "" : "s", g->rests == 1 ? "does" : "do");
-    advise(g,
-           "%s turn about all three axes, to other sides, or state --zero and --lsb of the "
-           "accelerometer",
-           g->rests < NOMINAL_SPHERE ? "hold it still in four directions or more, and"
-                                     : "the rests are nearly in a plane:");
-}
-
-/* No convergence, or residuals that no noise has. The search found these axes to fit: that leaves moves which are too
- * few, or a part of them that are wrong. */
-static void say_apart(gyro_fit *g, invcal_status status)
-{
-    const unsigned used = count_why(g, INVCAL_OK);
-
-    if (status == INVCAL_MOUNTING && used < INVCAL_TOUR) {
-        refuse(g, "undetermined", "%u usable move%s do%s not determine both sensors", used,
-               used == 1 ? "" : "s", used == 1 ? "es" : "");
-        add_reasons(g);
-        advise_moves(g);
-        return;
-    }
-    refuse(g, "apart", "%s", invcal_status_text(status));
-    add_reasons(g);
-    advise(g, "%s", check_both);
-}
-
-static void say_status(gyro_fit *g, invcal_status status)
-{
-    const unsigned used = count_why(g, INVCAL_OK);
-
-    switch (status) {
-    case INVCAL_TOO_FEW:
-        refuse(g, "too few", "%u usable move%s between rests %s too few", used,
-               used == 1 ? "" : "s", used == 1 ? "is" : "are");
-        add_reasons(g);
-        advise_moves(g);
-        break;
-    case INVCAL_UNDETERMINED:
-        gyro_refuse_open(g);
-        break;
-    default:
-        say_apart(g, status);
-        break;
     }
 }
 
 /* Which move led to which rest, and whether it counts. moves.rest and g->rest end with the same. */
-static void list_moves(gyro_fit *g, long lag)
+static void list_moves(gyro_fit *g, long lag, const double bias[3])
 {
     const unsigned first = g->rests - moves.count;
 
@@ -712,6 +607,8 @@ static void list_moves(gyro_fit *g, long lag)
             m->why = INVCAL_MOVE_APART;
         } else if (m->why == INVCAL_OK && (g->imu.idle >> i & 1)) {
             m->why = INVCAL_REST_SAME;
+        } else if (m->why == INVCAL_REST_DRIFT) {
+            find_turned(g, bias, m);
         }
     }
 }
@@ -805,11 +702,14 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
     begin_replay(&r, t, rate, clip, p, kept);
     find_rests(g, &r);
     if (g->rests < FEW_RESTS) {
-        say_status(g, INVCAL_TOO_FEW);
+        gyro_say_status(g, INVCAL_TOO_FEW);
+        return EXIT_GOOD;
+    }
+    if (!check_end(g, p)) {
         return EXIT_GOOD;
     }
     if (!start) {
-        say_no_start(g);
+        gyro_say_no_start(g);
         return EXIT_GOOD;
     }
     const long lag = find_lag(g, p, start, bias);
@@ -818,13 +718,13 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
     begin_replay(&r, t, rate, clip, p, kept);
     invcal_status status = make_moves(g, &r, lag, bias, unit);
     status = status == INVCAL_OK && fits ? solve(g, p, start) : status;
-    list_moves(g, lag);
+    list_moves(g, lag, bias);
     if (!fits) {
-        add_reasons(g);
+        gyro_add_reasons(g);
         return EXIT_GOOD;
     }
     if (status != INVCAL_OK) {
-        say_status(g, status);
+        gyro_say_status(g, status);
         return EXIT_GOOD;
     }
     gyro_measure(g, lag, p);

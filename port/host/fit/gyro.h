@@ -5,6 +5,7 @@
 #ifndef GYRO_H
 #define GYRO_H
 
+#include "cli/message.h"
 #include "fit/rejection.h"
 #include "invcal/gyro.h"
 #include "read/positions.h"
@@ -34,6 +35,8 @@ typedef struct {
     double angle;      /* of the turn, rad; NaN: unknown */
     double residual;   /* rad, perpendicular to up; NaN: unknown */
     invcal_status why; /* it is unusable; INVCAL_OK: it counts */
+    unsigned turned;   /* INVCAL_REST_DRIFT: that of its two rests in which the device turned, */
+    double rate;       /* and how fast, rad/s: by its bias against that of most rests */
 } gyro_move;
 
 /* The parts of a move's error. */
@@ -87,10 +90,31 @@ int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *
 /* Why a move is unusable: the library's texts for rests mean something else there. */
 const char *gyro_reason(invcal_status why);
 
+/* The same of this move, with what was measured. */
+#define GYRO_REASON_MAX 120
+const char *gyro_move_reason(const gyro_fit *g, const gyro_move *m, char text[GYRO_REASON_MAX]);
+
 /* Refuses a solution that leaves parameters open. */
 void gyro_refuse_open(gyro_fit *g);
 
 /* ---- inside ------------------------------------------------------------------------------------- */
+
+/* There is no calibration, why, and what to do. */
+void gyro_refuse(gyro_fit *g, const char *word, const char *format, ...) MESSAGE_FORMAT(3, 4);
+void gyro_advise(gyro_fit *g, const char *format, ...) MESSAGE_FORMAT(2, 3);
+
+/* How many moves are unusable, by their reasons. */
+void gyro_add_reasons(gyro_fit *g);
+
+/* No axes fit: misfit is what the best leave, rad; and some fit, but it is not clear which. */
+void gyro_say_misfit(gyro_fit *g, double misfit);
+void gyro_say_unclear(gyro_fit *g);
+
+/* Too few rests to show which way was up in them. */
+void gyro_say_no_start(gyro_fit *g);
+
+/* What the library says of the moves. */
+void gyro_say_status(gyro_fit *g, invcal_status status);
 
 /* The delay of the gyroscope, in readings, from the moves that both show; 0 if it cannot be found. */
 long gyro_lag(const turns *t);

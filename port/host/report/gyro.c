@@ -231,8 +231,8 @@ static void write_moves(page *p, const report_facts *f)
     char text[GYRO_LINE_MAX];
 
     for (unsigned i = 0; i < g->moves; i++) {
-        if (g->move[i].why != INVCAL_OK) {
-            page_say(p, "Left out: %s.", gyro_move_text(f->result, &g->move[i], text));
+        if (*gyro_left_out(f->result, i, text)) {
+            page_say(p, "Left out: %s.", text);
         }
     }
     page_picture(p,
@@ -320,6 +320,7 @@ void report_gyro(page *p, const report_facts *f)
     page_fact(p, "readings", "in %s, %.6g a second%s", gyro_unit_text(g, text), g->turns->rate,
               g->turns->is_rate_known ? "" : " (a guess: its error is an error of the scales)");
     page_fact(p, "g-sensitivity", "%s", gyro_g_text(g, text));
+    page_fact(p, "drift", "%s", gyro_drift_text(g, text));
     if (g->range > 0) {
         page_fact(p, "temperature", "%s, one standard deviation", gyro_thermal_text(g, text));
     }

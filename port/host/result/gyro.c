@@ -35,8 +35,10 @@ const char *gyro_fault(const gyro_fit *g, char text[GYRO_TEXT_MAX])
     } else if (g->is_there && g->imu.verdict == INVCAL_WEAK) {
         append(text, GYRO_TEXT_MAX, "weak: %s; make more moves, about all three axes",
                parameter_list_imu(g->imu.open, list, sizeof list));
+    } else if (g->is_there && g->imu.verdict == INVCAL_NO_REDUNDANCY) {
+        append(text, GYRO_TEXT_MAX, "without redundancy to check it; make more moves");
     } else if (g->is_there && g->imu.verdict != INVCAL_GOOD) {
-        append(text, GYRO_TEXT_MAX, "%s", gyro_verdict(g));
+        append(text, GYRO_TEXT_MAX, "%s, as the accelerometer is", gyro_verdict(g));
     }
     return text;
 }
@@ -81,13 +83,48 @@ const char *gyro_limit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
     return text;
 }
 
-const char *gyro_move_text(const calibrate_result *r, const gyro_move *m, char text[GYRO_LINE_MAX])
+/* A rest in which the device turned. */
+static void say_turned(const calibrate_result *r, unsigned rest, double rate,
+                       char text[GYRO_LINE_MAX])
 {
-    const gyro_rest *rest = &r->gyro.rest[m->to];
+    const gyro_fit *g = &r->gyro;
+    const unsigned position = g->rest[rest].position;
+    char number[FIGURE_MAX];
+    int is_lost[2] = {0, 0};
 
-    snprintf(text, GYRO_LINE_MAX, "the move from position %u to %u (line %lu): %s",
-             rest[-1].position + 1, rest->position + 1, r->data->origin[rest->position].line,
-             gyro_reason(m->why));
+    for (unsigned i = 0; i < g->moves; i++) {
+        const gyro_move *m = &g->move[i];
+        if (m->why == INVCAL_REST_DRIFT && m->turned == rest) {
+            is_lost[m->to != rest] = 1;
+        }
+    }
+    snprintf(text, GYRO_LINE_MAX,
+             "position %u (line %lu), for the gyroscope, with the move%s%s%s%s: the device turned "
+             "at %s °/s in this rest",
+             position + 1, r->data->origin[position].line, is_lost[0] && is_lost[1] ? "s" : "",
+             is_lost[0] ? " to" : "", is_lost[0] && is_lost[1] ? " and" : "",
+             is_lost[1] ? " from it" : " it", figure_digits(rate / UNIT_DEGREE, 2, number));
+}
+
+const char *gyro_left_out(const calibrate_result *r, unsigned move, char text[GYRO_LINE_MAX])
+{
+    const gyro_fit *g = &r->gyro;
+    const gyro_move *m = &g->move[move];
+    const gyro_rest *rest = &g->rest[m->to];
+
+    text[0] = '\0';
+    if (m->why == INVCAL_REST_DRIFT) {
+        for (unsigned i = 0; i < move; i++) {
+            if (g->move[i].why == INVCAL_REST_DRIFT && g->move[i].turned == m->turned) {
+                return text;
+            }
+        }
+        say_turned(r, m->turned, m->rate, text);
+    } else if (m->why != INVCAL_OK) {
+        snprintf(text, GYRO_LINE_MAX, "the move from position %u to %u (line %lu): %s",
+                 rest[-1].position + 1, rest->position + 1, r->data->origin[rest->position].line,
+                 gyro_reason(m->why));
+    }
     return text;
 }
 
@@ -117,6 +154,24 @@ const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
     } else {
         snprintf(text, GYRO_LINE_MAX, "below %.1g °/s per g: not significant", bound);
     }
+    return text;
+}
+
+const char *gyro_drift_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
+{
+    char number[3][FIGURE_MAX];
+
+    if (!(g->imu.slope_sigma[0][3] > 0)) {
+        snprintf(text, GYRO_LINE_MAX, "unknown: needs 12 rests or more");
+        return text;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        figure_with_sigma(g->imu.slope[i][3] / UNIT_DEGREE, g->imu.slope_sigma[i][3] / UNIT_DEGREE,
+                          FIGURE_SIGNED, number[i]);
+    }
+    snprintf(text, GYRO_LINE_MAX,
+             "of the bias, x %s, y %s, z %s °/s from the first rest to the last", number[0],
+             number[1], number[2]);
     return text;
 }
 
@@ -273,12 +328,13 @@ static void print_moves(FILE *file, const calibrate_result *r)
                        g->rests, g->more);
     }
     for (unsigned i = 0; i < g->moves; i++) {
-        if (g->move[i].why != INVCAL_OK) {
+        if (*gyro_left_out(r, i, text)) {
             wrapped_printf(file, 10, "%sLeft out:%s %s", paint_on(file, PAINT_RED), paint_off(file),
-                           gyro_move_text(r, &g->move[i], text));
+                           text);
         }
     }
     print_line(file, "g-sensitivity", gyro_g_text(g, text));
+    print_line(file, "drift", gyro_drift_text(g, text));
     if (g->range > 0) {
         print_line(file, "temperature", gyro_thermal_text(g, text));
     }
@@ -308,7 +364,12 @@ void gyro_print(FILE *file, const calibrate_result *r)
                        "The accelerometer is calibrated from rests and moves together: the rests "
                        "alone leave parameters undetermined.");
     }
-    print_line(file, "verdict", *gyro_fault(g, text) ? text : gyro_verdict(g));
+    if (g->imu.verdict == INVCAL_WEAK) {
+        (void)gyro_fault(g, text);
+    } else {
+        snprintf(text, sizeof text, "%s", gyro_verdict(g));
+    }
+    print_line(file, "verdict", text);
     fprintf(file, "\n");
 }
 
@@ -330,6 +391,7 @@ void gyro_print_last(FILE *file, const calibrate_result *r)
 static void write_moves(json_writer *w, const calibrate_result *r)
 {
     const gyro_fit *g = &r->gyro;
+    char why[GYRO_REASON_MAX];
 
     json_list(w, "moves");
     for (unsigned i = 0; i < g->moves; i++) {
@@ -341,7 +403,7 @@ static void write_moves(json_writer *w, const calibrate_result *r)
         json_number(w, "angle", m->angle);
         json_number(w, "residual", m->residual);
         if (m->why != INVCAL_OK) {
-            json_text(w, "left_out", invcal_status_text(m->why));
+            json_text(w, "left_out", gyro_move_reason(g, m, why));
         }
         json_object_end(w);
     }
@@ -370,6 +432,19 @@ static void write_g(json_writer *w, const calibrate_result *r)
     }
 }
 
+static void write_drift(json_writer *w, const gyro_fit *g)
+{
+    double drift[2][3];
+
+    for (unsigned i = 0; i < 3; i++) {
+        const int is_known = g->imu.slope_sigma[i][3] > 0;
+        drift[0][i] = is_known ? g->imu.slope[i][3] : NUMBER_UNKNOWN;
+        drift[1][i] = is_known ? g->imu.slope_sigma[i][3] : NUMBER_UNKNOWN;
+    }
+    json_vector(w, "drift", drift[0]);
+    json_vector(w, "drift_sigma", drift[1]);
+}
+
 static const char *parameter_name(unsigned p)
 {
     return invcal_imu_parameter_name(p);
@@ -379,6 +454,7 @@ void gyro_json(json_writer *w, const calibrate_result *r)
 {
     const gyro_fit *g = &r->gyro;
     double nine[2][3][3];
+    char text[GYRO_LINE_MAX];
 
     if (!g->is_there) {
         return;
@@ -409,6 +485,8 @@ void gyro_json(json_writer *w, const calibrate_result *r)
     json_number(w, "residual_max", g->imu.move_max);
     write_moves(w, r);
     write_g(w, r);
+    write_drift(w, g);
+    json_text(w, "limited_by", gyro_limit_text(g, text));
     if (g->range > 0) {
         json_vector(w, "temperature_slope", g->thermal);
         json_vector(w, "temperature_slope_sigma", g->thermal_sigma);

@@ -12,9 +12,13 @@
 const char *gyro_unit_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
 const char *gyro_limit_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
 const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
+const char *gyro_drift_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
 const char *gyro_thermal_text(const gyro_fit *g, char text[GYRO_LINE_MAX]);
-const char *gyro_move_text(const calibrate_result *r, const gyro_move *m, char text[GYRO_LINE_MAX]);
 const char *gyro_verdict(const gyro_fit *g);
+
+/* A move that does not count, and why; of a rest in which the device turned, all of its moves at once, by the first.
+ * "": there is nothing to tell. */
+const char *gyro_left_out(const calibrate_result *r, unsigned move, char text[GYRO_LINE_MAX]);
 
 /* What is wrong with a gyroscope that is not good: "not calibrated: ...", "weak: ..."; "" if nothing is. */
 const char *gyro_fault(const gyro_fit *g, char text[GYRO_TEXT_MAX]);

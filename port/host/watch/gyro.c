@@ -53,6 +53,7 @@ static void find_refused(watch_gyro *w, const gyro_fit *g)
 {
     unsigned now[INVCAL_MAX_MOVES + 1] = {0};
     unsigned count = 0;
+    char why[GYRO_REASON_MAX];
 
     w->refused[0] = '\0';
     for (unsigned i = 0; i < g->moves; i++) {
@@ -65,7 +66,8 @@ static void find_refused(watch_gyro *w, const gyro_fit *g)
         if (!is_known(w, rest->position + 1)) {
             snprintf(w->refused + length, sizeof w->refused - length,
                      "%sthe move from position %u to %u is refused: %s", length > 0 ? "; " : "",
-                     rest[-1].position + 1, rest->position + 1, gyro_reason(g->move[i].why));
+                     rest[-1].position + 1, rest->position + 1,
+                     gyro_move_reason(g, &g->move[i], why));
         }
     }
     memcpy(w->known, now, sizeof now);
