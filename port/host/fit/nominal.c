@@ -49,8 +49,8 @@ int nominal_from_sphere(const double *raw, unsigned count, invcal_calibration *o
         mean[n % 3] += raw[n] / count;
     }
     for (unsigned n = 0; n < count; n++) {
-        const double d[3] = {raw[3 * n] - mean[0], raw[3 * n + 1] - mean[1],
-                             raw[3 * n + 2] - mean[2]};
+        const double *x = &raw[3 * (size_t)n];
+        const double d[3] = {x[0] - mean[0], x[1] - mean[1], x[2] - mean[2]};
         const double length = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
         square += length / count;
         for (unsigned i = 0; i < 3; i++) {
