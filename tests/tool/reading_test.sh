@@ -102,6 +102,9 @@ run apply "$work/counts.json" "$work/in"
 check "apply: readings in another unit" warns \
     '.*in: the header states readings in g, but the calibration was made from readings in counts: convert them,'
 check "apply: they are corrected anyway" test "$(sed -n 2p "$work/stdout")" = 16,12,3
+printf 'x (g),y (g),z (g)\n9,8\n' > "$work/in"
+refuses "apply: if they cannot be, that is the only line" 3 'in:2: 2 columns, .*' apply "$work/counts.json" "$work/in"
+check "apply: one line" test "$(wc -l < "$work/stderr")" -eq 1
 for heading in 'x,y,z' 'x (counts),y (counts),z (counts)'; do
     printf '%s\n9,8,6\n' "$heading" > "$work/in"
     run apply "$work/counts.json" "$work/in"

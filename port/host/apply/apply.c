@@ -39,6 +39,7 @@ typedef struct {
     thermal_correction at;
     nonlinear_correction bent;
     int is_gyro;       /* the log is of the gyroscope alone */
+    reading_unit unit; /* that the header states */
     int is_quiet;      /* no warning of readings outside the calibrated range */
     int is_left_empty; /* of a cell of temperature, after a warning */
 } job;
@@ -180,14 +181,13 @@ static int find_columns(table *log, const job *j, columns *where)
 }
 
 /* Readings in another unit than those of the calibration come out wrong. What has the size of mg may be counts. */
-static void check_unit(const table *log, const columns *where, const job *j)
+static void check_unit(const table *log, const job *j)
 {
-    const reading_unit here = where->seen.unit;
+    const reading_unit here = j->unit;
     const reading_unit there = unit_of_name(j->file.unit);
     const int may_be_same = (here == UNIT_COUNTS && there == UNIT_MG) || here == there;
 
-    if (here != UNIT_UNKNOWN && there != UNIT_UNKNOWN && !may_be_same && !j->is_gyro &&
-        !j->is_quiet) {
+    if (here != UNIT_UNKNOWN && there != UNIT_UNKNOWN && !may_be_same && !j->is_gyro) {
         message("warning: %s: the header states readings in %s, but the calibration was made from "
                 "readings in %s: convert them, or correct the header",
                 log->name, unit_words(here), unit_words(there));
@@ -221,7 +221,7 @@ static int write_rows(FILE *spool, table *log, job *j)
     if (failure) {
         return failure;
     }
-    check_unit(log, &where, j);
+    j->unit = where.seen.unit;
     fprintf(spool, "%s%s%s%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
             j->is_gyro ? "gx,gy,gz" : "x,y,z", has_gyro(&where, j) ? ",gx,gy,gz" : "",
             where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");
@@ -266,6 +266,7 @@ static int apply(table *log, job *j)
     }
     fclose(spool);
     if (!failure && !j->is_quiet) {
+        check_unit(log, j);
         if (j->is_gyro && j->file.has_gyro_g) {
             message("warning: %s: the gyroscope's g-sensitivity is not corrected: that needs the "
                     "accelerometer's columns in the same log",
