@@ -10,7 +10,8 @@
 #     clang              the unit tests at their full length, optimised otherwise; degree 0 of thermal.h
 #
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
-# CONFIGURATION=gcc: those with such names only. ONLY: see run.sh.
+# CONFIGURATION=gcc: those with such names only. ONLY: see run.sh. BRIEF=1: gcc without scripts that `make test` runs
+# in the same way.
 # With more arguments, it is one configuration: NAME COMPILER STANDARD LONG ASSERT DEGREE FLAG..., - for what is not to
 # be set; DEGREE is that of thermal.h.
 out=$1
@@ -42,10 +43,12 @@ configurations() {
 }
 
 all() {
+    full=1
+    [ "$BRIEF" ] && full=only
     san='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer'
     echo "gcc-sanitizers gcc c11 - 1 - $san
 clang-sanitizers $clang c99 - 1 2 $san
-gcc gcc c99 1 - - -O2 -DJUDGED_DRAWS=1500
+gcc gcc c99 $full - - -O2 -DJUDGED_DRAWS=1500
 clang $clang c11 1 - 0 -O3"
 }
 

@@ -7,7 +7,7 @@
 # warning that would make the analysis unsound, and if it reached every statement of every function
 # of the module: what is not reached is not proved. Prints a line for each proof, and at the end
 # `N passed, N failed`. DOUBLE=1: with invcal_real double; INT16=1: with an int of 16 bits, as on
-# AVR. JOBS=N: so many at a time.
+# AVR. BRIEF=1: each in one configuration. JOBS=N: so many at a time.
 #
 # Lines in tests/proof/MODULE.c:
 #     // eva: OPTIONS           options of Eva for it
@@ -176,7 +176,7 @@ for module; do
     fi
 done
 for module; do
-    { echo; options config "$module"; [ "$INT16" ] || options wide "$module"; } |
+    { echo; [ "$BRIEF" ] || { options config "$module"; [ "$INT16" ] || options wide "$module"; }; } |
         while IFS= read -r macros; do
             macros="${DOUBLE:+-DINVCAL_DOUBLE=1}${DOUBLE:+${macros:+ }}$macros"
             printf '%s\n%s\n' "$module" "$macros"

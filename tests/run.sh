@@ -5,7 +5,8 @@
 # time. Prints a line for each suite, below it what failed and where its log is, and at the end
 # `N passed, N failed`.
 # CC, CFLAGS and UNITY are handed on to scripts that compile something. ONLY='rests|tool': suites with
-# such names only. LONG=1: with those that take long. BRIEF=1: without the pages that are followed word by word.
+# such names only. LONG=1: with those that take long. LONG=only: without scripts that are the same without it.
+# BRIEF=1: without the pages that are followed word by word.
 build=$1
 tests=$(dirname "$0")
 logs=$build/run
@@ -14,8 +15,10 @@ mkdir -p "$logs" || exit 2
 
 # NAME COMMAND...; the longest first.
 suites() {
-    for name in ${LONG:+faults allan plan plan_moves width plan_report report screen verdict} tool thermal stand case magnetometer log watch units \
-        sensor input reading citizen record compare export gyro fault pass refusal six_faces release; do
+    short='tool thermal stand case magnetometer log watch units sensor input reading citizen record compare export gyro
+        fault pass refusal six_faces release'
+    [ "$LONG" = only ] && short=gyro # it takes longer then
+    for name in ${LONG:+faults allan plan plan_moves width plan_report report screen verdict} $short; do
         echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
     done
     for part in double float tool; do
@@ -23,8 +26,9 @@ suites() {
             [ -x "$program" ] && echo "$part-${program##*/test_} $program"
         done
     done
-    echo "run sh $tests/run_test.sh $build/run_test"
     [ "$LONG" ] && echo "unity sh $tests/unity/selftest.sh $build/unity"
+    [ "$LONG" = only ] && return
+    echo "run sh $tests/run_test.sh $build/run_test"
     echo "library sh $tests/library.sh $build"
     echo "readme sh $tests/readme.sh $build"
     echo "errors sh $tests/errors.sh $build"
