@@ -339,7 +339,8 @@ static int has(int argc, char **argv, const char *word)
 
 static void look_at_results(int argc, char **argv, int code)
 {
-    if (code <= 1 && printed.size > 0 && has(argc, argv, "--json") && !has(argc, argv, "--help")) {
+    const int is_help = has(argc, argv, "--help") || has(argc, argv, "--help=all");
+    if (code <= 1 && printed.size > 0 && has(argc, argv, "--json") && !is_help) {
         look_at_json();
     }
 }
