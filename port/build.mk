@@ -7,14 +7,14 @@ include $(TARGET)/target.mk
 
 CC     := $(PREFIX)gcc
 BUILD  ?= build/targets
-OUT    := $(BUILD)/$(subst /,-,$(TARGET:port/%=%))$(if $(LONG),$(QUICK:%=-quick))
+OUT    := $(BUILD)/$(subst /,-,$(TARGET:port/%=%))$(if $(QUICK),-quick)
 UNITY  ?= tests/unity
 OPT    ?= -O2
 REAL   ?= 0
 # Long tests run where LONG is set: by the target.mk of a machine that computes double in hardware.
 # Elsewhere, and with QUICK, they are skipped, and loops over random members visit one of SHARE.
-SHARE  ?= 10
-SHORT  := $(if $(QUICK),-DTEST_SHORT=$(SHARE),$(if $(LONG),,-DTEST_SHORT=$(SHARE)))
+SHARE  ?= $(if $(QUICK),200,10)
+SHORT  := $(if $(QUICK)$(if $(LONG),,short),-DTEST_SHORT=$(SHARE))
 WARNINGS := -Wall -Wextra -Wshadow -Wdouble-promotion
 # Contraction (fused multiply-add) is off: the same bits on every machine. A square root of a negative
 # number is a NaN, and no errno.

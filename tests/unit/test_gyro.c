@@ -1257,9 +1257,8 @@ static void bad_noise_is_refused(void)
                                    {0, -1, 0}, {0, NAN, 0}, {0, 0, -1},       {0, 0, NAN}};
     invcal_imu_settings settings;
 
-    world_begin(&w, 100, 64);
-    world_tour(&w);
-    world_end(&w);
+    begin_exact(upright);
+    tour_exact(unit, 10294);
     settle_settings(&settings, 0);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -1275,9 +1274,8 @@ static void a_bad_prior_is_refused(void)
     invcal_real prior[INVCAL_IMU_PARAMETERS] = {0};
     invcal_imu_settings settings;
 
-    world_begin(&w, 100, 64);
-    world_tour(&w);
-    world_end(&w);
+    begin_exact(upright);
+    tour_exact(unit, 10294);
     settle_settings(&settings, 0);
     settings.prior = prior;
     prior[17] = (invcal_real)NAN;
@@ -1300,9 +1298,8 @@ static void bad_readings_and_scales_are_refused(void)
     int8_t axes[3] = {9, 9, 9};
     invcal_real scale = 9;
 
-    world_begin(&w, 100, 64);
-    world_tour(&w);
-    world_end(&w);
+    begin_exact(upright);
+    tour_exact(unit, 10294);
     world_means(&w, raw);
     for (int i = 0; i < 3; i++) {
         nominal.matrix[1][1] = (invcal_real)bad[i];

@@ -961,14 +961,17 @@ static int turn_and_rest(invcal_session *session, const double degrees[3], rando
 
     world_unit(w.c);
     for (int n = 0; n < TURNING + RESTING; n++) {
-        const double tau = n < TURNING ? (n + 0.5) / (double)TURNING : 0;
-        double step[3], r[3][3];
-        for (int i = 0; i < 3; i++) {
-            step[i] =
-                degrees[i] * DEGREE * 30 * tau * tau * (1 - tau) * (1 - tau) / (double)TURNING;
+        double step[3] = {0};
+        if (n < TURNING) {
+            const double tau = (n + 0.5) / (double)TURNING;
+            double r[3][3];
+            for (int i = 0; i < 3; i++) {
+                step[i] =
+                    degrees[i] * DEGREE * 30 * tau * tau * (1 - tau) * (1 - tau) / (double)TURNING;
+            }
+            rotation_by(step, r);
+            world_turn(w.c, (const double(*)[3])r);
         }
-        rotation_by(step, r);
-        world_turn(w.c, (const double(*)[3])r);
         feed_rate(step, random);
         if (n % 4 == 3) {
             world_up((const double(*)[3])w.c, w.up, up);

@@ -688,7 +688,7 @@ static void means_hold_all_bits_there_are(void)
     static const double noise[] = {1, 100, 10000};
 
     for (unsigned i = 0; i < 12; i += SLOW(1, 5)) {
-        setup(400, counts[i % 4], noise[i / 4] / counts[i % 4]);
+        setup(SLOW(400, 100), counts[i % 4], noise[i / 4] / counts[i % 4]);
         for (unsigned k = 1; k < 6; k++) {
             hold(k, 2 + k);
             turn(k, (k + 1) % 6, 1);
