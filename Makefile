@@ -221,10 +221,11 @@ web: $(BUILD)/invcal.html ## build/invcal.html: calibrate live in a browser, or 
 # One line that says what is missing: $(call need,command)
 need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps' >&2; exit 1; }
 
-# With UNITS=1 those of the library only, and no tool is built.
-TOOL_TESTS := $(if $(UNITS),,$(TOOL_SUITES:%=$(BUILD)/tool/%) all)
-test: $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%) $(TOOL_TESTS) ## the tests with one compiler; those that take long: make check
-	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" LONG="$(LONG)" sh tests/run.sh $(BUILD)
+# PART=src: the unit tests of the library, and no tool is built. PART=host: all but these.
+UNIT_TESTS := $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%)
+TOOL_TESTS := $(TOOL_SUITES:%=$(BUILD)/tool/%) all
+test: $(if $(filter host,$(PART)),,$(UNIT_TESTS)) $(if $(filter src,$(PART)),,$(TOOL_TESTS)) ## the tests with one compiler; those that take long: make check
+	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" LONG="$(LONG)" PART="$(PART)" sh tests/run.sh $(BUILD)
 
 coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the tool (PART=src, PART=host)
 	$(call need,llvm-cov-19)

@@ -10,8 +10,8 @@
 #     clang              the unit tests at their full length, optimised otherwise; degree 0 of thermal.h
 #
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
-# CONFIGURATION=gcc: those with such names only. ONLY: see run.sh. BRIEF=1: gcc without scripts that `make test` runs
-# in the same way.
+# CONFIGURATION=gcc: those with such names only. ONLY: see run.sh. BRIEF=1: gcc without the scripts that `make test` runs
+# in the same way, and without the unit tests.
 # With more arguments, it is one configuration: NAME COMPILER STANDARD LONG ASSERT DEGREE FLAG..., - for what is not to
 # be set; DEGREE is that of thermal.h.
 out=$1
@@ -19,7 +19,7 @@ clang=${CLANG:-clang-19}
 
 # Leaves `N passed, N failed`, or what is missing, in NAME.result.
 run() {
-    name=$1 compiler=$2 std=$3 long=$4 assert=$5 degree=$6 units=
+    name=$1 compiler=$2 std=$3 long=$4 assert=$5 degree=$6 part=
     shift 6
     log=$out/$name.log
     status=0
@@ -27,9 +27,9 @@ run() {
         echo "$compiler is not installed: make deps" > "$out/$name.result"
         return
     fi
-    suites=${ONLY:-}
-    case $name in clang*) units=1 suites=${ONLY:-^float-|^double-} ;; esac
-    make -s -j2 test BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$* -Werror" UNITS="$units" ONLY="$suites" LONG="${long#-}" \
+    case $name in clang*) part=src ;; esac
+    [ "$long" != only ] || part=host
+    make -s -j2 test BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$* -Werror" PART="$part" ONLY="$ONLY" LONG="${long#-}" \
         ASSERT="${assert#-}" DEGREE="${degree#-}" BRIEF="$([ "$long" = 1 ] || echo 1)" > "$log" 2>&1 || status=1
     [ $status -eq 0 ] || cat "$log"
     # What does not build has failed, too.

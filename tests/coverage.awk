@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
-# awk -v part=src|host -v unmeasured=N -f coverage.awk FILE...
+# awk -v part=src|host -v unmeasured=N -v failing=N -f coverage.awk FILE...
 # FILE: what `llvm-cov show -show-branches=count -show-mcdc` prints of some sources, one FILE for each
 # build. Something is covered if it is in any of them. Prints what is not, `FILE:LINE: what`, then a
 # table, and at the end the results of the gates; the last line is `N passed, N failed`.
-# unmeasured: the number of expressions of which the compiler could not measure MC/DC.
+# unmeasured: the number of expressions of which the compiler could not measure MC/DC. failing: of suites that failed.
 #
 # A gap of src/ that cannot be closed is explained where it stands, at the end of its line:
 #     /* uncovered: why */
@@ -140,6 +140,7 @@ END {
     }
     print cells(part)
     if (part == "src") {
+        gate("the suites pass", failing == 0)
         gate("lines of src/, all but what is explained", total["line", part] && !open["line"])
         gate("branches of src/, all but what is explained", total["branch", part] && !open["branch"])
         gate(sprintf("MC/DC of src/, %.2f %%, at least 98 %%", percent("MC/DC", part)),

@@ -5,8 +5,9 @@
 # What the tests reach, by clang's source-based coverage: lines, branches and MC/DC of src/ by the
 # unit tests, in float and double and for each degree of thermal.h, and lines of port/host by the
 # scripts of tests/tool; or one of the two. Gaps of src/ are named by file and line, or explained
-# there (see coverage.awk). Ends with `N passed, N failed`.
-# INVCAL_ASSERT is compiled to nothing, as it is by default. Whether the tests hold, `make test` says.
+# there (see coverage.awk). Unit tests that fail are named, too; scripts of the tool may, as they
+# notice the files in which it counts. Ends with `N passed, N failed`.
+# INVCAL_ASSERT is compiled to nothing, as it is by default.
 cd "$(dirname "$0")/.." || exit 1
 case $2 in '' | src | host) ;; *)
     echo "PART is src or host, not '$2'" >&2
@@ -29,11 +30,11 @@ build() {
         >> "$out/build.log" 2>&1 || { cat "$out/build.log"; return 1; }
 }
 
-# Runs lines `NAME COMMAND ...`, two at a time. What they count stands in NAME.*.profraw.
+# Runs lines `NAME COMMAND ...`, two at a time. What they count stands in NAME.*.profraw; which failed, in failed.
 run() {
     # shellcheck disable=SC2016 # for the shell inside
-    OUT=$out xargs -P 2 -L 1 sh -c \
-        'LLVM_PROFILE_FILE=$OUT/$0.%m.profraw "$@" > "$OUT/$0.log" 2>&1; true'
+    OUT=$out xargs -P 2 -L 1 sh -c 'LLVM_PROFILE_FILE=$OUT/$0.%m.profraw "$@" > "$OUT/$0.log" 2>&1 ||
+        echo "$0 fails, see $OUT/$0.log" >> "$OUT/failed"'
 }
 
 # show NAME SOURCES PROGRAM ...: NAME.show, what NAME-*.profraw say
@@ -86,7 +87,9 @@ for part in ${2:-src host}; do
         continue
     fi
     unmeasured=$(grep -c "^$part/.*unsupported MC/DC" "$out/build.log")
-    awk -v part="$part" -v unmeasured="$unmeasured" -f tests/coverage.awk "$out/$part"*.show
+    touch "$out/failed"
+    grep '^src-' "$out/failed"
+    awk -v part="$part" -v unmeasured="$unmeasured" -v failing="$(grep -c '^src-' "$out/failed")" -f tests/coverage.awk "$out/$part"*.show
 done | awk '/^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3; next }
     { print }
     END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || passed == 0 }'

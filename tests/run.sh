@@ -5,8 +5,8 @@
 # time. Prints a line for each suite, below it what failed and where its log is, and at the end
 # `N passed, N failed`.
 # CC, CFLAGS and UNITY are handed on to scripts that compile something. ONLY='rests|tool': suites with
-# such names only. LONG=1: with those that take long. LONG=only: without scripts that are the same without it.
-# BRIEF=1: without the pages that are followed word by word.
+# such names only. PART=src: the unit tests of the library; PART=host: all but these. LONG=1: with those that take long.
+# LONG=only: without scripts that are the same without it. BRIEF=1: without the pages that are followed word by word.
 build=$1
 tests=$(dirname "$0")
 logs=$build/run
@@ -15,17 +15,31 @@ mkdir -p "$logs" || exit 2
 
 # NAME COMMAND...; the longest first.
 suites() {
+    case $PART in
+    src) programs double float ;;
+    host) scripts; programs tool; other_scripts ;;
+    *) scripts; programs double float tool; other_scripts ;;
+    esac
+}
+
+programs() { # FOLDER...
+    for folder; do
+        for program in "$build/$folder"/test_*; do
+            [ -x "$program" ] && echo "$folder-${program##*/test_} $program"
+        done
+    done
+}
+
+scripts() {
     short='tool thermal stand case magnetometer log watch units sensor input reading citizen record compare export gyro
         fault pass refusal six_faces release'
     [ "$LONG" = only ] && short=gyro # it takes longer then
     for name in ${LONG:+faults allan plan plan_moves width plan_report report screen verdict} $short; do
         echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
     done
-    for part in double float tool; do
-        for program in "$build/$part"/test_*; do
-            [ -x "$program" ] && echo "$part-${program##*/test_} $program"
-        done
-    done
+}
+
+other_scripts() {
     [ "$LONG" ] && echo "unity sh $tests/unity/selftest.sh $build/unity"
     [ "$LONG" = only ] && return
     echo "run sh $tests/run_test.sh $build/run_test"
