@@ -84,11 +84,11 @@ static void measure(random_source *random, const triad_truth *truth, const doubl
 
 static stand found_in(void)
 {
-    const stand_wish wish = {.is_wanted = 1, .sense = {1, 1}};
+    const stand_options options = {.is_wanted = 1, .sense = {1, 1}};
     stand s;
 
     TEST_ASSERT_EQUAL_INT(EXIT_GOOD,
-                          stand_find(&s, &wish, &data, &all, mean, &unit_scale_calibration));
+                          stand_find(&s, &options, &data, &all, mean, &unit_scale_calibration));
     return s;
 }
 
@@ -103,13 +103,13 @@ static void without_noise_mounting_j1_and_series_are_exact(void)
 
     measure(&random, &sensor, tilt, 0, COUNT, 0);
     stand s = found_in();
-    TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.reading);
+    TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.convention);
     TEST_ASSERT_EQUAL_UINT(0, s.missets);
     for (int i = 0; i < 3; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(1e-6, tilt[i],
                                   s.mounting.angle[i]); /* turn_by is right to 5e-7 */
     }
-    TEST_ASSERT_TRUE(s.vertical.is_known && s.series.is_closed_over);
+    TEST_ASSERT_TRUE(s.vertical.is_known && s.series.has_closures);
     for (int p = 0; p < 9; p++) {
         TEST_ASSERT_DOUBLE_WITHIN(1e-6, sensor.x[p], s.vertical.x[p]);
     }
@@ -129,7 +129,7 @@ static void series_and_j1_agree_on_noisy_readings(void)
 
     measure(&random, &sensor, straight, 1e-3, COUNT, 0);
     stand s = found_in();
-    TEST_ASSERT_TRUE(s.series.is_closed_over && s.series.dof == 3);
+    TEST_ASSERT_TRUE(s.series.has_closures && s.series.dof == 3);
     for (int p = 0; p < 9; p++) {
         TEST_ASSERT_DOUBLE_WITHIN(2e-5, s.vertical.x[p], s.series.x[p]);
     }
@@ -268,7 +268,7 @@ static void other_conventions_are_named(void)
             origin[k].beta = how < 2 ? beta : alpha;
         }
         stand s = found_in();
-        TEST_ASSERT_EQUAL_INT(how, s.reading);
+        TEST_ASSERT_EQUAL_INT(how, s.convention);
         stand_free(&s);
     }
 }
@@ -276,7 +276,7 @@ static void other_conventions_are_named(void)
 static void senses_and_zeros_are_taken_off(void)
 {
     random_source random = random_start(7);
-    const stand_wish wish = {.is_wanted = 1, .sense = {-1, -1}, .zero = {20, -7}};
+    const stand_options options = {.is_wanted = 1, .sense = {-1, -1}, .zero = {20, -7}};
     stand s;
 
     measure(&random, &sensor, straight, 1e-4, COUNT, 0);
@@ -285,8 +285,8 @@ static void senses_and_zeros_are_taken_off(void)
         origin[k].beta = -7 - origin[k].beta;
     }
     TEST_ASSERT_EQUAL_INT(EXIT_GOOD,
-                          stand_find(&s, &wish, &data, &all, mean, &unit_scale_calibration));
-    TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.reading);
+                          stand_find(&s, &options, &data, &all, mean, &unit_scale_calibration));
+    TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.convention);
     for (int i = 0; i < 3; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(5 * s.mounting.sigma[i], 0, s.mounting.angle[i]);
     }
@@ -303,7 +303,7 @@ static void of_eight_positions_none_seems_misset_by_chance(void)
         measure(&random, &sensor, straight, 1e-4, COUNT, 0);
         all.kept_count = 8;
         stand s = found_in();
-        TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.reading);
+        TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.convention);
         seeming += s.missets > 0;
         stand_free(&s);
     }

@@ -9,7 +9,7 @@
 #include "design/parameters.h"
 #include "fit/rejection.h"
 #include "result/faces.h"
-#include "stand/tell.h"
+#include "stand/output.h"
 #include "text/append.h"
 
 #define GOOD 12u          /* positions */
@@ -48,7 +48,7 @@ static unsigned positions_needed(const fit_settings *settings)
 }
 
 /* A group of a program that was not visited leaves its angle between axes open. */
-static unsigned missing_group(const positions *data, const stand_wish *angles, uint16_t bits)
+static unsigned missing_group(const positions *data, const stand_options *angles, uint16_t bits)
 {
     static const unsigned told_by[] = {0, INVCAL_GAMMA_ZY, INVCAL_GAMMA_XZ, INVCAL_GAMMA_XY};
     const unsigned group = stand_missing_group(angles, data);
@@ -120,7 +120,7 @@ static void add_rests(const positions *data, refusal *why)
     add_remedy(data->rests, data->count + refused == 0, why->remedy);
 }
 
-static void say_undetermined(const positions *data, const stand_wish *angles, refusal *why)
+static void say_undetermined(const positions *data, const stand_options *angles, refusal *why)
 {
     const uint16_t bits = why->undetermined;
     char list[128];
@@ -188,7 +188,7 @@ static void say_too_few(const calibrate_result *r, refusal *why)
     }
 }
 
-static void say_why(const calibrate_result *r, const stand_wish *angles, invcal_status status,
+static void say_why(const calibrate_result *r, const stand_options *angles, invcal_status status,
                     refusal *why)
 {
     switch (status) {
@@ -255,7 +255,7 @@ static void offer_magnetometer(const positions *data, refusal *why)
     }
 }
 
-int calibrate_refuse(calibrate_result *r, const stand_wish *angles, invcal_status status,
+int calibrate_refuse(calibrate_result *r, const stand_options *angles, invcal_status status,
                      const fit_reason *reason)
 {
     /* The first of too few readings may be out of range only because the others are missing. */
@@ -289,7 +289,8 @@ int calibrate_no_frame(calibrate_result *r)
 {
     refusal *why = begin(r, "angles", 0);
 
-    snprintf(why->reason, REFUSAL_MAX, "no frame of the stand: %s", stand_advice(r->stand.reading));
+    snprintf(why->reason, REFUSAL_MAX, "no frame of the stand: %s",
+             stand_advice(r->stand.convention));
     return EXIT_DATA;
 }
 

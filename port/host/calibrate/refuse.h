@@ -14,7 +14,7 @@
  * reason  details of the answer.
  *
  * This and those below return EXIT_DATA. */
-int calibrate_refuse(calibrate_result *result, const stand_wish *angles, invcal_status status,
+int calibrate_refuse(calibrate_result *result, const stand_options *angles, invcal_status status,
                      const fit_reason *reason);
 
 /* The temperature drifted in so many rests that too few are left. */

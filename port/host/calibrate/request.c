@@ -607,7 +607,7 @@ static int read_convention(request *r)
 /* What does not go together with the angles of a stand, or not without. */
 static int check_stand(const request *r)
 {
-    const stand_wish *w = &r->stand;
+    const stand_options *w = &r->stand;
     const unsigned convention = r->value[ASK_STAND_SENSE] ? ASK_STAND_SENSE : ASK_STAND_ZERO;
 
     if (w->plan && r->value[convention]) {

@@ -101,7 +101,7 @@ typedef struct {
     gyro_wish gyro;
     const design *program; /* of --plan, which watch follows; or null */
     unsigned degree;       /* of --quadratic, --cubic; else 0 */
-    stand_wish stand;
+    stand_options stand;
     case_wish ways_up;            /* of --case; none: its count is 0 */
     int wants_accelerometer_axes; /* of --frame, for a magnetometer */
     record record;

@@ -186,7 +186,7 @@ static int find_stand(const request *r, calibrate_result *result)
                              &result->settings.nominal);
     }
     free(raw);
-    if (!failure && r->stand.is_frame && result->stand.reading != STAND_AS_STATED) {
+    if (!failure && r->stand.is_frame && result->stand.convention != STAND_AS_STATED) {
         return calibrate_no_frame(result);
     }
     if (!failure && r->stand.is_frame) {

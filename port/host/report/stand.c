@@ -8,7 +8,7 @@
 
 #include "design/parameters.h"
 #include "report/facts.h"
-#include "stand/tell.h"
+#include "stand/output.h"
 
 #define CELL 160
 #define MILLIONTHS 1e6
@@ -46,8 +46,8 @@ static void write_convention(page *p, const stand *s)
         page_say(p, "%u positions with angles: those of the program %s, in its order.", s->count,
                  s->from);
     }
-    if (s->without > 0) {
-        page_say(p, "%u more have no angles, or angles that changed.", s->without);
+    if (s->without_angles > 0) {
+        page_say(p, "%u more have no angles, or angles that changed.", s->without_angles);
     }
     page_picture(p,
                  "The unit on the two axes of the stand (the paper's Fig. 1) at α = 0, β = 0, and "
@@ -67,7 +67,7 @@ static void write_missets(page *p, const stand *s)
         page_say(p, "%s", stand_misset_text(s, &s->misset[i], text));
     }
     if (s->missets > 0) {
-        page_say(p, "%s", STAND_MISSET_HARM);
+        page_say(p, "%s", STAND_MISSET_NOTE);
     } else {
         page_say(p, "No position is misset.");
     }
@@ -101,8 +101,8 @@ static void write_mounting(page *p, const report_facts *f)
                   "direction.",
                   1e3 * m->scatter);
     }
-    if (*stand_turned_far(m)) {
-        page_say(p, "%s", stand_turned_far(m));
+    if (*stand_large_angle_text(m)) {
+        page_say(p, "%s", stand_large_angle_text(m));
     }
 }
 
@@ -234,10 +234,10 @@ static void write_closure_row(page *p, const page_table *sheet, const report_fac
         const double closure = unit.scale * s->closure[r];
         const double of_it = unit.scale * s->noise * s->closure_root[r];
         for (unsigned i = 0; i < 2; i++) {
-            cells[3 + i] =
-                nominal_knows(&f->result->nominal, r)
-                    ? figure_fixed(unit.scale * s->told[r][i], places, FIGURE_SIGNED, number[1 + i])
-                    : "";
+            cells[3 + i] = nominal_knows(&f->result->nominal, r)
+                               ? figure_fixed(unit.scale * s->by_group[r][i], places, FIGURE_SIGNED,
+                                              number[1 + i])
+                               : "";
         }
         cells[5] = figure_with_sigma(closure, wide * of_it, FIGURE_SIGNED, number[3]);
         cells[6] = of_it > 0 ? figure_fixed(closure / of_it, 2, FIGURE_SIGNED, number[4]) : "";
@@ -252,7 +252,7 @@ static void write_chance(page *p, const group_series *s)
                  "All six closures together: F = %.3g with 6 and %u degrees of freedom; by chance "
                  "as large in %.3g %% of cases%s.",
                  s->f, s->dof, 100 * s->chance,
-                 s->chance < STAND_UNLIKELY ? ": the groups contradict each other" : "");
+                 s->chance < STAND_SIGNIFICANCE ? ": the groups contradict each other" : "");
     } else {
         page_say(p,
                  "The groups have no redundancy: only the closures themselves show their scatter.");
@@ -288,17 +288,17 @@ void report_stand(page *p, const report_facts *f)
         return;
     }
     page_section(p, "At the stand");
-    if (s->reading != STAND_AS_STATED) {
-        page_say(p, "! %c%s", stand_advice(s->reading)[0] - 'a' + 'A',
-                 stand_advice(s->reading) + 1);
+    if (s->convention != STAND_AS_STATED) {
+        page_say(p, "! %c%s", stand_advice(s->convention)[0] - 'a' + 'A',
+                 stand_advice(s->convention) + 1);
     }
     write_convention(p, s);
-    if (s->reading == STAND_AS_STATED) {
+    if (s->convention == STAND_AS_STATED) {
         write_missets(p, s);
         write_mounting(p, f);
         write_vertical(p, f);
         write_series(p, f);
-        if (s->series.is_closed_over) {
+        if (s->series.has_closures) {
             write_closures(p, f);
         }
     }

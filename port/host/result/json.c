@@ -8,7 +8,7 @@
 #include "result/need.h"
 #include "result/pass.h"
 #include "text/number.h"
-#include "stand/tell.h"
+#include "stand/output.h"
 #include "result/verdict.h"
 
 /* Three numbers as they are, or as not known. */

@@ -16,7 +16,7 @@
 #include "cli/options.h"
 #include "text/paint.h"
 #include "design/parameters.h"
-#include "stand/tell.h"
+#include "stand/output.h"
 #include "text/tabular.h"
 #include "text/utf8.h"
 #include "text/wrapped.h"
