@@ -122,9 +122,10 @@ static void draw_lengths(FILE *file, const void *data, double width)
 void report_lengths(page *p, const report_facts *f)
 {
     if (f->result->log && !f->result->refused.word && recording_count(f->result->log->track) > 0) {
-        page_panorama(p,
-                      "The length of the readings, averaged over a fraction of a second. Values "
-                      "beyond the axis are from motion.",
-                      draw_lengths, f);
+        page_wide_picture(
+            p,
+            "The length of the readings, averaged over a fraction of a second. Values "
+            "beyond the axis are from motion.",
+            draw_lengths, f);
     }
 }

@@ -101,7 +101,7 @@ static void write_verdict(page *p, const refused *d)
     snprintf(reason, sizeof reason, "%s.", sentence(r->refused.reason, text));
     snprintf(next, sizeof next, "%s.",
              *r->refused.remedy ? r->refused.remedy : "correct what the sentence above names");
-    page_verdict_of(p, PAGE_BAD, word, &answer, reason, next);
+    page_verdict_with_answer(p, PAGE_BAD, word, &answer, reason, next);
     if (d->facts.wish->saved) {
         page_say(p, "%s was not written.", d->facts.wish->saved);
     }

@@ -107,7 +107,7 @@ static void say_how_to_use(const report_facts *f, char *text, size_t size)
 }
 
 /* The verdict, and whether what was asked is kept. */
-static void write_box(page *p, const report_facts *f, page_mood mood, const char *word,
+static void write_box(page *p, const report_facts *f, page_severity severity, const char *word,
                       const char *sentence, const char *next)
 {
     char text[PASS_MAX];
@@ -120,7 +120,7 @@ static void write_box(page *p, const report_facts *f, page_mood mood, const char
         (void)need_advice(f->result, advice);
     }
     snprintf(more, sizeof more, "%s%s%s", sentence, *advice ? " " : "", advice);
-    page_verdict_of(p, mood, word, &answer, more, next);
+    page_verdict_with_answer(p, severity, word, &answer, more, next);
 }
 
 static void write_weak(page *p, const report_facts *f)

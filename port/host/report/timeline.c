@@ -180,7 +180,7 @@ void report_timeline(page *p, const report_facts *f)
         page_say(p, "%lu gap%s in the times; those of more than a minute are left out here.",
                  log->gaps, log->gaps == 1 ? "" : "s");
     }
-    page_panorama(p, "The range of the readings, minimum to maximum, and the rests in them.",
-                  draw_timeline, f);
+    page_wide_picture(p, "The range of the readings, minimum to maximum, and the rests in them.",
+                      draw_timeline, f);
     report_lengths(p, f);
 }
