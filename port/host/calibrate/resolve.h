@@ -1,32 +1,36 @@
 /* SPDX-License-Identifier: MIT
  *
- * calibrate/settle.h: what was not stated: unit, nominal calibration and noise, from the readings.
+ * calibrate/resolve.h: unit, nominal calibration, limits and noise, as stated or from file and
+ * readings.
  */
-#ifndef CALIBRATE_SETTLE_H
-#define CALIBRATE_SETTLE_H
+#ifndef CALIBRATE_RESOLVE_H
+#define CALIBRATE_RESOLVE_H
 
 #include "calibrate/request.h"
 #include "result/result.h"
 
-/* A stated unit overrides a heading; the size of readings overrides words, and numbers only if it is sure. */
-void settle_unit(const request *r, positions *data);
+/* The unit of the readings. A stated unit overrides that of the header; without either, the size of
+ * the readings decides, or, if it is not conclusive, --sensor. */
+void resolve_unit(const request *r, positions *data);
 
-/* Zero and scale: given, or of an earlier calibration, or by the unit, or of a data sheet, or from the data's range. Returns
- * EXIT_GOOD; EXIT_DATA with result->refused filled in; else EXIT_USAGE or EXIT_FILE after a message. */
-int settle_nominal(const request *r, calibrate_result *result);
+/* Zero and scale: as stated, or from an earlier calibration, the unit, a data sheet or the range of
+ * the data. Returns EXIT_GOOD; EXIT_DATA with result->refused filled in; else EXIT_USAGE or
+ * EXIT_FILE after a message. */
+int resolve_nominal(const request *r, calibrate_result *result);
 
-/* What each parameter may be off by: --tolerance, or the data sheet. */
-void settle_limits(const request *r, calibrate_result *result);
+/* The limits of the parameters: --tolerance, or the data sheet. */
+void resolve_limits(const request *r, calibrate_result *result);
 
-/* Whether a scale that was stated is one of these readings, or upside down: counts per g where the field per
- * count is meant. Returns EXIT_GOOD, also if it is wrong otherwise; EXIT_USAGE after a message. */
-int settle_scale(const request *r, const positions *data, const nominal_choice *nominal);
+/* Checks that --lsb is not inverted: counts per g instead of field units per count. Returns
+ * EXIT_GOOD, also if it is wrong otherwise; EXIT_USAGE after a message. */
+int resolve_check_scale(const request *r, const positions *data, const nominal_choice *nominal);
 
-/* That of a magnetometer, before it is read: without a scale 1, so that the result is in the unit of the
- * readings. Returns EXIT_GOOD; EXIT_FILE after a message. */
-int settle_magnetometer(const request *r, nominal_choice *n);
+/* Zero and scale of a magnetometer, before its log is read. Without a stated scale, it is 1 and the
+ * result is in the unit of the readings. Returns EXIT_GOOD; EXIT_FILE after a message. */
+int resolve_magnetometer(const request *r, nominal_choice *n);
 
-/* The noise of a position mean, and whether it is known where it has to be. Returns as above. */
-int settle_noise(const request *r, const positions *data, calibrate_result *result);
+/* The noise of a position mean. Returns EXIT_GOOD; EXIT_USAGE or EXIT_FILE after a message, if it
+ * is out of range or missing where an option needs it. */
+int resolve_noise(const request *r, const positions *data, calibrate_result *result);
 
 #endif

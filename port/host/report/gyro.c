@@ -47,7 +47,7 @@ static void write_parameters(page *p, const report_facts *f)
     char name[CELL];
 
     memcpy(m.matrix, g->imu.parameter, sizeof m.matrix);
-    (void)matrix_inverse(&m, inverse); /* near to a unit matrix */
+    (void)matrix_inverse(&m, inverse); /* close to a unit matrix */
     page_table_begin(p, &sheet);
     for (unsigned i = 0; i < 9; i++) {
         const unsigned r = i < 3 ? i : (i - 3) / 2;
@@ -86,12 +86,12 @@ static void write_figures(page *p, const gyro_fit *g)
 
 static double largest(const gyro_fit *g)
 {
-    double most = 0;
+    double max = 0;
 
     for (unsigned i = 0; i < g->moves; i++) {
-        most = g->move[i].why == INVCAL_OK ? fmax(most, g->move[i].residual) : most;
+        max = g->move[i].why == INVCAL_OK ? fmax(max, g->move[i].residual) : max;
     }
-    return MILLI * most;
+    return MILLI * max;
 }
 
 static void draw_moves(FILE *file, const void *data, double width)
@@ -135,7 +135,7 @@ static void draw_moves(FILE *file, const void *data, double width)
 
 /* ---- bias --------------------------------------------------------------------------------------- */
 
-/* Of a rest less that of the last, degrees/s; without the effect of orientation. */
+/* Bias of a rest minus that of the last one, degrees/s; is_level: without g-sensitivity. */
 static double bias_of(const gyro_fit *g, unsigned i, unsigned axis, int is_level)
 {
     const gyro_rest *last = &g->rest[g->rests - 1];
@@ -223,7 +223,7 @@ static void write_g(page *p, const gyro_fit *g)
     page_table_end(p);
 }
 
-/* ---- together ----------------------------------------------------------------------------------- */
+/* ---- the section -------------------------------------------------------------------------------- */
 
 static void write_moves(page *p, const report_facts *f)
 {

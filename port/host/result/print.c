@@ -23,9 +23,9 @@
 #include "result/verdict.h"
 #include "text/plain.h"
 
-#define LABEL 14u /* columns of what stands before a line's text */
+#define LABEL 14u /* columns of the label of a line */
 #define TEXT_MAX 512
-#define LISTED 10u /* positions left out that are named */
+#define LISTED_MAX 10u /* positions left out that are listed */
 
 /* One line of the table. */
 typedef struct {
@@ -45,7 +45,7 @@ static void add_figure(const calibrate_result *r, const figure *f)
     tabular_cell("%s %s", f->label, f->axis);
     tabular_cell("%s", figure_fixed(f->value, places, FIGURE_PLAIN, text));
     tabular_cell("± %s", f->sigma >= 0 ? figure_fixed(f->sigma, places, FIGURE_PLAIN, text) : "?");
-    if (!nominal_is_stated(&r->nominal)) { /* the table has no columns for it */
+    if (!nominal_is_stated(&r->nominal)) { /* the table has no column for it */
         tabular_note("%s", f->unit);
         tabular_row();
         return;
@@ -73,7 +73,7 @@ static void add_offsets(const calibrate_result *r, int known)
     }
 }
 
-/* The same against nominal, over the field. */
+/* The deviations of offsets from nominal, over the field. */
 static void add_biases(const calibrate_result *r, int known)
 {
     const told_unit told = calibrate_told_field(r);
@@ -90,7 +90,7 @@ static void add_biases(const calibrate_result *r, int known)
     }
 }
 
-/* As data sheets state it: input units per field unit. */
+/* Scales as in data sheets: input units per field unit. */
 static void add_scales(const calibrate_result *r, int known)
 {
     double inverse[3][3];
@@ -147,8 +147,8 @@ static void add_errors(const calibrate_result *r, int known)
     }
 }
 
-/* A residual, which is over the field, in a unit that one can picture: to 0.1 millionth of the field, in
- * micro-g to a thousandth of that. */
+/* A residual over the field in the unit of the table, to 1e-7 of the field; in INS units, to 0.001
+ * of a µg. */
 static const char *residual_text(const calibrate_result *r, double residual, char text[TEXT_MAX])
 {
     const told_unit told = calibrate_told_field(r);
@@ -217,7 +217,7 @@ static void print_limit(FILE *file, const calibrate_result *result)
     char text[CALIBRATE_LIMIT_MAX];
     uncertainty length;
 
-    calibrate_spread(result, 1, &length);
+    calibrate_uncertainty(result, 1, &length);
     fprintf(file, "%s", label);
     wrapped_line(file, LABEL, LABEL, calibrate_limit(result, &length, text));
 }
@@ -229,7 +229,7 @@ static paint colour_of(invcal_verdict verdict)
                                                                         : PAINT_RED;
 }
 
-/* Whether what was asked is kept. */
+/* PASS or FAIL. */
 static void print_pass(FILE *file, const calibrate_result *result)
 {
     const pass p = pass_judge(result);
@@ -237,7 +237,7 @@ static void print_pass(FILE *file, const calibrate_result *result)
     char advice[NEED_MAX];
     char list[128];
 
-    if (!p.is_asked) {
+    if (!p.has_criteria) {
         return;
     }
     (void)pass_text(result, text); /* begins with a word of four letters and a colon */
@@ -294,10 +294,11 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     }
 }
 
-static void print_next(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
+static void print_next(FILE *file, const calibrate_result *result,
+                       const calibrate_invocation *invocation)
 {
     const fit_quality *q = &result->quality;
-    const char *saved = wish->saved;
+    const char *saved = invocation->saved;
     char path[PLAIN_MAX];
     char command[PLAIN_MAX + sizeof "invcal apply  LOG"];
     char advice[128];
@@ -307,8 +308,8 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     if (saved) {
         wrapped_printf(file, 0, "Saved in %s.", plain_copy(saved, path));
     }
-    if (wish->report) {
-        wrapped_printf(file, 0, "Report in %s.", plain_copy(wish->report, path));
+    if (invocation->report) {
+        wrapped_printf(file, 0, "Report in %s.", plain_copy(invocation->report, path));
     }
     if (faces_are_good(result)) {
         snprintf(text, sizeof text,
@@ -318,7 +319,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     } else if (q->verdict == INVCAL_NO_REDUNDANCY && !result->magnetometer) {
         wrapped_printf(file, 0,
                        "Next: add 3 or more positions in other directions, to check the fit.");
-    } else if (q->verdict == INVCAL_WEAK && calibrate_wants_slopes(result)) {
+    } else if (q->verdict == INVCAL_WEAK && calibrate_lacks_slopes(result)) {
         wrapped_printf(file, 0,
                        "Next: measure nine positions or more at each of two temperatures, at least "
                        "5 K apart.");
@@ -340,7 +341,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     }
 }
 
-/* What the calibration is filed under. */
+/* The record of the calibration. */
 static void print_record(FILE *file, const record *r)
 {
     char text[RECORD_MAX + 16];
@@ -353,7 +354,7 @@ static void print_record(FILE *file, const record *r)
     }
 }
 
-/* What the file was taken for. */
+/* What the file was recognised as. */
 static void print_recognised(FILE *file, const positions *data)
 {
     char text[COLUMNS_TEXT_MAX];
@@ -364,7 +365,7 @@ static void print_recognised(FILE *file, const positions *data)
     wrapped_line(file, 0, 0, plain(line));
 }
 
-/* What the positions were found in. */
+/* The log in which the positions were found. */
 static void print_log(FILE *file, const calibrate_result *result)
 {
     const rests_summary *log = result->log;
@@ -416,8 +417,8 @@ static void print_rejected(FILE *file, const calibrate_result *result)
                        rejection_drifting(r) == 1 ? "" : "s", result->fit.drift_limit);
     }
     for (unsigned i = 0; i < r->count; i++) {
-        if (i == LISTED && r->count > LISTED + 1) {
-            fprintf(file, "          and %u more\n", r->count - LISTED);
+        if (i == LISTED_MAX && r->count > LISTED_MAX + 1) {
+            fprintf(file, "          and %u more\n", r->count - LISTED_MAX);
             break;
         }
         if (r->list[i].drift > 0) {
@@ -460,7 +461,7 @@ static void print_case(FILE *file, const calibrate_result *result)
     }
 }
 
-/* Against an accelerometer. */
+/* The axes of a magnetometer relative to those of an accelerometer. */
 static void print_axes(FILE *file, const calibrate_result *result)
 {
     char text[CALIBRATE_AXES_MAX];
@@ -471,7 +472,7 @@ static void print_axes(FILE *file, const calibrate_result *result)
     }
 }
 
-/* What the sensor was to read, and who says so. */
+/* Nominal zero and scale, and their source. */
 static void print_nominal(FILE *file, const calibrate_result *r, const char *name)
 {
     char text[TEXT_MAX];
@@ -519,7 +520,7 @@ static void print_parameters(FILE *file, const calibrate_result *result, const c
     tabular_row_in(PAINT_BOLD);
     add_offsets(result, known);
     add_scales(result, known);
-    if (result->told == TOLD_INS) { /* in input units alone no engineer of INS can read it */
+    if (result->told == TOLD_INS) { /* biases are not usually in input units there */
         add_biases(result, known);
     }
     add_errors(result, known);
@@ -527,18 +528,19 @@ static void print_parameters(FILE *file, const calibrate_result *result, const c
     tabular_end();
 }
 
-void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
+void calibrate_print(FILE *file, const calibrate_result *result,
+                     const calibrate_invocation *invocation)
 {
     char name[PLAIN_MAX];
     char nominal[CALIBRATE_NAME_MAX + 1];
 
-    snprintf(nominal, sizeof nominal, "%s", wish->nominal_name);
+    snprintf(nominal, sizeof nominal, "%s", invocation->nominal_name);
     plain(nominal);
     print_record(file, &result->record);
     print_recognised(file, result->data);
     print_log(file, result);
     if (result->magnetometer) {
-        calibrate_waved_print(file, result);
+        calibrate_magnetometer_print(file, result);
     }
     wrapped_printf(file, 0, "%s: %u %s, field %.7g %s", plain_copy(result->data->name, name),
                    result->data->count,
@@ -562,6 +564,6 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     fprintf(file, "\n");
     gyro_print(file, result);
     print_verdict(file, result);
-    print_next(file, result, wish);
+    print_next(file, result, invocation);
     gyro_print_last(file, result);
 }

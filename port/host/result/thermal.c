@@ -11,7 +11,7 @@
 #include "design/parameters.h"
 
 #define TEXT_MAX 512
-#define LABEL 14u /* columns before a line's text */
+#define LABEL 14u /* columns of the label of a line */
 
 /* The unit of a slope. */
 typedef struct {
