@@ -15,7 +15,7 @@
 
 /* The orthogonal factor of a matrix, by Newton's iteration R = (R + R^-T) / 2. Returns 1; 0 if it
  * is singular. */
-static int find_nearest_rotation(invcal_calibration *r)
+static int nearest_rotation(invcal_calibration *r)
 {
     double inverse[3][3];
 
@@ -48,7 +48,7 @@ static int find_symmetric(nonlinear_correction *c, const calibration_file *file)
     double back[3][3];
 
     multiply((const double(*)[3])over.matrix, (const double(*)[3])c->inverse, turn.matrix);
-    if (!find_nearest_rotation(&turn)) {
+    if (!nearest_rotation(&turn)) {
         return 0;
     }
     for (unsigned i = 0; i < 9; i++) {

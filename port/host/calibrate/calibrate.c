@@ -80,7 +80,7 @@ static int solve_log(const request *r, positions *data, rests_summary *log, turn
         return failure;
     }
     if (data->count == 0 && !r->value[OPT_POSITIONS]) {
-        return calibrate_no_rest(result);
+        return calibrate_refuse_no_rest(result);
     }
     resolve_unit(r, data);
     return solve_positions(r, data, gyro, result);

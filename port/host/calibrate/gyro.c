@@ -139,7 +139,7 @@ int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_r
 }
 
 /* The rotation closest to a matrix, by Newton's iteration X <- (X + X^-T) / 2. */
-static void next_rotation(double x[3][3])
+static void nearest_rotation(double x[3][3])
 {
     for (unsigned n = 0; n < 20; n++) {
         invcal_calibration c = {.offset = {0}};
@@ -175,7 +175,7 @@ void calibrate_gyro_turn(calibrate_result *result)
     }
     multiply((const double(*)[3])result->solution.calibration.matrix, (const double(*)[3])inverse,
              turn);
-    next_rotation(turn);
+    nearest_rotation(turn);
     multiply((const double(*)[3])turn, (const double(*)[3])g->calibration.matrix, turned);
     memcpy(g->calibration.matrix, turned, sizeof turned);
     multiply((const double(*)[3])turn, (const double(*)[3])g->g, turned);

@@ -275,7 +275,7 @@ int calibrate_refuse(calibrate_result *r, const stand_options *angles, invcal_st
     return EXIT_DATA;
 }
 
-int calibrate_all_drift(calibrate_result *r)
+int calibrate_refuse_drift(calibrate_result *r)
 {
     refusal *why = begin_refusal(r, status_name(INVCAL_TOO_FEW), (1u << INVCAL_PARAMETERS) - 1);
 
@@ -288,7 +288,7 @@ int calibrate_all_drift(calibrate_result *r)
     return EXIT_DATA;
 }
 
-int calibrate_no_frame(calibrate_result *r)
+int calibrate_refuse_frame(calibrate_result *r)
 {
     refusal *why = begin_refusal(r, "angles", 0);
 
@@ -297,7 +297,7 @@ int calibrate_no_frame(calibrate_result *r)
     return EXIT_DATA;
 }
 
-int calibrate_no_rest(calibrate_result *r)
+int calibrate_refuse_no_rest(calibrate_result *r)
 {
     const rests_summary *log = r->log;
     refusal *why = begin_refusal(r, "no rest", (1u << INVCAL_PARAMETERS) - 1);
@@ -324,7 +324,7 @@ int calibrate_no_rest(calibrate_result *r)
     return EXIT_DATA;
 }
 
-int calibrate_no_case(calibrate_result *r, invcal_status status)
+int calibrate_refuse_case(calibrate_result *r, invcal_status status)
 {
     refusal *why = begin_refusal(r, "angles", 0);
 
@@ -337,7 +337,7 @@ int calibrate_no_case(calibrate_result *r, invcal_status status)
     return EXIT_DATA;
 }
 
-int calibrate_no_axes(calibrate_result *r)
+int calibrate_refuse_axes(calibrate_result *r)
 {
     const dip_frame *d = &r->dip;
     refusal *why = begin_refusal(r, "angles", 0);

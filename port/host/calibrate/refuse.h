@@ -16,19 +16,19 @@ int calibrate_refuse(calibrate_result *result, const stand_options *angles, invc
                      const fit_reason *reason);
 
 /* Too few rests are left without those in which the temperature drifted. */
-int calibrate_all_drift(calibrate_result *result);
+int calibrate_refuse_drift(calibrate_result *result);
 
 /* The log has no rests. */
-int calibrate_no_rest(calibrate_result *result);
+int calibrate_refuse_no_rest(calibrate_result *result);
 
 /* The angles of the stand do not fit the readings as stated. */
-int calibrate_no_frame(calibrate_result *result);
+int calibrate_refuse_frame(calibrate_result *result);
 
 /* The stated up axes of the case do not fit the readings. */
-int calibrate_no_case(calibrate_result *result, invcal_status status);
+int calibrate_refuse_case(calibrate_result *result, invcal_status status);
 
 /* The rotation to the axes of the accelerometer is not determined. */
-int calibrate_no_axes(calibrate_result *result);
+int calibrate_refuse_axes(calibrate_result *result);
 
 /* The samples of a magnetometer do not determine a calibration. */
 int calibrate_refuse_magnetometer(calibrate_result *result);

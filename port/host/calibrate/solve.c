@@ -33,7 +33,7 @@ static int refuse(const request *r, calibrate_result *result, invcal_status stat
                   const fit_reason *reason)
 {
     return status == INVCAL_TOO_FEW && rejection_drifting(&result->rejected) > 0
-               ? calibrate_all_drift(result)
+               ? calibrate_refuse_drift(result)
                : calibrate_refuse(result, &r->stand, status, reason);
 }
 
@@ -187,7 +187,7 @@ static int find_stand(const request *r, calibrate_result *result)
     }
     free(raw);
     if (!failure && r->stand.is_frame && result->stand.convention != STAND_AS_STATED) {
-        return calibrate_no_frame(result);
+        return calibrate_refuse_frame(result);
     }
     if (!failure && r->stand.is_frame) {
         stand_turn(&result->stand, &result->solution.calibration);
@@ -213,7 +213,7 @@ static int find_case(const request *r, calibrate_result *result)
     }
     status = status == INVCAL_OK ? case_solve(&frame, &r->up_axes, noise, &result->frame) : status;
     if (status != INVCAL_OK) {
-        return calibrate_no_case(result, status);
+        return calibrate_refuse_case(result, status);
     }
     invcal_frame_turn((const double(*)[3])result->frame.rotation, &result->solution.calibration);
     return EXIT_GOOD;
@@ -275,7 +275,7 @@ static int find_axes(const request *r, calibrate_result *result)
     }
     if ((path && dip->answer == DIP_NO_ACCELEROMETER) ||
         (r->wants_accelerometer_axes && dip->answer != DIP_TOLD)) {
-        return calibrate_no_axes(result);
+        return calibrate_refuse_axes(result);
     }
     if (r->wants_accelerometer_axes) {
         invcal_frame_turn((const double(*)[3])dip->rotation, &result->solution.calibration);

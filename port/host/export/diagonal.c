@@ -13,7 +13,7 @@
 #define POINTS 16u /* of a quarter of a ring */
 
 /* The eigenvalues of P'P. */
-static void squares(double p[3][3], double value[3])
+static void squared_singular_values(double p[3][3], double value[3])
 {
     double packed[6];
 
@@ -65,10 +65,10 @@ static export_error error_of(const double scale[3], double b[3][3])
             e[i][j] = p[i][j] - (i == j);
         }
     }
-    squares(e, value);
+    squared_singular_values(e, value);
     error.rms = sqrt((value[0] + value[1] + value[2]) / 3);
     error.max = sqrt(fmax(value[0], fmax(value[1], value[2])));
-    squares(p, value);
+    squared_singular_values(p, value);
     const double longest = sqrt(fmax(value[0], fmax(value[1], value[2])));
     const double shortest = sqrt(fmin(value[0], fmin(value[1], value[2])));
     error.length_max = fmax(fabs(longest - 1), fabs(shortest - 1));

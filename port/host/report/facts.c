@@ -24,7 +24,7 @@ static void find_positions(report_facts *f)
         double v[3];
         invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)n], v);
         at->before = f->scale * (length(v) - 1);
-        const invcal_calibration here = calibrate_at(r, n);
+        const invcal_calibration here = calibrate_at_position(r, n);
         calibrate_linear_reading(r, n, v);
         invcal_apply(&here, v, v);
         at->after = f->scale * calibrate_excess(r, n);
@@ -115,7 +115,7 @@ int report_facts_find(report_facts *f, const calibrate_result *result,
     calibrate_uncertainty(result, f->knows_noise ? f->coverage * f->noise : REPORT_NORMAL,
                           &f->length_spread);
     f->length_worst = worst_length(f);
-    f->field_spread = f->knows_noise ? f->scale * need_of_field(result) : 0;
+    f->field_spread = f->knows_noise ? f->scale * need_field_part(result) : 0;
     set_marks(f);
     return EXIT_GOOD;
 }

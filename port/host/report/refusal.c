@@ -62,7 +62,8 @@ static void find_positions(refused *d)
     }
 }
 
-static int find(refused *d, const calibrate_result *result, const calibrate_invocation *invocation)
+static int find_facts(refused *d, const calibrate_result *result,
+                      const calibrate_invocation *invocation)
 {
     const unsigned count = result->data->count;
 
@@ -81,7 +82,7 @@ static int find(refused *d, const calibrate_result *result, const calibrate_invo
 /* ---- the sections ------------------------------------------------------------------------------ */
 
 /* A clause with a capital letter, without a full stop. */
-static const char *sentence(const char *clause, char text[REFUSAL_MAX + 4])
+static const char *capitalised(const char *clause, char text[REFUSAL_MAX + 4])
 {
     snprintf(text, REFUSAL_MAX + 4, "%c%s", toupper((unsigned char)clause[0]), clause + 1);
     return text;
@@ -98,7 +99,7 @@ static void write_verdict(page *p, const refused *d)
     char text[REFUSAL_MAX + 4];
 
     snprintf(word, sizeof word, "✗ No calibration: %s", r->refused.word);
-    snprintf(reason, sizeof reason, "%s.", sentence(r->refused.reason, text));
+    snprintf(reason, sizeof reason, "%s.", capitalised(r->refused.reason, text));
     snprintf(next, sizeof next, "%s.",
              *r->refused.remedy ? r->refused.remedy : "correct what the sentence above names");
     page_verdict_with_answer(p, PAGE_BAD, word, &answer, reason, next);
@@ -239,7 +240,7 @@ int report_refusal(FILE *file, const calibrate_result *result,
     refused d;
     page p;
     char title[TEXT_MAX];
-    const int failure = find(&d, result, invocation);
+    const int failure = find_facts(&d, result, invocation);
 
     if (!failure) {
         snprintf(title, sizeof title, "Calibration of %.300s", input_file_name(result->data->name));

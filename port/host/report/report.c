@@ -320,7 +320,7 @@ void report_file(page *p, const report_facts *f)
 }
 
 /* The samples of a magnetometer. */
-static void write_waved(page *p, const waved *m)
+static void write_magnetometer(page *p, const waved *m)
 {
     page_fact(p, "samples",
               "%lu, %lu left out, in %u of %u direction cells; correlated: %.0f count as one",
@@ -348,7 +348,7 @@ static void write_origin(page *p, const report_facts *f)
                   r->place[1], REPORT_NORMAL * GRAVITY_SIGMA);
     }
     if (r->magnetometer) {
-        write_waved(p, r->magnetometer);
+        write_magnetometer(p, r->magnetometer);
     } else {
         page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count,
                   r->rejected.count);

@@ -35,7 +35,7 @@ static point project(const view *v, const double at[3])
                    v->y - v->scale * (at[1] - DEPTH_Y * at[2])};
 }
 
-static void line(const view *v, const char *style, const double from[3], const double to[3])
+static void draw_line(const view *v, const char *style, const double from[3], const double to[3])
 {
     const point a = project(v, from);
     const point b = project(v, to);
@@ -44,7 +44,7 @@ static void line(const view *v, const char *style, const double from[3], const d
 }
 
 /* The head of an arrow from a to b. */
-static void head(const view *v, const char *colour, point a, point b)
+static void draw_arrow_head(const view *v, const char *colour, point a, point b)
 {
     const double length = hypot(b.x - a.x, b.y - a.y);
     const double along[2] = {(b.x - a.x) / length, (b.y - a.y) / length};
@@ -105,7 +105,7 @@ static void draw_axis(const view *v, const double axis[3], const char *name, dou
     const point b = project(v, to);
     const double along = hypot(b.x - a.x, b.y - a.y);
     svg_line(v->file, "c1 curve", a.x, a.y, b.x, b.y);
-    head(v, "c1", a, b);
+    draw_arrow_head(v, "c1", a, b);
     svg_text(v->file, "ink halo", SVG_MIDDLE, b.x + 13 * (b.x - a.x) / along,
              b.y + 5 + 13 * (b.y - a.y) / along, name);
 }
@@ -151,12 +151,12 @@ static void draw_stand(const view *v)
         const double outer[3] = {side * FRAME, 0, 0};
         const double upper[3] = {0, side * FRAME_TOP, 0};
         const double unit[3] = {0, side * HALF_EDGE, 0};
-        line(v, "rule", foot, top);
-        line(v, "rule", outer, top);
-        line(v, "rule", upper, unit);
+        draw_line(v, "rule", foot, top);
+        draw_line(v, "rule", outer, top);
+        draw_line(v, "rule", upper, unit);
     }
     for (unsigned i = 0; i < 4; i++) {
-        line(v, "rule", frame[i], frame[(i + 1) % 4]);
+        draw_line(v, "rule", frame[i], frame[(i + 1) % 4]);
     }
 }
 
@@ -179,7 +179,7 @@ static void draw_rotation(const view *v, const double mark[3], const double cent
         svg_polyline_point(v->file, now.x, now.y);
     }
     svg_polyline_end(v->file);
-    head(v, "c2", last, now);
+    draw_arrow_head(v, "c2", last, now);
 }
 
 static void draw_angles(const view *v)

@@ -416,7 +416,7 @@ void report_temperature(page *p, const report_facts *f)
     page_section(p, "Temperature");
     if (f->result->temperature == CALIBRATE_THERMAL) {
         write_thermal(p, f);
-    } else if (*calibrate_advice(f->result, advice)) {
+    } else if (*calibrate_temperature_advice(f->result, advice)) {
         page_say(p, "%s", advice);
     }
     page_picture(p, "Residual of each position over its temperature.", draw_residuals, f);

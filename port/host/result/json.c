@@ -104,7 +104,7 @@ static void write_accuracy(json_writer *w, const calibrate_result *result)
     const double field = result->settings.field;
     const int known = calibrate_knows_noise(result);
 
-    json_number(w, "accuracy95", known ? need_reached(result) * field : NUMBER_UNKNOWN);
+    json_number(w, "accuracy95", known ? need_accuracy(result) * field : NUMBER_UNKNOWN);
     if (result->need > 0) {
         json_object(w, "need");
         json_number(w, "wanted", result->need);

@@ -35,7 +35,7 @@ invcal_calibration calibrate_at_temperature(const calibrate_result *r, double te
                                                : r->solution.calibration;
 }
 
-invcal_calibration calibrate_at(const calibrate_result *r, unsigned position)
+invcal_calibration calibrate_at_position(const calibrate_result *r, unsigned position)
 {
     return calibrate_at_temperature(r, r->data->origin[position].temperature);
 }
@@ -87,7 +87,7 @@ void calibrate_linear_reading(const calibrate_result *r, unsigned position, doub
 
 double calibrate_excess(const calibrate_result *r, unsigned position)
 {
-    const invcal_calibration here = calibrate_at(r, position);
+    const invcal_calibration here = calibrate_at_position(r, position);
     double v[3];
 
     calibrate_linear_reading(r, position, v);
@@ -254,7 +254,7 @@ static unsigned steepest_offset(const thermal_fit *fit)
     return steepest;
 }
 
-const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMIT_MAX])
+const char *calibrate_temperature_advice(const calibrate_result *r, char text[CALIBRATE_LIMIT_MAX])
 {
     const thermal_fit *fit = &r->fit;
     const double range = fit->calibration.max - fit->calibration.min;

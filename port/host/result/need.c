@@ -59,14 +59,14 @@ need_ending need_parse(const char *text, double field, size_t *digits, told_unit
     return strchr("0123456789.", text[length - 1]) ? NEED_PLAIN : NEED_NO_UNIT;
 }
 
-double need_of_field(const calibrate_result *r)
+double need_field_part(const calibrate_result *r)
 {
     return FIT_NORMAL * r->field_sigma;
 }
 
-double need_reached(const calibrate_result *r)
+double need_accuracy(const calibrate_result *r)
 {
-    const double field = need_of_field(r);
+    const double field = need_field_part(r);
 
     return sqrt(r->accuracy * r->accuracy +
                 field * field); /* hypot rounds differently from libc to libc */
@@ -81,7 +81,7 @@ static double needed(const calibrate_result *r)
 /* How many times as much must be measured: the error falls with its square root. */
 static double effort_ratio(const calibrate_result *r)
 {
-    const double field = need_of_field(r);
+    const double field = need_field_part(r);
 
     return r->accuracy * r->accuracy / (needed(r) * needed(r) - field * field);
 }
@@ -106,10 +106,10 @@ need_missing need_judge(const calibrate_result *r)
 {
     const need_missing verdict = missing_by_verdict(r);
 
-    if (verdict != NEED_NOTHING || need_reached(r) <= needed(r)) {
+    if (verdict != NEED_NOTHING || need_accuracy(r) <= needed(r)) {
         return verdict;
     }
-    if (!(need_of_field(r) < needed(r))) {
+    if (!(need_field_part(r) < needed(r))) {
         return NEED_GRAVITY;
     }
     if (calibrate_is_disturbed(r)) {

@@ -49,7 +49,7 @@ const char *need_advice(const calibrate_result *result, char text[NEED_MAX]);
 
 /* The accuracy of lengths, 95 %, over the field; and the part of it that is the error of the
  * field. */
-double need_reached(const calibrate_result *result);
-double need_of_field(const calibrate_result *result);
+double need_accuracy(const calibrate_result *result);
+double need_field_part(const calibrate_result *result);
 
 #endif

@@ -59,7 +59,7 @@ pass pass_judge(const calibrate_result *r)
     judge_limits(r, &p);
     p.has_criteria = r->need > 0 || r->has_limits;
     if (r->need > 0 && calibrate_knows_noise(r)) {
-        p.need_used = r->settings.field * need_reached(r) / r->need;
+        p.need_used = r->settings.field * need_accuracy(r) / r->need;
     }
     p.is_passed = p.has_criteria && is_good(r) && !p.failed && (!(r->need > 0) || p.need_used <= 1);
     return p;
@@ -98,7 +98,7 @@ static void add_need(const calibrate_result *r, char text[PASS_MAX])
     char needed[FIGURE_MAX];
 
     append(text, PASS_MAX, "%s within %s of %s %s", calibrate_is_gravity(r) ? "|a|" : "length",
-           figure_digits(scale * need_reached(r), 2, reached),
+           figure_digits(scale * need_accuracy(r), 2, reached),
            figure_digits(scale * r->need / r->settings.field, 2, needed), r->need_unit.unit);
 }
 

@@ -104,7 +104,7 @@ double calibrate_slope_scale(const calibrate_result *result, unsigned parameter)
 const char *calibrate_frame(const calibrate_result *result);
 
 /* The calibration at the temperature of a position. */
-invcal_calibration calibrate_at(const calibrate_result *result, unsigned position);
+invcal_calibration calibrate_at_position(const calibrate_result *result, unsigned position);
 
 /* The calibration at a temperature. */
 invcal_calibration calibrate_at_temperature(const calibrate_result *result, double temperature);
@@ -195,7 +195,8 @@ void calibrate_magnetometer_json(json_writer *w, const calibrate_result *result)
 const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBRATE_AXES_MAX]);
 
 /* The effect of temperature if CALIBRATE_PROBED: a sentence; else "". Returns text. */
-const char *calibrate_advice(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX]);
+const char *calibrate_temperature_advice(const calibrate_result *result,
+                                         char text[CALIBRATE_LIMIT_MAX]);
 
 /* One JSON object. */
 void calibrate_json(FILE *file, const calibrate_result *result);

@@ -76,7 +76,7 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
     char value[FIGURE_MAX];
 
     if (r->temperature != CALIBRATE_THERMAL) {
-        if (*calibrate_advice(r, text)) {
+        if (*calibrate_temperature_advice(r, text)) {
             wrapped_line(file, 0, 0, text);
         }
         return;

@@ -130,10 +130,10 @@ static void interpolate(const double a[3], const double b[3], const double sidew
  * sigma: drift of the offsets, tremor of the hand. */
 static void gauss_markov_step(scene *s, double x[3], double rate, double sigma)
 {
-    const double keep = exp(-rate / s->model->rate);
+    const double decay = exp(-rate / s->model->rate);
 
     for (unsigned i = 0; i < 3 && sigma > 0; i++) {
-        x[i] = keep * x[i] + sigma * sqrt(1 - keep * keep) * random_normal(&s->random);
+        x[i] = decay * x[i] + sigma * sqrt(1 - decay * decay) * random_normal(&s->random);
     }
 }
 

@@ -85,10 +85,10 @@ void wave_axes(const wave_model *m, double r[3][3])
 /* One step of a first-order Gauss-Markov process with correlation time `memory`, s. */
 static void gauss_markov_step(wave *w, double x[3], double memory, double sigma)
 {
-    const double keep = exp(-1 / (memory * w->accelerometer->rate));
+    const double decay = exp(-1 / (memory * w->accelerometer->rate));
 
     for (unsigned i = 0; i < 3; i++) {
-        x[i] = keep * x[i] + sigma * sqrt(1 - keep * keep) * random_normal(&w->random);
+        x[i] = decay * x[i] + sigma * sqrt(1 - decay * decay) * random_normal(&w->random);
     }
 }
 

@@ -31,7 +31,7 @@ int stand_check(const stand_options *options, const positions *data)
     if (options->plan && options->plan->count != data->count) {
         const unsigned group = options->plan->plan.per_group;
         message("%s: holds %u positions, but --plan %s has %u: add columns alpha and beta to find "
-                "the one that is missing or too many%s",
+                "the one that is missing or extra%s",
                 data->name, data->count, options->plan->name, options->plan->count,
                 group > 0 && data->count + group == options->plan->count
                     ? "; was a whole group not visited?"
