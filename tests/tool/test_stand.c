@@ -115,8 +115,8 @@ static void without_noise_mounting_j1_and_series_are_exact(void)
     }
     for (int c = 0; c < GROUP_SERIES_CLOSURES; c++) {
         TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0, s.series.closure[c]);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-12, s.series.x[c], s.series.told[c][0]);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-12, s.series.x[c], s.series.told[c][1]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, s.series.x[c], s.series.by_group[c][0]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, s.series.x[c], s.series.by_group[c][1]);
     }
     stand_free(&s);
 }
