@@ -7,7 +7,7 @@
 #include "draw/chart.h"
 #include "report/facts.h"
 
-#define POSITIONS_MIN 12u /* positions: fewer show no shape */
+#define POSITIONS_MIN 12u /* fewer positions show no shape */
 #define BINS 11u
 #define REACH 4.0 /* standard deviations to either side */
 #define LEFT 52.0

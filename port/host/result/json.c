@@ -98,7 +98,7 @@ static void write_quality(json_writer *w, const calibrate_result *result)
     json_parameters(w, "undetermined", q->weak);
 }
 
-/* The accuracy of lengths, and what is missing to the need. */
+/* The accuracy of lengths, and what is missing for the need. */
 static void write_accuracy(json_writer *w, const calibrate_result *result)
 {
     const double field = result->settings.field;
