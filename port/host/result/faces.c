@@ -35,7 +35,7 @@ faces_error faces_error_of(const calibrate_result *r)
 const char *faces_cost(const calibrate_result *r, char text[FACES_MAX])
 {
     const uint16_t held = fit_held(&r->settings, &r->quality);
-    const told_unit told = calibrate_told_field(r);
+    const told_unit display = calibrate_display_unit(r);
     const told_unit angle = told_angle(r->told);
     const faces_error e = faces_error_of(r);
     char list[128] = "angles";
@@ -50,8 +50,8 @@ const char *faces_cost(const calibrate_result *r, char text[FACES_MAX])
              "worst, and none with an axis up.%s",
              list, r->nominal.lsb == NOMINAL_EARLIER ? "in the earlier calibration," : "0",
              figure_digits(angle.scale * r->settings.prior[INVCAL_GAMMA_XY], 2, number[0]),
-             angle.unit, figure_digits(told.scale * e.rms, 2, number[1]), told.unit,
-             figure_digits(told.scale * e.max, 2, number[2]), told.unit,
+             angle.unit, figure_digits(display.scale * e.rms, 2, number[1]), display.unit,
+             figure_digits(display.scale * e.max, 2, number[2]), display.unit,
              r->quality.dof > 0 ? "" : " No redundant position checks offsets and scales.");
     return text;
 }

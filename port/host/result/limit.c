@@ -191,7 +191,7 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
 {
     const double uneven = unevenness(r, length);
     const char *noise = r->is_noise_given ? "stated noise" : "noise of the samples";
-    const told_unit told = calibrate_told_field(r);
+    const told_unit display = calibrate_display_unit(r);
     char number[FIGURE_MAX];
 
     if (depends_on_temperature(r) && r->fit.without > 2 * r->fit.quality.rms) {
@@ -226,7 +226,7 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
                  "quantisation: the readings have steps of %s %s, more than their noise, which "
                  "explains the residuals. More positions help, or a smaller range of the sensor; "
                  "longer or steadier rests do not.",
-                 figure_digits(told.scale * step_of(r), 2, number), told.unit);
+                 figure_digits(display.scale * step_of(r), 2, number), display.unit);
     } else if (calibrate_is_disturbed(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "handling, drift or temperature: the positions disagree by %s times the %s. "
@@ -258,9 +258,9 @@ const char *calibrate_temperature_advice(const calibrate_result *r, char text[CA
 {
     const thermal_fit *fit = &r->fit;
     const double range = fit->calibration.max - fit->calibration.min;
-    const told_unit told = told_parts(r->told, calibrate_is_gravity(r));
+    const told_unit display = told_parts(r->told, calibrate_is_gravity(r));
     const unsigned steepest = steepest_offset(fit);
-    const double scale = told.scale * calibrate_slope_scale(r, steepest);
+    const double scale = display.scale * calibrate_slope_scale(r, steepest);
     char before[FIGURE_MAX];
     char after[FIGURE_MAX];
     char slope[FIGURE_MAX];
@@ -287,8 +287,8 @@ const char *calibrate_temperature_advice(const calibrate_result *r, char text[CA
                  figure_with_sigma(scale * fit->slope[steepest],
                                    scale * fit->quality.coverage * fit->slope_sigma[steepest],
                                    FIGURE_SIGNED, slope),
-                 told.unit, figure_digits(told.scale * fit->without, 3, before),
-                 figure_digits(told.scale * fit->quality.rms, 3, after), told.unit);
+                 display.unit, figure_digits(display.scale * fit->without, 3, before),
+                 figure_digits(display.scale * fit->quality.rms, 3, after), display.unit);
     }
     return text;
 }

@@ -107,18 +107,18 @@ static void add_limit(const calibrate_result *r, unsigned parameter, double limi
 {
     const told_unit degrees = {FIGURE_DEGREES, "°"};
     const told_unit angle = r->told == TOLD_INS ? told_angle(r->told) : degrees;
-    const told_unit told = parameter < INVCAL_DK_X       ? calibrate_told_field(r)
-                           : parameter < INVCAL_GAMMA_XY ? told_scale(r->told)
-                                                         : angle;
+    const told_unit display = parameter < INVCAL_DK_X       ? calibrate_display_unit(r)
+                              : parameter < INVCAL_GAMMA_XY ? told_scale(r->told)
+                                                            : angle;
     const double ratio = upper_bound(r, parameter) / limit;
     const int digits = fabs(ratio - 1) < NEAR_LIMIT ? 6 : 3; /* to show which one is larger */
     char reached[FIGURE_MAX];
     char allowed[FIGURE_MAX];
 
     append(text, PASS_MAX, "%s up to %s of %s%s%s", parameter_words(parameter),
-           figure_digits(told.scale * upper_bound(r, parameter), digits, reached),
-           figure_digits(told.scale * limit, digits, allowed),
-           strcmp(told.unit, degrees.unit) == 0 ? "" : " ", told.unit);
+           figure_digits(display.scale * upper_bound(r, parameter), digits, reached),
+           figure_digits(display.scale * limit, digits, allowed),
+           strcmp(display.unit, degrees.unit) == 0 ? "" : " ", display.unit);
 }
 
 const char *pass_text(const calibrate_result *r, char text[PASS_MAX])

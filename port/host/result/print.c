@@ -76,16 +76,16 @@ static void add_offsets(const calibrate_result *r, int known)
 /* The deviations of offsets from nominal, over the field. */
 static void add_biases(const calibrate_result *r, int known)
 {
-    const told_unit told = calibrate_told_field(r);
+    const told_unit display = calibrate_display_unit(r);
 
     for (unsigned i = 0; i < 3 && nominal_knows(&r->nominal, INVCAL_DELTA_X); i++) {
         const figure f = {.label = "offset error",
                           .axis = {"xyz"[i]},
-                          .value = told.scale * r->solution.x[INVCAL_DELTA_X + i],
-                          .sigma = known ? told.scale * r->quality.sigma[INVCAL_DELTA_X + i]
+                          .value = display.scale * r->solution.x[INVCAL_DELTA_X + i],
+                          .sigma = known ? display.scale * r->quality.sigma[INVCAL_DELTA_X + i]
                                          : NUMBER_UNKNOWN,
                           .nominal = NUMBER_UNKNOWN,
-                          .unit = told.unit};
+                          .unit = display.unit};
         add_figure(r, &f);
     }
 }
@@ -151,10 +151,10 @@ static void add_errors(const calibrate_result *r, int known)
  * of a µg. */
 static const char *residual_text(const calibrate_result *r, double residual, char text[TEXT_MAX])
 {
-    const told_unit told = calibrate_told_field(r);
+    const told_unit display = calibrate_display_unit(r);
     const int places = r->told == TOLD_INS ? 3 : calibrate_is_gravity(r) ? 4 : 5;
 
-    snprintf(text, TEXT_MAX, "%14.*f %s", places, told.scale * residual, told.unit);
+    snprintf(text, TEXT_MAX, "%14.*f %s", places, display.scale * residual, display.unit);
     return text;
 }
 
@@ -162,7 +162,7 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
 {
     const fit_quality *q = &r->quality;
     const told_unit noise = r->told == TOLD_INS
-                                ? calibrate_told_field(r)
+                                ? calibrate_display_unit(r)
                                 : (told_unit){r->settings.field, calibrate_field_unit(r)};
     char text[TEXT_MAX];
 
@@ -406,7 +406,7 @@ static void print_place(FILE *file, const calibrate_result *result)
 static void print_rejected(FILE *file, const calibrate_result *result)
 {
     const rejection *r = &result->rejected;
-    const told_unit told = calibrate_told_field(result);
+    const told_unit display = calibrate_display_unit(result);
     char text[FIGURE_MAX];
 
     if (rejection_drifting(r) > 0) {
@@ -430,8 +430,8 @@ static void print_rejected(FILE *file, const calibrate_result *result)
             file, 10, "%sLeft out:%s position %u (line %lu), off by %s %s",
             paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
             result->data->origin[r->list[i].position].line,
-            figure_digits(told.scale * calibrate_excess(result, r->list[i].position), 3, text),
-            told.unit);
+            figure_digits(display.scale * calibrate_excess(result, r->list[i].position), 3, text),
+            display.unit);
     }
     if (r->suspected > 0) {
         wrapped_printf(
@@ -443,7 +443,7 @@ static void print_rejected(FILE *file, const calibrate_result *result)
 
 static void print_stand(FILE *file, const calibrate_result *result)
 {
-    const told_unit unit[3] = {calibrate_told_field(result), told_scale(result->told),
+    const told_unit unit[3] = {calibrate_display_unit(result), told_scale(result->told),
                                told_angle(result->told)};
 
     if (result->stand.from) {

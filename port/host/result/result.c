@@ -64,7 +64,7 @@ const char *calibrate_field_unit(const calibrate_result *result)
     return calibrate_is_gravity(result) ? "m/s²" : "field units";
 }
 
-told_unit calibrate_told_field(const calibrate_result *result)
+told_unit calibrate_display_unit(const calibrate_result *result)
 {
     return told_field(result->told, calibrate_is_gravity(result));
 }

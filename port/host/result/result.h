@@ -170,7 +170,7 @@ const char *calibrate_field_unit(const calibrate_result *result);
 const char *calibrate_input_unit(const calibrate_result *result);
 
 /* The unit of lengths, offsets and residuals over the field in the table. */
-told_unit calibrate_told_field(const calibrate_result *result);
+told_unit calibrate_display_unit(const calibrate_result *result);
 
 /* What limits the accuracy: a sentence. Returns text. */
 #define CALIBRATE_LIMIT_MAX 400

@@ -86,12 +86,12 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
         print_slopes(file, r);
     }
     if (fit->calibration.fitted > 0 && r->quality.dof > 0 && !isnan(fit->without)) {
-        const told_unit told = calibrate_told_field(r);
+        const told_unit display = calibrate_display_unit(r);
         char without[FIGURE_MAX];
         snprintf(text, sizeof text,
                  "Nine parameters without temperature leave an rms of %s %s in the same positions, "
                  "%s times as large.",
-                 figure_digits(told.scale * fit->without, 3, without), told.unit,
+                 figure_digits(display.scale * fit->without, 3, without), display.unit,
                  figure_digits(fit->without / r->quality.rms, 3, value));
         wrapped_line(file, 0, 0, text);
     }

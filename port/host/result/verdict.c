@@ -40,17 +40,17 @@ const char *verdict_systematic(unsigned systematic)
 /* The size of the systematic error with its unit. */
 static const char *size_of(const calibrate_result *r, char text[64])
 {
-    const told_unit told = calibrate_told_field(r);
+    const told_unit display = calibrate_display_unit(r);
     char number[FIGURE_MAX];
 
-    snprintf(text, 64, "%s %s", figure_digits(told.scale * fabs(r->quality.size), 2, number),
-             told.unit);
+    snprintf(text, 64, "%s %s", figure_digits(display.scale * fabs(r->quality.size), 2, number),
+             display.unit);
     return text;
 }
 
 static void describe_drift(const calibrate_result *r, char text[VERDICT_MAX])
 {
-    const told_unit told = calibrate_told_field(r);
+    const told_unit display = calibrate_display_unit(r);
     char number[3][FIGURE_MAX];
     char size[64];
 
@@ -63,12 +63,12 @@ static void describe_drift(const calibrate_result *r, char text[VERDICT_MAX])
         return;
     }
     for (unsigned i = 0; i < 3; i++) {
-        (void)figure_digits(told.scale * r->drift[i], 2, number[i]);
+        (void)figure_digits(display.scale * r->drift[i], 2, number[i]);
     }
     snprintf(text, VERDICT_MAX,
              "the offsets drift, by %s, %s, %s %s (x, y, z) from the first position to the last. "
              "The drift is fitted: the calibration is that of the middle of the log.",
-             number[0], number[1], number[2], told.unit);
+             number[0], number[1], number[2], display.unit);
 }
 
 static void describe_bent(const calibrate_result *r, char text[VERDICT_MAX])
