@@ -30,7 +30,7 @@ gsub(/`/, "&", text) % 2 && $0 != "" { before = text " "; next }
 { print spans(names(links(text))) }
 
 # Doxygen takes a code span with a ' for a quotation, and replaces $(NAME) by the environment's. A browser would
-# break code after a hyphen: style.css keeps words with one whole, and short code too where there is space.
+# break code after a hyphen: style.css keeps words with a hyphen whole, and short code if there is space for it.
 function spans(text,    out, code, is_short, before) {
     while (match(text, /`[^`]*`/)) {
         before = substr(text, 1, RSTART - 1)
