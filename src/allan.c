@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Overlapping Allan deviation of one axis, sample by sample (NIST SP 1065, 5.2.4). The second difference of
- * running totals, x(i) - 2 x(i - m) + x(i - 2m), is m times the step from one mean of m samples to the next, so
- * no window is ever summed. Totals wrap modulo 2^64, which does no harm: the difference is exact as long as it
- * fits 63 bits.
+ * Overlapping Allan deviation of one axis, sample by sample (NIST SP 1065, 5.2.4). The second
+ * difference of running totals, x(i) - 2 x(i - m) + x(i - 2m), is m times the step from one mean of
+ * m samples to the next, so no window is ever summed. Totals wrap modulo 2^64, which does no harm:
+ * the difference is exact as long as it fits 63 bits.
  *
- * Each averaging time has its own ring of totals, one at every 2^t-th sample: its size does not depend on m.
- * Squares of 63 bits need a sum of 128, written in halves, since C99 has no such type.
+ * Each averaging time has its own ring of totals, one at every 2^t-th sample: its size does not
+ * depend on m. Squares of 63 bits need a sum of 128, written in halves, since C99 has no such type.
  */
 #include "invcal/allan.h"
 
@@ -59,7 +59,7 @@ static invcal_real root_mean(const invcal_allan_tau *sum)
     return TWO_32 * INVCAL_SQRT(total / (2 * (invcal_real)sum->count));
 }
 
-/* ---- averaging times --------------------------------------------------------------------------- */
+/* ---- averaging times ------------------------------------------------------------------------- */
 
 /* t of an averaging time: the smallest, from `t` on, whose ring reaches back 2 m. */
 static unsigned stage(uint32_t m, unsigned t)
@@ -148,8 +148,8 @@ void invcal_allan_push(invcal_allan *allan, int32_t raw)
     }
 }
 
-/* Counts samples from 0 again. Only the total at 0 is entered: the first difference ends 2 lag totals later,
- * and all those after it reach back to new totals. */
+/* Counts samples from 0 again. Only the total at 0 is entered: the first difference ends 2 lag
+ * totals later, and all those after it reach back to new totals. */
 void invcal_allan_gap(invcal_allan *allan)
 {
     INVCAL_ASSERT(allan);
@@ -159,10 +159,10 @@ void invcal_allan_gap(invcal_allan *allan)
     }
 }
 
-/* ---- the result for one -------------------------------------------------------------------------- */
+/* ---- the result for one ---------------------------------------------------------------------- */
 
-/* edf of white noise by NIST SP 1065, table 5, as in allan.h, with lag as m'. Without a gap, `count`
- * differences over 2 lag use count + 2 lag totals. */
+/* edf of white noise by NIST SP 1065, table 5, as in allan.h, with lag as m'. Without a gap,
+ * `count` differences over 2 lag use count + 2 lag totals. */
 static invcal_real freedom(invcal_real lag, invcal_real count)
 {
     const invcal_real n = count + 2 * lag; /* totals */

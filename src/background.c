@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Calibration of a device in use (mathematics_programs.md, "Guidance"): the detector and table of a session,
- * but a position stays only if it adds information. Its worth is its leverage h K h' among all positions kept:
- * each new one changes K, so all are weighed again when a rest is taken, and never in between.
+ * Calibration of a device in use (mathematics_programs.md, "Guidance"): the detector and table of a
+ * session, but a position stays only if it adds information. Its worth is its leverage h K h' among
+ * all positions kept: each new one changes K, so all are weighed again when a rest is taken, and
+ * never in between.
  */
 #include <string.h>
 
@@ -36,8 +37,8 @@ static void drop_position(invcal_background *b, unsigned i)
     }
 }
 
-/* Refuses the last position if it adds little. If the table is full, drops the least informative one, by
- * its share of det H'H, an old one before a new one. Returns the event for the new one. */
+/* Refuses the last position if it adds little. If the table is full, drops the least informative
+ * one, by its share of det H'H, an old one before a new one. Returns the event for the new one. */
 INVCAL_APART static invcal_event sift(invcal_background *b)
 {
     invcal_session *session = &b->session;

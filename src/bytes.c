@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The frame of all records: integers and binary32 reals, the least significant byte first, closed by a CRC-32
- * (store.h, "the record of a calibration"). Values are shifted into bytes one by one, so neither byte order nor
- * alignment of the machine matters; reals go through float, whatever invcal_real is.
+ * The frame of all records: integers and binary32 reals, the least significant byte first, closed
+ * by a CRC-32 (store.h, "the record of a calibration"). Values are shifted into bytes one by one,
+ * so neither byte order nor alignment of the machine matters; reals go through float, whatever
+ * invcal_real is.
  */
 #include "bytes.h"
 

@@ -48,8 +48,8 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count);
 uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count);
 #define INVCAL_CRC_RESIDUE UINT32_C(0x2144DF1C) /* of anything followed by its own CRC-32 */
 
-/* Records have a frame: kind, version, length (16 bits), the content, and at the end of the length the
- * CRC of all before it. */
+/* Records have a frame: kind, version, length (16 bits), the content, and at the end of the length
+ * the CRC of all before it. */
 enum { INVCAL_CRC_SIZE = 4 };
 enum {
     INVCAL_RECORD_KIND = 0x02CA, /* version and kind */
@@ -60,7 +60,8 @@ enum {
 };
 void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length);
 
-/* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for sound bytes of another kind or version. */
+/* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for sound bytes of another kind or
+ * version. */
 invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, unsigned kind);
 
 /* The matrix of a record of version 1, which is in the unit of its field. */

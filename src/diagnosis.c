@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * One round of the choice between outliers and systematic errors (mathematics_judgement.md,
- * "Choosing between hypotheses"). outliers.c proposes a group, systematic.c tests the four kinds of systematic
- * error, both against the same fit. The result is a group to leave out, the name of an error, a verdict of
- * rough, or nothing.
+ * "Choosing between hypotheses"). outliers.c proposes a group, systematic.c tests the four kinds of
+ * systematic error, both against the same fit. The result is a group to leave out, the name of an
+ * error, a verdict of rough, or nothing.
  *
- * Before two or more positions are left out, a drift and a step must be ruled out: either makes good positions
- * look like outliers, and without those a wrong calibration would look good.
+ * Before two or more positions are left out, a drift and a step must be ruled out: either makes
+ * good positions look like outliers, and without those a wrong calibration would look good.
  */
 #include "diagnosis.h"
 
@@ -16,8 +16,8 @@
 #include "systematic.h"
 #include "vector.h"
 
-/* Levels and ratios of mathematics_judgement.md: "Chance", "Choosing between hypotheses" and, for SHOWN, which
- * is 1 / 1.5^2, "What cannot be tested". */
+/* Levels and ratios of mathematics_judgement.md: "Chance", "Choosing between hypotheses" and, for
+ * SHOWN, which is 1 / 1.5^2, "What cannot be tested". */
 #define SIGNIFICANT INVCAL_REAL(0.002)
 #define UNSTATED INVCAL_REAL(0.004) /* the same, if no noise is stated */
 #define NAMEABLE INVCAL_REAL(0.02)  /* of the residuals alone */
@@ -59,8 +59,8 @@ static int is_clearer(const diagnosis *d, const invcal_test *t, invcal_real own)
     return own <= NAMEABLE && t->squares < d->best.squares;
 }
 
-/* Significant by the stated noise or by the residuals alone: then the verdict is no longer good. A name needs
- * the latter, since the noise may be stated too small. */
+/* Significant by the stated noise or by the residuals alone: then the verdict is no longer good. A
+ * name needs the latter, since the noise may be stated too small. */
 static void try_kind(const invcal_fit *fit, diagnosis *d, unsigned kind)
 {
     const invcal_real level = fit->positions.noise > 0 ? SIGNIFICANT : UNSTATED;
@@ -98,8 +98,8 @@ static void try_kinds(const invcal_fit *fit, diagnosis *d)
     }
 }
 
-/* A systematic error, or a step, may look like two or more outliers. Each test may lower d->least; with that of
- * the four kinds it is then what the best rival of the group leaves. */
+/* A systematic error, or a step, may look like two or more outliers. Each test may lower d->least;
+ * with that of the four kinds it is then what the best rival of the group leaves. */
 static int is_ambiguous(const invcal_fit *fit, diagnosis *d, const invcal_group *g)
 {
     const unsigned n = fit->positions.count;

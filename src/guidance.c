@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * The next direction to take: greedy D-optimal design over the 26 directions of a cube
- * (mathematics_programs.md, "Guidance"). One more row h multiplies det H'H by 1 + h K h', so the largest
- * leverage wins. A small ridge on H'H makes K finite from the first position on; refusal.c and background.c use
- * the same ridge.
+ * (mathematics_programs.md, "Guidance"). One more row h multiplies det H'H by 1 + h K h', so the
+ * largest leverage wins. A small ridge on H'H makes K finite from the first position on; refusal.c
+ * and background.c use the same ridge.
  */
 #include "guidance.h"
 
@@ -40,7 +40,7 @@ int invcal_direction(unsigned n, invcal_real up[3])
     return 1;
 }
 
-/* ---- information ------------------------------------------------------------------------------ */
+/* ---- information ----------------------------------------------------------------------------- */
 
 invcal_real invcal_ridged_inverse(invcal_sums *sums)
 {
@@ -58,8 +58,8 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
     return ridge;
 }
 
-/* The direction with the most information; of equals the closest to the current one, but not the same
- * again. */
+/* The direction with the most information; of equals the closest to the current one, but not the
+ * same again. */
 void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
 {
     const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current) + NO_LENGTH);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Finds exchanged or reversed axes of a gyroscope after a solution was refused (mathematics_imu.md, "Verdict").
- * M is an argument of the integration of segments, so each mounting costs one pass over the equations, without
- * an unknown and without a sample.
+ * Finds exchanged or reversed axes of a gyroscope after a solution was refused (mathematics_imu.md,
+ * "Verdict"). M is an argument of the integration of segments, so each mounting costs one pass over
+ * the equations, without an unknown and without a sample.
  */
 #include "imu.h"
 #include "rotation.h"
@@ -14,8 +14,8 @@
 #define STUCK INVCAL_REAL(1e-4)  /* an axis with a smaller share of all squares never turns */
 enum { SIGNS = 8, ORDERS = 6, WAYS = SIGNS * ORDERS, LEAST_TURNS = 2 };
 
-/* Sets M to way k of 48: row i has one element, at of[i]. Half of them are mirror images, as after a single
- * wrong sign. */
+/* Sets M to way k of 48: row i has one element, at of[i]. Half of them are mirror images, as after
+ * a single wrong sign. */
 static void set_way(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axes[3])
 {
     const unsigned order = k / SIGNS;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Turns a stream of gyroscope samples into segments of moves (mathematics_imu.md, "Segments"). Whether the
- * device was at rest is known only when the detector of the accelerometer reports it, up to seven blocks of
- * 1/8 s later. So the newest segments wait as they are, then each is merged into its move, or added to the
- * bias of a rest and dropped once that is taken.
+ * Turns a stream of gyroscope samples into segments of moves (mathematics_imu.md, "Segments").
+ * Whether the device was at rest is known only when the detector of the accelerometer reports it,
+ * up to seven blocks of 1/8 s later. So the newest segments wait as they are, then each is merged
+ * into its move, or added to the bias of a rest and dropped once that is taken.
  *
- * segment[]: 0 ... first - 1 of complete moves; to fixed - 1 of the current one, merged; to used - 1 still
- * waiting.
+ * segment[]: 0 ... first - 1 of complete moves; to fixed - 1 of the current one, merged; to used -
+ * 1 still waiting.
  */
 #include <stddef.h>
 
@@ -29,10 +29,10 @@ enum {
     SPOILT = INT16_MIN /* v[0] of an unusable segment; kappa[0] is the reason */
 };
 
-/* ---- rotations ---------------------------------------------------------------------------------- */
+/* ---- rotations ------------------------------------------------------------------------------- */
 
-/* The rotation rho, then th, as one rotation vector: Baker-Campbell-Hausdorff to fourth order, accurate to
- * 1e-6 for the 20 degrees of a segment. */
+/* The rotation rho, then th, as one rotation vector: Baker-Campbell-Hausdorff to fourth order,
+ * accurate to 1e-6 for the 20 degrees of a segment. */
 static INVCAL_OFTEN void turn(invcal_real rho[3], const invcal_real th[3])
 {
     const invcal_real k = INVCAL_REAL(0.5) + invcal_dot3(rho, th) / 24;
@@ -52,7 +52,7 @@ static INVCAL_OFTEN void turn(invcal_real rho[3], const invcal_real th[3])
     }
 }
 
-/* ---- segments ----------------------------------------------------------------------------------- */
+/* ---- segments -------------------------------------------------------------------------------- */
 
 /* Rounds x. Returns 0 if it is too large. */
 static int pack(invcal_real x, int16_t *out)
@@ -67,7 +67,8 @@ static int pack(invcal_real x, int16_t *out)
     return 0;
 }
 
-/* Packs v and the coning kappa = rho - v: from these two the segment can be integrated again with another M.
+/* Packs v and the coning kappa = rho - v: from these two the segment can be integrated again with
+ * another M.
  * Returns 0 if either is too large. */
 static int pack_segment(const invcal_real rho[3], const invcal_real v[3], invcal_segment *out)
 {
@@ -137,8 +138,9 @@ static void find_fault(invcal_moves *m, unsigned status)
     }
 }
 
-/* Closes the current segment. Its rounding error is carried to the next. If the table is full, the oldest segment
- * that is not merged is lost, and with it the moves to which that one and this one belong. */
+/* Closes the current segment. Its rounding error is carried to the next. If the table is full, the
+ * oldest segment that is not merged is lost, and with it the moves to which that one and this one
+ * belong. */
 INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 {
     if (m->used >= INVCAL_MAX_SEGMENTS && m->fixed < INVCAL_MAX_SEGMENTS) {
@@ -172,7 +174,7 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
     m->spoilt = INVCAL_OK;
 }
 
-/* ---- rests and moves ---------------------------------------------------------------------------- */
+/* ---- rests and moves ------------------------------------------------------------------------- */
 
 /* The device is not at rest. */
 INVCAL_APART static void forget_rest(invcal_moves *m)
@@ -205,8 +207,8 @@ static void add_still(invcal_moves *m, const invcal_segment *s)
     }
 }
 
-/* Decides about the oldest segment that is not merged. It is kept even if it belongs to a rest, since the rest may
- * yet be refused. */
+/* Decides about the oldest segment that is not merged. It is kept even if it belongs to a rest,
+ * since the rest may yet be refused. */
 static void settle(invcal_moves *m, int is_rest)
 {
     invcal_segment *s = &m->segment[m->fixed];
@@ -238,8 +240,8 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
     }
 }
 
-/* From now on the bias of the first rest is subtracted from v. The newest blocks still contain it. They are at
- * rest, so they can be dropped. */
+/* From now on the bias of the first rest is subtracted from v. The newest blocks still contain it.
+ * They are at rest, so they can be dropped. */
 static void subtract(invcal_moves *m)
 {
     const invcal_real pace = m->rate / (invcal_real)m->still_samples;
@@ -321,7 +323,7 @@ void invcal_moves_restart(invcal_moves *m)
     m->fault = m->count > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
 }
 
-/* ---- public functions --------------------------------------------------------------------------- */
+/* ---- public functions ------------------------------------------------------------------------ */
 
 invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *nominal,
                                 invcal_real rate)

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * The noise model of an Allan deviation, and the dwell for a target sigma (mathematics_programs.md,
- * "How long to stay"). adev^2 is linear in N^2, B^2, K^2, so least squares finds them. None may be negative:
- * with three kinds there are only seven sets, so all are tried, and no method for inequalities is needed.
+ * "How long to stay"). adev^2 is linear in N^2, B^2, K^2, so least squares finds them. None may be
+ * negative: with three kinds there are only seven sets, so all are tried, and no method for
+ * inequalities is needed.
  */
 #include "invcal/allan.h"
 #include "sums.h"
@@ -127,8 +128,8 @@ static void leave_out(const equations *e, unsigned kinds, invcal_real *a)
     }
 }
 
-/* The solution for one set of kinds becomes the best model so far, if it is determined, no square is
- * negative, and its residual sum of squares is below `min` by more than rounding. */
+/* The solution for one set of kinds becomes the best model so far, if it is determined, no square
+ * is negative, and its residual sum of squares is below `min` by more than rounding. */
 static void try_set(const equations *e, unsigned kinds, invcal_real *min, mixture *best)
 {
     const invcal_real rounding = 8 * INVCAL_EPSILON * e->a[INVCAL_PACKED(KINDS, KINDS)];
@@ -200,8 +201,8 @@ static invcal_real misfit(const curve *c, const mixture *x)
     return INVCAL_SQRT(sum / (invcal_real)c->count);
 }
 
-/* Drops insignificant kinds, one by one, as long as the others explain the curve. The fit without one begins at
- * the weights of the fit with it. */
+/* Drops insignificant kinds, one by one, as long as the others explain the curve. The fit without
+ * one begins at the weights of the fit with it. */
 static void fit_visible(const curve *c, mixture *x)
 {
     mixture fewer;
@@ -268,9 +269,9 @@ invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau)
     return INVCAL_SQRT(sum);
 }
 
-/* Where a / T + b + c T = 1, in units of the wanted variance: the smaller root of c T^2 - (1 - b) T + a, or, if
- * there is none, the minimum: sqrt(a / c), or without random walk 5 % above the floor. The root is in the form
- * that does not cancel, and allows c = 0. */
+/* Where a / T + b + c T = 1, in units of the wanted variance: the smaller root of c T^2 - (1 - b) T
+ * + a, or, if there is none, the minimum: sqrt(a / c), or without random walk 5 % above the floor.
+ * The root is in the form that does not cancel, and allows c = 0. */
 static invcal_real time_of(const invcal_noise *noise, invcal_real sigma)
 {
     invcal_real term[KINDS];

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Accepts or refuses a calibration as nominal. Every solver checks its result in the same way (invcal_behind),
- * so each result may be stored, or be the nominal of the next calibration.
+ * Accepts or refuses a calibration as nominal. Every solver checks its result in the same way
+ * (invcal_behind), so each result may be stored, or be the nominal of the next calibration.
  */
 #include "solve.h"
 #include "vector.h"
 
-/* Within these limits a product of three scales (1e-30 ... 1e30) and the square of a zero (1e36) stay in the
- * range of float. */
+/* Within these limits a product of three scales (1e-30 ... 1e30) and the square of a zero (1e36)
+ * stay in the range of float. */
 #define SMALLEST INVCAL_REAL(1e-10)     /* over field per count; the largest is its inverse */
 #define FARTHEST_ZERO INVCAL_REAL(1e18) /* zero, over field */
 

@@ -23,8 +23,8 @@ static inline invcal_real invcal_thermal_scaled(const invcal_thermal *thermal,
 invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
                                    invcal_calibration *triad);
 
-/* t of a temperature, or of the end of the range seen if it is outside. INVCAL_BAD_TEMPERATURE if it
- * is not finite. */
+/* t of a temperature, or of the end of the range seen if it is outside. INVCAL_BAD_TEMPERATURE if
+ * it is not finite. */
 invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
                                   invcal_real *t, invcal_thermal_place *place);
 

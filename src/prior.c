@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Calibration with a prior, and by six faces, which is a prior on the angles (mathematics.md, "Prior"). Each
- * known parameter is one more row, noise / sigma p(r) = 0, which only adds to the diagonal of H'H.
+ * Calibration with a prior, and by six faces, which is a prior on the angles (mathematics.md,
+ * "Prior"). Each known parameter is one more row, noise / sigma p(r) = 0, which only adds to the
+ * diagonal of H'H.
  *
- * The weight of these rows needs the noise of the positions, and the residuals may show more than was stated.
- * So everything is solved twice, the second time with the noise of the first.
+ * The weight of these rows needs the noise of the positions, and the residuals may show more than
+ * was stated. So everything is solved twice, the second time with the noise of the first.
  */
 #include <string.h>
 
@@ -14,8 +15,8 @@
 
 enum { SYSTEM = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1) };
 
-/* What is known beforehand: parameter r is 0 with standard deviation sigma[r]; 0: nothing. And the result
- * with the positions. */
+/* What is known beforehand: parameter r is 0 with standard deviation sigma[r]; 0: nothing. And the
+ * result with the positions. */
 typedef struct {
     const invcal_real *sigma;
     invcal_real widest;   /* of them */
@@ -58,8 +59,9 @@ static invcal_real row_of(const update *prior, unsigned r)
     return ratio * ratio;
 }
 
-/* Positions and prior to L. If the positions alone leave parameters open, the noise is raised until the
- * prior just exceeds rounding of the largest sums: with less, rounding errors would count as data. */
+/* Positions and prior to L. If the positions alone leave parameters open, the noise is raised until
+ * the prior just exceeds rounding of the largest sums: with less, rounding errors would count as
+ * data. */
 static invcal_status factor_with(const invcal_real *of_positions, update *prior,
                                  invcal_real l[SYSTEM])
 {
@@ -98,9 +100,9 @@ static invcal_status solve_with(const invcal_positions *positions, update *prior
     return invcal_ellipsoid(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], l, triad);
 }
 
-/* Of the second pass. Of a parameter, 1 - K(r,r) noise^2 / sigma^2 is what the data had to determine: only that
- * costs degrees of freedom, and below 1/2 it is from the prior. Its sigma is at most that of the prior, except
- * for rounding. */
+/* Of the second pass. Of a parameter, 1 - K(r,r) noise^2 / sigma^2 is what the data had to
+ * determine: only that costs degrees of freedom, and below 1/2 it is from the prior. Its sigma is
+ * at most that of the prior, except for rounding. */
 static invcal_status judge_with(const invcal_real *information, update *prior,
                                 invcal_real l[SYSTEM], const invcal_real a[3][3])
 {
@@ -231,8 +233,8 @@ invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
     return status;
 }
 
-/* A stated sigma needs no Student's t, and neither does gravity: so it joins that, with the mean squares of h
- * as in invcal_accuracy. */
+/* A stated sigma needs no Student's t, and neither does gravity: so it joins that, with the mean
+ * squares of h as in invcal_accuracy. */
 invcal_real invcal_accuracy_held(const invcal_quality *quality, uint16_t held, invcal_real gravity)
 {
     static const invcal_real share[3] = {INVCAL_REAL(1.0) / 3, INVCAL_REAL(0.2),

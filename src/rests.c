@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Finds rests in a stream of raw samples (mathematics.md, "From samples to positions"), in integers. Per
- * sample: add_small or add_any. Per block of about 1/8 s: decide, which measures its variance and mean, judges
- * them against the noise and place of the rest, and lets the rest agree or disagree; then its event, if any, is
- * announced.
+ * Finds rests in a stream of raw samples (mathematics.md, "From samples to positions"), in
+ * integers. Per sample: add_small or add_any. Per block of about 1/8 s: decide, which measures its
+ * variance and mean, judges them against the noise and place of the rest, and lets the rest agree
+ * or disagree; then its event, if any, is announced.
  *
- * Block means count from `origin`, in 1/1024 count: so they fit 32 bits wherever in the range of int32 the rest
- * is.
+ * Block means count from `origin`, in 1/1024 count: so they fit 32 bits wherever in the range of
+ * int32 the rest is.
  */
 #include "invcal/expert.h"
 
@@ -17,7 +17,8 @@
 /* Every constant is a time, a ratio or a probability; none has a unit of the sensor.
  *
  * Distances and noise are squared, and summed over the three axes, throughout. They are compared as
- * levels, logarithms to base 2: a factor becomes a difference, and 16 bits hold the range of int32. */
+ * levels, logarithms to base 2: a factor becomes a difference, and 16 bits hold the range of
+ * int32. */
 #define OCTAVE 128            /* a factor of 2 */
 #define ONE (32 * OCTAVE)     /* the level of 1 count^2 */
 #define NONE 0                /* not known yet: less than any level */
@@ -74,7 +75,8 @@ enum {
 #define SHORTEST UINT32_C(163578)   /* seconds that make a position, 1/2^18: 0.624 */
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
-/* The last event of the rest, besides the reasons for REFUSED: READY; none; TAKEN by the newest block. */
+/* The last event of the rest, besides the reasons for REFUSED: READY; none; TAKEN by the newest
+ * block. */
 enum { HELD = INVCAL_OK, SETTLING = INVCAL_STATUS_COUNT, LEFT = INVCAL_STATUS_COUNT + 1 };
 
 /* Bits of flags, and of `seen`, which is the newest block's. */
@@ -86,8 +88,8 @@ enum {
     ALL_CHANGED = 7 * CHANGED
 };
 
-/* If the compiler optimises for size, all samples are added the slow way, which takes three times as long;
- * and COMPACT functions are not inlined. */
+/* If the compiler optimises for size, all samples are added the slow way, which takes three times
+ * as long; and COMPACT functions are not inlined. */
 #ifdef __OPTIMIZE_SIZE__
 #define QUICK 0
 #define COMPACT INVCAL_APART
@@ -96,7 +98,7 @@ enum {
 #define COMPACT
 #endif
 
-/* ---- numbers ------------------------------------------------------------------------------ */
+/* ---- numbers --------------------------------------------------------------------------------- */
 
 static int larger(int a, int b)
 {
@@ -206,7 +208,7 @@ INVCAL_APART static void mark_place(invcal_rests *s)
     }
 }
 
-/* ---- a block ------------------------------------------------------------------------------ */
+/* ---- a block --------------------------------------------------------------------------------- */
 
 /* After motion 0.5 s of quiet blocks are skipped: half the min of a position, rounded up, and the
  * one that may have begun in motion. */
@@ -239,8 +241,8 @@ static void drop(invcal_rests *s)
     s->span = 0;
 }
 
-/* Differences are to the first sample. The fast sum is for a first sample far from the rails, with the
- * quantum known. */
+/* Differences are to the first sample. The fast sum is for a first sample far from the rails, with
+ * the quantum known. */
 static void begin(invcal_rests *s, const int32_t raw[3])
 {
     if (s->stage == LEFT) {
@@ -260,7 +262,8 @@ static void begin(invcal_rests *s, const int32_t raw[3])
     }
 }
 
-/* Any sample: the first of a block, one far from it or near a rail, or one that may reduce the quantum. */
+/* Any sample: the first of a block, one far from it or near a rail, or one that may reduce the
+ * quantum. */
 INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
 {
     if (s->missing == 0) {
@@ -306,8 +309,9 @@ static int add_small(invcal_rests *s, const int32_t raw[3])
     return 1;
 }
 
-/* The block's mean, from its first sample, and instead of the squares its variance, 1/2^20 counts^2,
- * without n / (n - 1). Integers, so nothing cancels, and it is never below 0: Cauchy and Schwarz. */
+/* The block's mean, from its first sample, and instead of the squares its variance, 1/2^20
+ * counts^2, without n / (n - 1). Integers, so nothing cancels, and it is never below 0: Cauchy and
+ * Schwarz. */
 static void measure(invcal_rests *s)
 {
     const unsigned up = 2 * FINE - s->bits; /* 10 to 18 */
@@ -325,7 +329,7 @@ static void measure(invcal_rests *s)
     s->square = ((uint64_t)(high << up | low >> (32 - up)) << 32 | low << up) - square;
 }
 
-/* ---- learning from the stream ------------------------------------------------------------- */
+/* ---- learning from the stream ---------------------------------------------------------------- */
 
 /* That of 1/2 count until it is known. */
 static int quantum_level(const invcal_rests *s)
@@ -348,9 +352,10 @@ COMPACT static int follow(int level, int x)
     return larger(x, level - FALL);
 }
 
-/* A block is compared with the noise so far, at least that hidden by the quantum, and a quiet one updates
- * it. A block with far less noise, so that there was motion before, sets the level and restarts the rest;
- * but once there are enough blocks for a position, a single one changes little. */
+/* A block is compared with the noise so far, at least that hidden by the quantum, and a quiet one
+ * updates it. A block with far less noise, so that there was motion before, sets the level and
+ * restarts the rest; but once there are enough blocks for a position, a single one changes
+ * little. */
 static void learn_noise(invcal_rests *s, int level, int hidden)
 {
     int noise = larger(s->noise, hidden);
@@ -382,10 +387,10 @@ static void learn_new_noise(invcal_rests *s, int level, int jump)
     }
 }
 
-/* ---- the trend of a rest ------------------------------------------------------------------ */
+/* ---- the trend of a rest --------------------------------------------------------------------- */
 
-/* The mean from origin, which without a rest moves to it, in whole counts. Returns the distance of the
- * block from the trend of the rest, which may drift slowly. */
+/* The mean from origin, which without a rest moves to it, in whole counts. Returns the distance of
+ * the block from the trend of the rest, which may drift slowly. */
 static int locate(invcal_rests *s)
 {
     int32_t d[3];
@@ -417,8 +422,8 @@ static uint32_t blocks_of(const invcal_rests *s)
 /* The rest has one more block: the oldest one held back is safe now, since no motion followed it.
  *
  * Brown's double exponential smoothing: an exponential mean, and the exponential mean of that. On a
- * slope the first lags, the second lags again: that lag gives the slope. The first blocks have nearly
- * equal weights. */
+ * slope the first lags, the second lags again: that lag gives the slope. The first blocks have
+ * nearly equal weights. */
 COMPACT static void add_block(invcal_rests *s)
 {
     const unsigned fade = (unsigned)smaller(top_of(2 * blocks_of(s) + 1), FADE);
@@ -443,13 +448,14 @@ COMPACT static void add_block(invcal_rests *s)
     }
 }
 
-/* Does the rest drift? The slope must be significant against noise and a hand's wander, and fast, for
- * the noise and for the reach: a sensor that warms up is slower.
+/* Does the rest drift? The slope must be significant against noise and a hand's wander, and fast,
+ * for the noise and for the reach: a sensor that warms up is slower.
  *
  * On a slope of one per block the lag is g: 15 in the end, and a quarter of the number of blocks,
- * within 20 %, until then. If block means scatter by v, the variance of the slope b is v / (5.5 g^3),
- * within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) above b^2 g^3 = 8 / 5.5 v. The
- * wander includes the slope, up to 8 b^2 before the trend is known: so an eighth of it counts as v. */
+ * within 20 %, until then. If block means scatter by v, the variance of the slope b is v / (5.5
+ * g^3), within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) above b^2 g^3 = 8 /
+ * 5.5 v. The wander includes the slope, up to 8 b^2 before the trend is known: so an eighth of it
+ * counts as v. */
 static int is_drifting(const invcal_rests *s)
 {
     const int g = octaves(smaller(blocks_of(s), 60)) - 2 * OCTAVE;
@@ -461,7 +467,7 @@ static int is_drifting(const invcal_rests *s)
            speed > larger(s->noise + NOISE_PER_SECOND, s->reach + REACH_PER_SECOND);
 }
 
-/* ---- events of a rest --------------------------------------------------------------------- */
+/* ---- events of a rest ------------------------------------------------------------------------ */
 
 /* Has nothing ever changed, or one axis not, although the others are too noisy for that? */
 static int is_stuck(const invcal_rests *s)
@@ -540,10 +546,10 @@ static invcal_event announce(invcal_rests *s)
     return say(s, why, why == INVCAL_OK ? INVCAL_READY : INVCAL_REFUSED);
 }
 
-/* ---- decisions ---------------------------------------------------------------------------- */
+/* ---- decisions ------------------------------------------------------------------------------- */
 
-/* A knock passes, motion does not; another place is quiet, but elsewhere. After a shock blocks are not
- * trusted at once, nor after any motion as long as there is no position. */
+/* A knock passes, motion does not; another place is quiet, but elsewhere. After a shock blocks are
+ * not trusted at once, nor after any motion as long as there is no position. */
 INVCAL_APART static invcal_event disagree(invcal_rests *s, int is_quiet, int excess)
 {
     if (excess > HARD || (!is_quiet && s->blocks < s->least)) {
@@ -587,7 +593,8 @@ static void look_for(invcal_rests *s)
     s->reach = (int16_t)larger(s->reach, distance_from_place(s));
 }
 
-/* The block is alive. Returns by how much it exceeds the limits of the rest, and whether it is quiet. */
+/* The block is alive. Returns by how much it exceeds the limits of the rest, and whether it is
+ * quiet. */
 static int judge(invcal_rests *s, int quantum, int *is_quiet)
 {
     const int level = larger(level_of(s->square), quantum + HIDDEN);
@@ -638,7 +645,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
     return excess <= 0 ? agree(s) : disagree(s, is_quiet, excess);
 }
 
-/* ---- sums and means ----------------------------------------------------------------------- */
+/* ---- sums and means -------------------------------------------------------------------------- */
 
 static int is_readable(const invcal_rests *s)
 {
@@ -661,7 +668,7 @@ static invcal_real as_real(uint64_t x)
     return (invcal_real)(uint32_t)(x >> 32) * INVCAL_REAL(4294967296.0) + (invcal_real)(uint32_t)x;
 }
 
-/* ---- public functions --------------------------------------------------------------------- */
+/* ---- public functions ------------------------------------------------------------------------ */
 
 invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
 {

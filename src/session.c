@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The whole procedure as one state: rests from samples (rests.c), their means in a table, the next direction
- * (guidance.c), and the calibration (judged.c). Positions are kept one by one, not as sums, since the judgement
- * needs each of them again. Feeding a sample never solves, so its cost is bounded.
+ * The whole procedure as one state: rests from samples (rests.c), their means in a table, the next
+ * direction (guidance.c), and the calibration (judged.c). Positions are kept one by one, not as
+ * sums, since the judgement needs each of them again. Feeding a sample never solves, so its cost is
+ * bounded.
  */
 #include <stddef.h>
 #include <string.h>
@@ -22,7 +23,7 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 #define HEAD ((uint32_t)offsetof(invcal_session, mean))
 #define LAYOUT (UINT32_C(0x5E040000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
 
-/* ---- settings --------------------------------------------------------------------------------- */
+/* ---- settings -------------------------------------------------------------------------------- */
 
 /* Called before any other write to the session; writes only on success. */
 INVCAL_APART static invcal_status begin_stream(invcal_session *session,
@@ -100,7 +101,7 @@ void invcal_session_hold(invcal_session *session, uint32_t milliseconds)
     invcal_rests_hold(&session->rests, milliseconds);
 }
 
-/* ---- after a reset ----------------------------------------------------------------------------- */
+/* ---- after a reset --------------------------------------------------------------------------- */
 
 uint32_t invcal_session_size(const invcal_session *session)
 {
@@ -130,7 +131,7 @@ invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
     return status;
 }
 
-/* ---- samples ---------------------------------------------------------------------------------- */
+/* ---- samples --------------------------------------------------------------------------------- */
 
 /* The reading of the rest that is READY or was just TAKEN. */
 INVCAL_APART static invcal_status read_rest(const invcal_session *session, invcal_row *row)
@@ -195,7 +196,7 @@ invcal_event invcal_session_finish(invcal_session *session)
     return digest(session, invcal_rests_finish(&session->rests));
 }
 
-/* ---- instructions ----------------------------------------------------------------------------- */
+/* ---- instructions ---------------------------------------------------------------------------- */
 
 unsigned invcal_session_progress(const invcal_session *session)
 {
@@ -266,7 +267,7 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
     return is_known && invcal_dot3(row.h, up) >= CLOSE * INVCAL_SQRT(invcal_dot3(row.h, row.h));
 }
 
-/* ---- the result ------------------------------------------------------------------------------- */
+/* ---- the result ------------------------------------------------------------------------------ */
 
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality)

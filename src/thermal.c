@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The calibration at a temperature: X(t) is a polynomial, and A = (I + S)^-1 follows from it in closed form
- * (mathematics.md, "Temperature"). A itself is not interpolated: it is X that is linear in temperature.
+ * The calibration at a temperature: X(t) is a polynomial, and A = (I + S)^-1 follows from it in
+ * closed form (mathematics.md, "Temperature"). A itself is not interpolated: it is X that is linear
+ * in temperature.
  */
 #include "polynomials.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Encodes and decodes a calibration of temperature: the record of that at the reference (record.c), complete
- * with its own CRC, then the polynomials. The two must agree. Only lengths are compared, since the frame of the
- * record may have been turned.
+ * Encodes and decodes a calibration of temperature: the record of that at the reference (record.c),
+ * complete with its own CRC, then the polynomials. The two must agree. Only lengths are compared,
+ * since the frame of the record may have been turned.
  */
 #include <stddef.h>
 
@@ -26,7 +26,8 @@ static unsigned count_reals(unsigned degree)
     return BEFORE_X + (degree + 1) * INVCAL_PARAMETERS;
 }
 
-/* Element (j, k) of M'M: with the offset it gives all lengths, for any rotation of the calibration. */
+/* Element (j, k) of M'M: with the offset it gives all lengths, for any rotation of the
+ * calibration. */
 static invcal_real gram(const invcal_calibration *c, unsigned j, unsigned k)
 {
     return c->matrix[0][j] * c->matrix[0][k] + c->matrix[1][j] * c->matrix[1][k] +

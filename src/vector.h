@@ -10,8 +10,8 @@
 
 #include "invcal/invcal.h"
 
-/* Short loops of known length are unrolled if the compiler optimises for speed, none if it optimises
- * for size. */
+/* Short loops of known length are unrolled if the compiler optimises for speed, none if it
+ * optimises for size. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define INVCAL_FAST
 #define INVCAL_UNROLL _Pragma("GCC unroll 64")
@@ -27,8 +27,8 @@
 #define INVCAL_IN_HEADER inline
 #endif
 
-/* Not inline: for a function whose frame should not lie under its caller's other callees, or that takes
- * less code as a call. */
+/* Not inline: for a function whose frame should not lie under its caller's other callees, or that
+ * takes less code as a call. */
 #ifdef __GNUC__
 #define INVCAL_APART __attribute__((noinline))
 #else

@@ -7,15 +7,15 @@
  *     calibrate     from an array of position means
  *     session       the whole procedure: samples in, instructions for the user out
  *
- * Further headers: store.h (what survives a reset), thermal.h (temperature), allan.h (noise), plan.h
- * (programs for a stand), expert.h (the steps one by one, and rarely needed options).
+ * Further headers: store.h (what survives a reset), thermal.h (temperature), allan.h (noise),
+ * plan.h (programs for a stand), expert.h (the steps one by one, and rarely needed options).
  *
  * The sensor. A triad at rest in a field of length 1, in orientation eta, reads
  *
  *     u = (I + S) eta + delta + noise,
  *
- * where u is the raw reading after the nominal calibration of the data sheet, and S = diag(dk) + the
- * symmetric cross terms gamma / 2. So all readings lie on an ellipsoid, and a dozen of them
+ * where u is the raw reading after the nominal calibration of the data sheet, and S = diag(dk) +
+ * the symmetric cross terms gamma / 2. So all readings lie on an ellipsoid, and a dozen of them
  * determine its nine parameters (mathematics.md, "The sensor").
  *
  * Units. A reading is in *raw* counts, as the sensor delivers it, or *over field*: in units of the
@@ -44,7 +44,7 @@
 extern "C" {
 #endif
 
-/* ---- build options ----------------------------------------------------------------------------
+/* ---- build options ------------------------------------------------------------------------------
  *
  * All are optional. Define a macro on the command line, or name a header of your own to be included
  * first: -DINVCAL_CONFIG_HEADER='"my_invcal_config.h"'. A program and a library compiled with
@@ -117,8 +117,9 @@ typedef float invcal_real; /* double with INVCAL_DOUBLE */
 #define INVCAL_FABS fabsf               /* the other one */
 #endif
 
-/* The options are part of the names of the functions with which each structure is first used: if those of
- * program and library differ, linking fails, instead of a write past the end of a structure. */
+/* The options are part of the names of the functions with which each structure is first used: if
+ * those of program and library differ, linking fails, instead of a write past the end of a
+ * structure. */
 #define INVCAL_CHOSEN(name, choice) INVCAL_CHOSEN_(name, INVCAL_REAL_NAME, choice)
 #define INVCAL_CHOSEN_(name, real, choice) INVCAL_CHOSEN__(name, real, choice) /* step of it */
 #define INVCAL_CHOSEN__(name, real, choice) name##_##real##_##choice           /* step of it */
@@ -138,17 +139,17 @@ typedef uint64_t invcal_mask;
 typedef uint32_t invcal_mask;
 #endif
 
-/* ---- status ----------------------------------------------------------------------------------- */
+/* ---- status ---------------------------------------------------------------------------------- */
 
 /* What a function returns. */
 typedef enum {
     INVCAL_OK = 0, /* done */
 
     /* the data */
-    INVCAL_NOT_FINITE,   /* a reading is NaN or infinite */
-    INVCAL_TOO_FEW,      /* too few positions, or too few of something else */
-    INVCAL_UNDETERMINED, /* the positions leave some parameters open: invcal_undetermined */
-    INVCAL_NOT_ELLIPSOID, /* the readings do not lie on an ellipsoid that a sensor triad can produce */
+    INVCAL_NOT_FINITE,    /* a reading is NaN or infinite */
+    INVCAL_TOO_FEW,       /* too few positions, or too few of something else */
+    INVCAL_UNDETERMINED,  /* the positions leave some parameters open: invcal_undetermined */
+    INVCAL_NOT_ELLIPSOID, /* the readings do not lie on an ellipsoid that a triad can produce */
 
     /* a static interval that was not accepted as a position */
     INVCAL_OUT_OF_RANGE, /* a reading is shorter than 0.1 or longer than 10 times the field */
@@ -194,7 +195,8 @@ typedef enum {
  * enumeration gives "unknown status". */
 const char *invcal_status_text(invcal_status status);
 
-/* The nine parameters, in the order of the paper's vector X. Every array of nine uses this order. */
+/* The nine parameters, in the order of the paper's vector X. Every array of nine uses this
+ * order. */
 enum {
     INVCAL_DELTA_X = 0, /* zero offset over field (for an accelerometer, in g) */
     INVCAL_DELTA_Y,     /* of y */
@@ -211,7 +213,7 @@ enum {
 /* The name of a parameter: "delta_x" ... "gamma_zy". Outside 0 ... 8: "?". */
 const char *invcal_parameter_name(unsigned parameter);
 
-/* ---- a calibration, and its use ---------------------------------------------------------------- */
+/* ---- a calibration, and its use -------------------------------------------------------------- */
 
 /* A correction: calibrated = matrix (raw - offset). The same structure holds the start:
  * the *nominal* calibration of a data sheet, or an earlier one to be renewed. */
@@ -249,7 +251,7 @@ void invcal_apply_counts(const invcal_calibration *calibration, const int32_t ra
  * Returns INVCAL_OK; INVCAL_BAD_FIELD unless field is finite and positive. */
 invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field);
 
-/* ---- how good it is ---------------------------------------------------------------------------- */
+/* ---- how good it is -------------------------------------------------------------------------- */
 
 /* A systematic error that the nine parameters do not describe. */
 typedef enum {
@@ -281,7 +283,8 @@ typedef struct {
     uint8_t verdict;    /* an invcal_verdict: the summary */
     uint8_t systematic; /* an invcal_systematic: what was found */
     uint8_t axis;       /* on which axis: 0 x, 1 y, 2 z */
-    /* bit k: systematic error k was not tested, or the positions hardly separate it from the nine */
+    /* bit k: systematic error k was not tested, or the positions hardly separate it from the
+     * nine */
     uint8_t unchecked;
     /* bit r: parameter r is poorly determined: its sigma exceeds ten times the noise, or it looks
      * determined only because of the noise in the readings */
@@ -295,14 +298,14 @@ typedef struct {
     /* of the systematic error, over field: the growth of the offset from the first position to the
      * last; the coefficient of x^2 or x^3; the excess of "up" over "down" */
     invcal_real size;
-    /* on which sigma is based: standard deviation of a position mean on each axis, over field. Stated and
-     * observed noise combined; the observed alone if it is clearly larger, or nearly zero; 1, the whole
-     * field, if there is neither */
+    /* on which sigma is based: standard deviation of a position mean on each axis, over field.
+     * Stated and observed noise combined; the observed alone if it is clearly larger, or nearly
+     * zero; 1, the whole field, if there is neither */
     invcal_real noise;
     invcal_real rms; /* of the residuals |calibrated| - 1 over the positions */
     invcal_real max; /* the largest absolute value of these */
-    /* of the normal equations: tr K tr K^-1, K the covariance over noise^2, an upper bound of their condition
-     * number. The best possible value is 130 */
+    /* of the normal equations: tr K tr K^-1, K the covariance over noise^2, an upper bound of their
+     * condition number. The best possible value is 130 */
     invcal_real condition;
     invcal_real sigma[INVCAL_PARAMETERS]; /* standard deviation of delta (over field), dk (1) and
                                              gamma (rad) against nominal: the Cramer-Rao bound */
@@ -319,15 +322,16 @@ invcal_real invcal_coverage(unsigned dof);
  *          9.80665 m/s^2 anywhere on Earth, 0.00005 if computed from latitude and height; 0 if the
  *          field itself is the unit.
  *
- * Computed from sigma alone, as if scale errors were independent: within 10 % (mathematics.md, "Accuracy").
+ * Computed from sigma alone, as if scale errors were independent: within 10 % (mathematics.md,
+ * "Accuracy").
  * Cost: 150 instructions. */
 invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
 
 /* Calibrates from position means.
  *
  * raw      3 count numbers: position means x y z, x y z, ... in raw counts, in any order. At least
- *          nine; twelve to eighteen well spread ones are good. In float a mean has 24 bits: subtract
- *          a constant from counts above 2^24 first.
+ *          nine; twelve to eighteen well spread ones are good. In float a mean has 24 bits:
+ *          subtract a constant from counts above 2^24 first.
  * count    up to 65534.
  * nominal  data sheet, or an earlier calibration; may be out.
  * noise    standard deviation of a position mean on each axis, over field, below 1; 0: not known,
@@ -345,17 +349,18 @@ invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
  *   INVCAL_TOO_FEW        fewer than nine;
  *   INVCAL_UNDETERMINED   the positions leave parameters open, to the precision of the number type:
  *                         invcal_undetermined names them;
- *   INVCAL_NOT_ELLIPSOID  the readings do not lie on an ellipsoid (but a hyperboloid, for example), on none
- *                         of a triad (a semi-axis below about 1/10 of nominal or of another one, or
- *                         a centre beyond ten times the field), or scatter by a tenth of the field.
+ *   INVCAL_NOT_ELLIPSOID  the readings do not lie on an ellipsoid (but a hyperboloid, for example),
+ *                         on none of a triad (a semi-axis below about 1/10 of nominal or of another
+ *                         one, or a centre beyond ten times the field), or scatter by a tenth of
+ *                         the field.
  * Cost: 18,000 instructions for 18 positions. Stack: about 620 bytes. */
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality);
 
 /* The same, but also tests what the nine parameters do not explain (mathematics_judgement.md).
- * Leaves out positions that contradict the others; reports a systematic error - drift, nonlinearity,
- * hysteresis - with its axis and size. Directions within 5 degrees count once.
+ * Leaves out positions that contradict the others; reports a systematic error - drift,
+ * nonlinearity, hysteresis - with its axis and size. Directions within 5 degrees count once.
  *
  * count  up to INVCAL_MAX_POSITIONS, in the order in which they were visited, at equal intervals.
  * out    not nominal.
@@ -441,8 +446,8 @@ typedef struct {
     } rest;                    /* the current one */
 } invcal_rests;
 
-/* A session: 560 bytes (float, 24 positions). mean and count may be read. Since means
- * are in counts, nominal may be replaced by one with which all of them are readings (invcal_bad_reading,
+/* A session: 560 bytes (float, 24 positions). mean and count may be read. Since means are in
+ * counts, nominal may be replaced by one with which all of them are readings (invcal_bad_reading,
  * expert.h). invcal_session_is_good uses it from the next position on. */
 typedef struct {
     /* saved: store.h */
@@ -504,8 +509,8 @@ invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3]);
 /* Call it where samples were lost. A rest goes on if the next samples agree with it. */
 void invcal_session_gap(invcal_session *session);
 
-/* Ends the stream: closes the current rest as motion would. Returns INVCAL_TAKEN, INVCAL_REFUSED, or
- * INVCAL_MOVING if there was none. */
+/* Ends the stream: closes the current rest as motion would. Returns INVCAL_TAKEN, INVCAL_REFUSED,
+ * or INVCAL_MOVING if there was none. */
 invcal_event invcal_session_finish(invcal_session *session);
 
 /* Progress of the current position, percent: 0 in motion, 100 from READY on. */
@@ -522,8 +527,8 @@ invcal_status invcal_session_reason(const invcal_session *session);
 const char *invcal_session_why(const invcal_session *session);
 
 /* Which orientation to take next: of 26 directions - the faces, edges and corners of a cube - the
- * one that adds the most information (mathematics_programs.md, "Guidance"); of equals, the nearest to the
- * current orientation. A position that is READY and still held counts as taken. It need not
+ * one that adds the most information (mathematics_programs.md, "Guidance"); of equals, the nearest
+ * to the current orientation. A position that is READY and still held counts as taken. It need not
  * be hit exactly: the next direction is computed from the orientations measured.
  *
  * up  out: the direction to point upwards, in the frame of the case: a unit vector.
@@ -543,8 +548,8 @@ const char *invcal_session_next_words(const invcal_session *session, char words[
  * up  unit vector. Returns words. */
 const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS]);
 
-/* Is the position that is READY, or else the last one, within 20 degrees of a direction, such as that of a
- * program (plan.h)? Returns 1 or 0; 0 if there is neither.
+/* Is the position that is READY, or else the last one, within 20 degrees of a direction, such as
+ * that of a program (plan.h)? Returns 1 or 0; 0 if there is neither.
  *
  * up  unit vector. */
 int invcal_session_is_at(const invcal_session *session, const invcal_real up[3]);
@@ -557,17 +562,18 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality);
 
-/* Are there enough positions? Returns 1 if the result of invcal_session_solve is good, and its sigma is based on
- * 3 degrees of freedom or a stated noise. Solves only if a position was taken since the last call. */
+/* Are there enough positions? Returns 1 if the result of invcal_session_solve is good, and its
+ * sigma is based on 3 degrees of freedom or a stated noise. Solves only if a position was taken
+ * since the last call. */
 int invcal_session_is_good(invcal_session *session);
 
-/* Is it accurate enough? Returns 1 if it is good, and every sigma, widened for few degrees of freedom, is within
- * its target: sigma of delta (over field), dk (1), gamma (rad). Solves on every call: call it
- * after a position was taken. */
+/* Is it accurate enough? Returns 1 if it is good, and every sigma, widened for few degrees of
+ * freedom, is within its target: sigma of delta (over field), dk (1), gamma (rad). Solves on every
+ * call: call it after a position was taken. */
 int invcal_session_reaches(const invcal_session *session, const invcal_real target[3]);
 
-/* The same in one number: returns 1 if it is good, and invcal_accuracy, with the same gravity, is at most
- * need. Solves on every call: call it after a position was taken. */
+/* The same in one number: returns 1 if it is good, and invcal_accuracy, with the same gravity, is
+ * at most need. Solves on every call: call it after a position was taken. */
 int invcal_session_meets(const invcal_session *session, invcal_real need, invcal_real gravity);
 
 #ifdef __cplusplus
