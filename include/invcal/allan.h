@@ -26,10 +26,10 @@
  *
  * Sums are exact integers; only invcal_allan_get rounds. The length of a stream is not limited:
  *
- *     a square sum   holds 2^(128 - 2b) m^-2 differences of readings that change by b bits: 2^48 of
- *                    24 bits at m = 65536. An overflow is detected: INVCAL_NO_SPACE;
- *     count          of differences ends at 2^32 - 1, 49 days at 1 kHz. A tau then stays as it is;
- *     2^32 samples   act as a gap.
+ *     squares        their sum holds 2^(128 - 2b) m^-2 differences of readings that change by b
+ *                    bits: 2^48 of 24 bits at m = 65536. An overflow is detected: INVCAL_NO_SPACE;
+ *     differences    their count ends at 2^32 - 1, 49 days at 1 kHz: that tau then stays as it is;
+ *     samples        2^32 of them act as a gap.
  *
  * Feed samples at rest only. A filter in the sensor makes averaging times up to its time constant
  * look better than they are: begin the list above it. If noise is below one count, the short ones
@@ -106,7 +106,7 @@ void invcal_allan_init(invcal_allan *allan);
 invcal_status invcal_allan_begin(invcal_allan *allan, const uint32_t *m, unsigned count);
 
 /* Uses adjacent windows from now on (NIST SP 1065, 5.2.2), to compare with published figures;
- * overlapping ones give more degrees of freedom. Divides 32 bits for each difference. */
+ * overlapping ones give more degrees of freedom. Costs a 32-bit division for each difference. */
 void invcal_allan_apart(invcal_allan *allan);
 
 /* Feeds one sample, of any value.

@@ -50,7 +50,7 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
  * their order matters only to rounding. Every element of h h' is a product of two, three or four
  * of x, y, z; 31 of the 45 are distinct. */
 
-/* Index of (r, c), c <= r, of a symmetric matrix of n rows, stored as lower triangle by rows. */
+/* Index of (r, c), c <= r, in a symmetric matrix, stored as its lower triangle by rows. */
 #define INVCAL_PACKED(r, c) ((r) * ((r) + 1u) / 2u + (c))
 /* Number of elements. */
 #define INVCAL_PACKED_SIZE(n) ((n) * ((n) + 1u) / 2u)
@@ -89,7 +89,7 @@ void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real w
  * No iteration that could fail to converge.
  *
  * sums     are overwritten: copy them if more positions will follow.
- * nominal  the one they were added with; may be out.
+ * nominal  the one they were added with; may equal out.
  *
  * Does not judge: INVCAL_OK means solvable, invcal_calibrate says how good. A system determined by
  * little more than rounding may pass as solvable.
@@ -97,7 +97,7 @@ void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real w
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        fewer than nine positions;
  *   INVCAL_UNDETERMINED   the positions leave parameters open;
- *   INVCAL_NOT_ELLIPSOID  the readings do not lie on an ellipsoid, or on none of a triad: see
+ *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid, or on one that no triad has: see
  *                         invcal_calibrate;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
  * Cost: 2,900 instructions. Stack: about 180 bytes. */
@@ -109,8 +109,7 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
  * A symmetric system of n unknowns, A p = -b, in one packed triangle. Row n, if present, is b'
  * and the constant: factoring it with A does the forward substitution. */
 
-/* A pivot below this, over the largest element of the diagonal, cannot be told from rounding
- * error. */
+/* A pivot below this, over the largest element of the diagonal, may be a rounding error. */
 #define INVCAL_FLOOR (INVCAL_DOUBLE ? INVCAL_REAL(1e-8) : 16 * INVCAL_EPSILON)
 
 /* Turns the sums into the system: fills in every element of H'H. */
@@ -175,12 +174,12 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
 
 /* ---- causes of a refusal --------------------------------------------------------------------- */
 
-/* Which parameters the positions leave open: INVCAL_TOO_FEW, INVCAL_UNDETERMINED. Adds a small
- * ridge to H'H: if it contributes more than a tenth of a parameter's information, the data do not
- * determine that parameter. This is a hint, never a verdict: noise can make an open parameter look
- * determined.
+/* Which parameters the positions leave open, after INVCAL_TOO_FEW or INVCAL_UNDETERMINED. Adds a
+ * small ridge to H'H: if it contributes more than a tenth of a parameter's information, the data do
+ * not determine that parameter. This is a hint, never a verdict: noise can make an open parameter
+ * look determined.
  *
- * raw      3 count numbers, as for invcal_calibrate. Skips those that are not readings.
+ * raw      3 * count numbers, as for invcal_calibrate. Skips those that are not readings.
  * count    any; no positions leave all nine open.
  * nominal  the one of the refusal.
  *
@@ -189,12 +188,12 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
 uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
                              const invcal_calibration *nominal);
 
-/* Which position is not a reading of this field: INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE.
+/* Which position is not a reading of this field, after INVCAL_NOT_FINITE or INVCAL_OUT_OF_RANGE.
  *
  * raw, count, nominal  those of the refusal.
  *
- * Returns the first one, from 0; count if all are readings. Cost: 76 instructions for each.
- * Stack: about 80 bytes. */
+ * Returns the first one, from 0; count if all are readings. Cost: 76 instructions for each
+ * reading. Stack: about 80 bytes. */
 unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
                             const invcal_calibration *nominal);
 
@@ -240,9 +239,8 @@ void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration
  * verdict to rough.
  *
  * stated   standard deviation of a position mean on each axis, over field; 0: not known.
- * squares  the sum of the squares of the residuals, each over the noise of its row for a noise of
- *          1.
- * quality  dof and verdict: read; noise, sigma_dof and verdict: set. noise is 1, the whole field,
+ * squares  the sum of the squared residuals, each over its standard deviation at a noise of 1.
+ * quality  reads dof and verdict; sets noise, sigma_dof and verdict. noise is 1, the whole field,
  *          if there is neither a residual nor a stated noise.
  *
  * Cost: 100 instructions. Stack: about 60 bytes. */
@@ -262,7 +260,7 @@ int invcal_improves(const invcal_quality *found, const invcal_quality *present);
  * and without counting directions: the verdict is good if no remaining position contradicts the
  * others. Takes half the flash, for a device like an ATmega328P.
  *
- * out  may be nominal.
+ * out  may equal nominal.
  *
  * Everything else as for invcal_calibrate_judged. Cost: 110,000 instructions for 18 positions. */
 invcal_status invcal_calibrate_robust(const invcal_real *raw, unsigned count,
@@ -297,11 +295,11 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
  *             resolves next to the prior, in float sqrt(count) / 2000 of the widest prior: with
  *             less, rounding errors would count as data.
  * prior       standard deviation of each parameter's deviation from nominal, over field, 1 or rad,
- *             up to about 0.2 (above that, p is no longer -X); 0: not known. Not all are 0.
+ *             up to about 0.2 (above that, p is no longer -X); 0: not known. Not all may be 0.
  * quality     sigma never exceeds the prior. dof counts data only, rounded down: a parameter
- *             supplied by the prior uses up no position. noise may have been raised. condition
- *             includes the rows of the prior; it may be infinite if priors differ very much in
- *             width.
+ *             supplied by the prior costs no position. noise may have been raised. condition
+ *             includes the rows of the prior; it may be infinite if the widths of priors differ
+ *             very much.
  * from_prior  bit r: parameter r is determined by the prior more than by the data.
  *
  * Returns as invcal_calibrate; INVCAL_BAD_PRIOR if a number is negative or not finite, or all are
@@ -329,15 +327,15 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
 
 /* invcal_calibrate for six positions or more, the angles held at those of nominal.
  *
- * raw      3 count numbers, as for invcal_calibrate; of a session its mean and count.
+ * raw      3 * count numbers, as for invcal_calibrate; from a session, its mean and count.
  * noise    standard deviation of a position mean on each axis, over field, above 0 and below 1.
  *          With six positions nothing checks it: sigma of offsets and scales is noise / sqrt(2).
  * gamma    standard deviation of each angle, rad, up to about 0.2: INVCAL_CROSS_AXIS.
  * quality  of offsets and scales: verdict and weak do not cover the angles. INVCAL_NO_REDUNDANCY
  *          with six positions. sigma of the angles is gamma, or less if positions off the faces
  *          reduce it.
- * held     bit r: parameter r is not measured; that is each angle that the positions leave open.
- *          Its 95 % interval is 1.96 sigma, without Student's t: gamma is stated, not estimated.
+ * held     bit r: parameter r is not measured: each angle that the positions leave open. Its 95 %
+ *          interval is 1.96 sigma, without Student's t: gamma is stated, not estimated.
  *
  * An actual angle of gamma shifts a scale by gamma^2 / 8 (12 ppm at 1 %), and no offset, if the
  * faces are along gravity; sigma includes a tilt.
@@ -352,7 +350,7 @@ invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
 
 /* invcal_accuracy of a calibration with some parameters from a prior.
  *
- * held  bit r: sigma of parameter r is stated, not estimated; of invcal_calibrate_six_faces, or
+ * held  bit r: sigma of parameter r is stated, not estimated; from invcal_calibrate_six_faces, or
  *       from_prior of invcal_calibrate_with_prior.
  *
  * Stack: about 140 bytes. */
@@ -375,7 +373,7 @@ invcal_real invcal_accuracy_held(const invcal_quality *quality, uint16_t held, i
  *     1 mrad     0         5e-7 + 2e-5      1e-3
  *     10 mrad    0         5e-5 + 2e-4      1e-2
  *
- * In exact rows p has another meaning; hence these sums are a type of their own. */
+ * In exact rows p has another meaning, so these sums have a type of their own. */
 typedef struct {
     invcal_sums sums; /* of h(eta) and J */
 } invcal_linear_sums;
@@ -395,7 +393,7 @@ invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
                                          const invcal_calibration *nominal,
                                          const invcal_real raw[3], const invcal_real eta[3]);
 
-/* The same by J2. Do not mix them in the same sums. */
+/* The same by J2. Do not mix the two in the same sums. */
 invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
                                        const invcal_calibration *nominal, const invcal_real raw[3],
                                        const invcal_real eta[3]);
@@ -403,7 +401,7 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
 /* Solves the sums: A = (I + S)^-1.
  *
  * linear   the sums; are overwritten.
- * nominal  the one they were added with; may be out.
+ * nominal  the one they were added with; may equal out.
  * out      the calibration.
  * x        the nine parameters, in the order of the paper.
  *
@@ -449,7 +447,7 @@ invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_cali
 /* Solves the sums, for errors of any size.
  *
  * full      the sums; are overwritten.
- * nominal   the one they were added with; may be out.
+ * nominal   the one they were added with; may equal out.
  * out       the calibration, in the frame of the stand: calibrated readings are eta in that frame.
  * x         the nine parameters, in the frame of the unit and the order of the paper.
  * mounting  R. With the paper's N positions on each of three great circles, and noise s on every
@@ -490,7 +488,7 @@ void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibratio
 /* sqrt(K(r,r)) of the positions so far: sigma of parameter r over that of a position mean.
  *
  * up  null, or a direction to include as if taken, to see what it will improve. The ridge limits
- *     open parameters to about 100. */
+ *     that of open parameters to about 100. */
 void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                      const invcal_real *up, invcal_real root[INVCAL_PARAMETERS]);
 
@@ -507,7 +505,7 @@ void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibr
  *     reach    how far readings have moved from the last rest: the scale of "another orientation"
  *
  * A block is quiet if its variance is that of the noise, and belongs to the rest if its mean is
- * where the rest expects it. Blocks of 0.6 s, after trimming, make a position; holding longer makes
+ * where the rest expects it. After trimming, 0.6 s of blocks make a position; holding longer makes
  * it better. The slope over the last two seconds detects a slow turn, which a threshold on a
  * variance cannot: 0.3 degrees/s (up to 1 mg of noise, 100 Hz or more) never passes for a rest.
  *
@@ -553,19 +551,19 @@ invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
  * refused. If the current rest is READY but shorter, it is no longer READY; READY is returned again
  * later.
  *
- * milliseconds  clamped to 600 (the min for a position) ... 3,600,000. */
+ * milliseconds  clamped to 600 (the minimum for a position) ... 3,600,000. */
 void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds);
 
 /* Feeds one sample, of any value.
  *
- * Returns what happened. A position is returned 0.6 to 1 s after motion began.
+ * Returns what happened. INVCAL_TAKEN comes 0.6 to 1 s after motion began.
  *
  * At 1 kHz a sample costs 56 instructions on a Cortex-M4F, decisions included, or 143 if the
  * compiler optimises for size, which omits the fast path for samples close to each other. */
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3]);
 
-/* Call it where samples were lost; a new block begins. The rest goes on if the next samples agree
- * with it; otherwise it ends as by motion. */
+/* Call it where samples were lost: a new block begins. The rest goes on if the next samples agree
+ * with it; otherwise it ends as if by motion. */
 void invcal_rests_gap(invcal_rests *rests);
 
 /* Ends the stream: closes the current rest, if any, as motion would.
@@ -587,7 +585,7 @@ invcal_status invcal_rests_reason(const invcal_rests *rests);
  * just TAKEN, until the next sample. Returns 1; 0, out untouched, if there is neither. */
 int invcal_rests_get(const invcal_rests *rests, invcal_rest *out);
 
-/* The mean of its samples only: computed from differences, so the size of the sum costs no
+/* Only the mean of its samples: computed from differences, so the size of the sum costs no
  * precision. Within 1 ulp of the largest reading; returns as invcal_rests_get. */
 int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3]);
 

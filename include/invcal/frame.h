@@ -84,7 +84,8 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
  *
  * up  the direction with which they were added.
  *
- * Returns as above; INVCAL_UNDETERMINED also for a rotation of more than 140 degrees.
+ * Returns INVCAL_OK; INVCAL_TOO_FEW without a rest; INVCAL_UNDETERMINED for a rotation of more than
+ * 139 degrees.
  * Cost: 250 instructions. Stack: about 60 bytes. */
 invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
                                  invcal_real rotation[3][3]);

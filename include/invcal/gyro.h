@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal/gyro.h: the gyroscope, from the same moves.
+ * invcal/gyro.h: the gyroscope, calibrated from the turns between the rests.
  *
- * The turn that the gyroscope measures between two rests must take the up direction of the first
+ * The turn that the gyroscope measures between two rests must carry the up direction of the first
  * into that of the second. Twelve quarter turns between the six faces determine the nine elements
  * of its matrix and the nine parameters of the accelerometer, in one solution and without a
  * previous calibration. No sample is stored: a move is kept as a few segments.
@@ -29,13 +29,13 @@
  *                 invcal_save_imu(&result, &imu);
  *
  * invcal_tour gives twelve such turns, invcal_turns_next the one that would add most, and
- * invcal_turns_sigma how accurately turns, made or planned, determine the 18.
+ * invcal_turns_sigma how accurately turns, made or planned, determine all 18.
  *
  * The two sensors may be sampled at different rates. Feed samples in the order in which they were
  * taken. Those of the accelerometer may be up to 0.1 s late at no cost, since a rest ends 0.3 s
  * before motion is noticed; those of the gyroscope 0.02 s: with 0.05 s the error doubles. Lose no
- * sample while a memory is written, since the device is in motion then: let the sensor (FIFO) or an
- * interrupt buffer a second of them. Otherwise call invcal_moves_gap, and make the move again.
+ * sample while a memory is written, since the device is in motion then: let the sensor's FIFO or an
+ * interrupt buffer one second. Otherwise call invcal_moves_gap, and make the move again.
  *
  * invcal.h states the rules and units; mathematics_imu.md derives this. A program and a library
  * with different build options do not link.
@@ -62,7 +62,7 @@ extern "C" {
 #ifndef INVCAL_MAX_SEGMENTS
 #define INVCAL_MAX_SEGMENTS 192
 #endif
-/* Rests that are kept, and so moves, 4 to 32, 10 bytes each. Default 32; on AVR 16. */
+/* Rests kept, and so moves, 4 to 32, 10 bytes each. Default 32; on AVR 16. */
 #ifndef INVCAL_MAX_MOVES
 #define INVCAL_MAX_MOVES 32
 #endif
@@ -101,7 +101,7 @@ typedef struct {
 
 /* A rest, and the move that led to it. */
 typedef struct {
-    int16_t bias[3]; /* less moves.bias, 2^-18 rad/s */
+    int16_t bias[3]; /* minus moves.bias, 2^-18 rad/s */
     uint16_t when;   /* time at which it was taken, in blocks */
     int8_t move;     /* number of segments; or -status: invcal_moves_reason */
 } invcal_still;
@@ -139,9 +139,9 @@ typedef struct {
  *
  * nominal  data sheet: rad/s per count; offset as far as known, else 0. Its axes must be those of
  *          the accelerometer (invcal_imu_mounting).
- * rate     samples per second, 8 ... 8000. Its error becomes one of the scale.
+ * rate     samples per second, 8 ... 8000. Its error becomes a scale error.
  *
- * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. Nothing is written then. */
+ * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. */
 invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *nominal,
                                 invcal_real rate);
 
@@ -154,7 +154,7 @@ invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high)
 /* Feeds one sample, moving or not, raw counts. Cost: 150 instructions. Stack: about 120 bytes. */
 void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3]);
 
-/* Reports lost samples: this move is refused, rests are kept. */
+/* Reports lost samples: the current move is refused, rests are kept. */
 void invcal_moves_gap(invcal_moves *moves);
 
 /* Call it after every sample of the accelerometer, with its event. INVCAL_TAKEN ends a move, and
@@ -165,13 +165,13 @@ void invcal_moves_gap(invcal_moves *moves);
  * event  from invcal_session_feed or invcal_rests_feed, or ..._finish: INVCAL_NOTHING costs
  *        nothing.
  *
- * Cost: up to 3,000 instructions once in 1/8 s. Stack: about 200 bytes. */
+ * Cost: up to 3,000 instructions once per 1/8 s. Stack: about 200 bytes. */
 void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_event event);
 
 /* Why the move that led to a rest is unusable; INVCAL_OK if it is usable. INVCAL_REST_CLIPPED,
- * INVCAL_MOVE_GAP, INVCAL_MOVE_LONG, INVCAL_NO_SPACE; INVCAL_REST_DRIFT: the bias of its two rests
- * differs by 0.5 degrees/s, so the device turned in one of them; INVCAL_MOUNTING: more than seven
- * turns; INVCAL_TOO_FEW: no move led to it.
+ * INVCAL_MOVE_GAP, INVCAL_MOVE_LONG, INVCAL_NO_SPACE; INVCAL_REST_DRIFT: the biases of its two
+ * rests differ by 0.5 degrees/s, so the device turned in one of them; INVCAL_MOUNTING: more than
+ * seven turns; INVCAL_TOO_FEW: no move led to it.
  *
  * rest  from 0, below moves->count. */
 invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest);
@@ -204,8 +204,8 @@ typedef struct {
     invcal_real parameter[INVCAL_IMU_PARAMETERS];
     invcal_real sigma[INVCAL_IMU_PARAMETERS]; /* standard deviations; 0 for what is held */
     /* of the bias of each axis: g-sensitivity, rad/s per field along x, y, z; drift from the first
-     * rest to the last, rad/s. At the nominal rate: multiply by M for the calibrated one, which
-     * differs by the scale error. All 0 with fewer than 12 rests */
+     * rest to the last, rad/s. In nominal rates: multiply by M for calibrated ones, which differ by
+     * the scale error. All 0 with fewer than 12 rests */
     invcal_real slope[3][4];
     invcal_real slope_sigma[3][4]; /* standard deviations; 0 with fewer than 12 rests */
     invcal_real noise;             /* of a position mean, used for sigma, over field */
@@ -213,8 +213,8 @@ typedef struct {
     invcal_real move_rms;          /* residuals of moves, rad on each axis, root mean square */
     invcal_real move_max;          /* the largest, both axes together, rad */
     uint32_t left_out; /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
-    uint32_t idle;     /* bit i: it did not turn: INVCAL_REST_SAME */
-    /* bit r: parameter r is undetermined; or weak: sigma above 2.5 noise and 2.5 move_noise */
+    uint32_t idle;     /* bit i: that move did not turn: INVCAL_REST_SAME */
+    /* bit r: parameter r is undetermined; or weak: sigma above both 2.5 noise and 2.5 move_noise */
     uint32_t open;
     uint16_t dof;      /* degrees of freedom of the residuals */
     uint8_t worst;     /* the rest that the move of move_max led to */
@@ -236,12 +236,12 @@ typedef struct {
  *
  * It takes 4 to 10 Gauss-Newton passes. Up to three of these weigh rests and moves against each
  * other by their residuals. If there are more than six moves, it leaves out up to three whose
- * residuals exceed 5 sigma of the others'; each takes two more passes.
+ * residuals exceed 5 sigma of the others; each takes two more passes.
  *
- * Returns INVCAL_OK; else out is lost:
+ * Returns INVCAL_OK; else out is overwritten:
  *   INVCAL_BAD_NOMINAL    the accelerometer's;
- *   INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR    of the settings: negative or not a number, or noise of 1
- *                                         or more;
+ *   INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR    of the settings: negative or not a number, or noises of 1
+ *                                         or more in total;
  *   INVCAL_OUT_OF_RANGE   a mean is not a reading of this field;
  *   INVCAL_TOO_FEW        no moves, or fewer equations than unknowns;
  *   INVCAL_UNDETERMINED   out->open names the undetermined parameters; or none, if too few moves to
@@ -261,8 +261,8 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
  * unit   out: 1; or 57.3, if readings are that many times too small: nominal was for degrees.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves do not distinguish the
- * mountings, and nothing is written. Cost: 96 passes, each a third of one of a solution. Stack:
- * about 2,500 bytes. */
+ * mountings; INVCAL_BAD_NOMINAL, INVCAL_OUT_OF_RANGE as invcal_imu_solve.
+ * Cost: 96 passes, each a third of a pass of the solution. Stack: about 2,500 bytes. */
 invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
                                   const invcal_calibration *accelerometer,
                                   const invcal_moves *moves, int8_t axes[3], invcal_real *unit);
@@ -273,9 +273,9 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
  * a power failure both are old or both are new (store.h). All rests and moves that were taken
  * survive. The move during the reset is refused, INVCAL_MOVE_GAP: the next rest begins another.
  *
- * These bytes belong to the device, as those of a session: another number type, byte order, version
- * of the library or number of moves or segments refuses them; a table of means of another size
- * accepts them if they fit. */
+ * These bytes belong to the device, as those of a session: a build with another number type, byte
+ * order, version of the library or number of moves or segments refuses them; one with a table of
+ * means of another size accepts them if they fit. */
 typedef struct {
     invcal_moves moves;     /* its end survives */
     invcal_session session; /* its beginning survives */
@@ -298,7 +298,7 @@ uint32_t invcal_imu_session_size(const invcal_imu_session *both);
  *
  * Returns INVCAL_OK;
  *   INVCAL_OTHER_VERSION  they were kept by a different build;
- *   INVCAL_DAMAGED        the moves contradict themselves;
+ *   INVCAL_DAMAGED        the moves are inconsistent;
  *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    values that no moves have;
  *   as invcal_session_resume. */
 invcal_status invcal_imu_session_resume(invcal_imu_session *both, uint32_t size);
@@ -412,7 +412,7 @@ typedef struct {
 /* The information in rests and turns, made or planned: 720 bytes (float). */
 typedef struct {
     invcal_real up[3];   /* unit vector that points up now */
-    invcal_real seconds; /* of a quarter turn or less; more in proportion: 1.5 unless set */
+    invcal_real seconds; /* of a quarter turn or less; others in proportion; 1.5 unless set */
     invcal_real noise;   /* of a position mean, over field */
     invcal_real linear;  /* internal: variance of a turn over that of a mean, per second */
     invcal_real square;  /* internal: the same, per second squared */
@@ -434,7 +434,7 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
 
 /* Begins a plan with the rests and moves measured so far: arguments as for invcal_imu_solve.
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW: no rest; and as invcal_imu_solve for its arguments.
+ * Returns INVCAL_OK; INVCAL_TOO_FEW without a rest; and as invcal_imu_solve for its arguments.
  * Cost: a pass of invcal_imu_solve. Stack: about 2,500 bytes. */
 invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, unsigned count,
                                  const invcal_calibration *accelerometer, const invcal_moves *moves,
@@ -455,7 +455,7 @@ invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3],
  * quarter turn, and a full turn about z, which halve sigma of the scales. The axis is always
  * horizontal.
  *
- * Returns INVCAL_OK; INVCAL_BAD_PROGRAM: there is no turn i. */
+ * Returns INVCAL_OK; INVCAL_BAD_PROGRAM if there is no turn i. */
 invcal_status invcal_tour(unsigned i, invcal_turn *out);
 
 /* Finds the turn that adds most: of the shortest turns to 26 directions (faces, edges and corners

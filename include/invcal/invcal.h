@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
  * invcal/invcal.h: a device calibrates its own accelerometer against gravity alone. Most programs
- * include only this header:
+ * need only this header, or store.h, which includes it:
  *
  *     calibration   what a correction is, and how to apply it
  *     calibrate     from an array of position means
  *     session       the whole procedure: samples in, instructions for the user out
  *
- * Further headers: store.h (what survives a reset), thermal.h (temperature), allan.h (noise),
- * plan.h (programs for a stand), expert.h (the steps one by one, and rarely needed options).
+ * Further headers: store.h (what survives a reset), gyro.h (the whole IMU), magnetometer.h, frame.h
+ * (the axes of the case), thermal.h (temperature), allan.h (noise), plan.h (programs for a stand),
+ * expert.h (each single step, and rarely needed options).
  *
- * The sensor. A triad at rest in a field of length 1, in orientation eta, reads
+ * The sensor. A triad at rest in a field eta, of length 1, reads
  *
  *     u = (I + S) eta + delta + noise,
  *
@@ -32,7 +33,7 @@
  * - There are no globals: every function is reentrant, and safe in an interrupt or a thread as long
  *   as nothing else changes its arguments meanwhile.
  * - A null pointer is a programming error (INVCAL_ASSERT), not a status.
- * - Costs are instructions of a Cortex-M4F at -O2 and stack of the same at -Os, in float.
+ * - Costs are those of a Cortex-M4F in float: instructions at -O2, stack at -Os.
  */
 #ifndef INVCAL_INVCAL_H
 #define INVCAL_INVCAL_H
@@ -47,7 +48,7 @@ extern "C" {
 /* ---- build options ------------------------------------------------------------------------------
  *
  * All are optional. Define a macro on the command line, or name a header of your own to be included
- * first: -DINVCAL_CONFIG_HEADER='"my_invcal_config.h"'. A program and a library compiled with
+ * first: -DINVCAL_CONFIG_HEADER='"my_invcal_config.h"'. A program and a library built with
  * different options do not link. */
 #ifdef INVCAL_CONFIG_HEADER
 #include INVCAL_CONFIG_HEADER
@@ -78,8 +79,8 @@ extern "C" {
 #define INVCAL_MAX_POSITIONS 24
 #endif
 
-/* Called with a condition that only a programming error can break. Compiles to nothing by default;
- * define it as assert or as a breakpoint, for example. */
+/* Called with a condition that only a programming error can make false. Compiles to nothing by
+ * default; define it as assert or as a breakpoint, for example. */
 #ifndef INVCAL_ASSERT
 #define INVCAL_ASSERT(condition) ((void)sizeof((condition) ? 1 : 0))
 #endif
@@ -88,7 +89,7 @@ extern "C" {
 #error "INVCAL_DOUBLE must be 0 (float) or 1 (double)"
 #endif
 #if INVCAL_DOUBLE && DBL_MANT_DIG < 53
-#error "double has no 53 bits here: use float"
+#error "double has fewer than 53 bits here: use float"
 #endif
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
 #error "-ffast-math and -ffinite-math-only remove the checks against NaN"
@@ -117,12 +118,12 @@ typedef float invcal_real; /* double with INVCAL_DOUBLE */
 #define INVCAL_FABS fabsf               /* the other one */
 #endif
 
-/* The options are part of the names of the functions with which each structure is first used: if
- * those of program and library differ, linking fails, instead of a write past the end of a
- * structure. */
+/* Build options are part of the names of the functions that every use of a structure begins with:
+ * if those of program and library differ, linking fails, before anything is written past the end of
+ * a structure. */
 #define INVCAL_CHOSEN(name, choice) INVCAL_CHOSEN_(name, INVCAL_REAL_NAME, choice)
-#define INVCAL_CHOSEN_(name, real, choice) INVCAL_CHOSEN__(name, real, choice) /* step of it */
-#define INVCAL_CHOSEN__(name, real, choice) name##_##real##_##choice           /* step of it */
+#define INVCAL_CHOSEN_(name, real, choice) INVCAL_CHOSEN__(name, real, choice) /* next step */
+#define INVCAL_CHOSEN__(name, real, choice) name##_##real##_##choice           /* last step */
 #define invcal_apply INVCAL_CHOSEN(invcal_apply, 9)
 #define invcal_nominal INVCAL_CHOSEN(invcal_nominal, 9)
 #define invcal_calibrate INVCAL_CHOSEN(invcal_calibrate, INVCAL_MAX_POSITIONS)
@@ -187,7 +188,7 @@ typedef enum {
     INVCAL_MOVE_GAP,    /* samples were lost in it */
     INVCAL_MOVE_LONG,   /* it took more than 10 s */
     INVCAL_MOVE_APART,  /* it contradicts the others */
-    INVCAL_MOUNTING,    /* axes of the gyroscope and accelerometer do not match, or degrees */
+    INVCAL_MOUNTING,    /* axes, signs or unit of gyroscope and accelerometer do not match */
     INVCAL_STATUS_COUNT /* their number; not a status */
 } invcal_status;
 
@@ -215,7 +216,7 @@ const char *invcal_parameter_name(unsigned parameter);
 
 /* ---- a calibration, and its use -------------------------------------------------------------- */
 
-/* A correction: calibrated = matrix (raw - offset). The same structure holds the start:
+/* A correction: calibrated = matrix (raw - offset). The same structure holds the starting point:
  * the *nominal* calibration of a data sheet, or an earlier one to be renewed. */
 typedef struct {
     invcal_real offset[3];    /* raw reading in no field, raw counts */
@@ -245,8 +246,8 @@ void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3
 void invcal_apply_counts(const invcal_calibration *calibration, const int32_t raw[3],
                          invcal_real calibrated[3]);
 
-/* Puts a unit into a calibration: field is the length of the field in that unit, 9.80665 for m/s^2.
- * After that, only apply it: it is no longer a nominal.
+/* Converts a calibration to a unit: field is the length of the field in that unit, 9.80665 for
+ * m/s^2. After that, only apply it: it can no longer be a nominal.
  *
  * Returns INVCAL_OK; INVCAL_BAD_FIELD unless field is finite and positive. */
 invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field);
@@ -268,7 +269,7 @@ typedef enum {
     INVCAL_NO_REDUNDANCY, /* as many directions as unknowns: determined, but nothing checks it */
     INVCAL_ROUGH,         /* residuals that noise does not explain, or too many positions that
                              contradict the others: something is wrong */
-    INVCAL_DRIFTING,      /* the sensor drifts: let it warm up, or be quicker */
+    INVCAL_DRIFTING,      /* the sensor drifts: let it warm up, or work faster */
     INVCAL_BENT,          /* nonlinearity or hysteresis: nine parameters do not describe it */
     INVCAL_WEAK           /* some parameter is poorly determined, see quality.weak: usable only
                              within its large sigma */
@@ -284,7 +285,7 @@ typedef struct {
     uint8_t systematic; /* an invcal_systematic: what was found */
     uint8_t axis;       /* on which axis: 0 x, 1 y, 2 z */
     /* bit k: systematic error k was not tested, or the positions hardly separate it from the
-     * nine */
+     * parameters */
     uint8_t unchecked;
     /* bit r: parameter r is poorly determined: its sigma exceeds ten times the noise, or it looks
      * determined only because of the noise in the readings */
@@ -298,21 +299,21 @@ typedef struct {
     /* of the systematic error, over field: the growth of the offset from the first position to the
      * last; the coefficient of x^2 or x^3; the excess of "up" over "down" */
     invcal_real size;
-    /* on which sigma is based: standard deviation of a position mean on each axis, over field.
+    /* what sigma is based on: the standard deviation of a position mean on each axis, over field.
      * Stated and observed noise combined; the observed alone if it is clearly larger, or nearly
      * zero; 1, the whole field, if there is neither */
     invcal_real noise;
     invcal_real rms; /* of the residuals |calibrated| - 1 over the positions */
     invcal_real max; /* the largest absolute value of these */
-    /* of the normal equations: tr K tr K^-1, K the covariance over noise^2, an upper bound of their
-     * condition number. The best possible value is 130 */
+    /* of the normal equations: tr K tr K^-1, with K the covariance over noise^2, an upper bound of
+     * their condition number. The best possible value is 130 */
     invcal_real condition;
     invcal_real sigma[INVCAL_PARAMETERS]; /* standard deviation of delta (over field), dk (1) and
                                              gamma (rad) against nominal: the Cramer-Rao bound */
 } invcal_quality;
 
 /* The factor k for which +- k sigma covers 95 %: Student's t for a sigma estimated with dof degrees
- * of freedom, 12.706 at 1 (and at 0), 1.960 for very many. Exact to 0.002 (relative). */
+ * of freedom, 12.706 at 1 (and at 0), 1.960 for very many. Accurate to 0.002 (relative). */
 invcal_real invcal_coverage(unsigned dof);
 
 /* The accuracy of a calibrated length: the half-width of its 95 % interval, over field, root mean
@@ -329,11 +330,11 @@ invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
 
 /* Calibrates from position means.
  *
- * raw      3 count numbers: position means x y z, x y z, ... in raw counts, in any order. At least
- *          nine; twelve to eighteen well spread ones are good. In float a mean has 24 bits:
+ * raw      3 * count numbers: position means x y z, x y z, ... in raw counts, in any order. At
+ *          least nine; twelve to eighteen well spread ones are good. In float a mean has 24 bits:
  *          subtract a constant from counts above 2^24 first.
  * count    up to 65534.
- * nominal  data sheet, or an earlier calibration; may be out.
+ * nominal  data sheet, or an earlier calibration; may equal out.
  * noise    standard deviation of a position mean on each axis, over field, below 1; 0: not known,
  *          estimated from the residuals alone.
  * out      the calibration: the symmetric correction A, closest to the axes of nominal
@@ -343,16 +344,16 @@ invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
  * Judges by the size of the residuals alone: invcal_calibrate_judged looks for their causes.
  *
  * Returns INVCAL_OK;
- *   INVCAL_BAD_NOMINAL    see invcal_nominal; or singular to rounding;
+ *   INVCAL_BAD_NOMINAL    see invcal_nominal; or singular to within rounding;
  *   INVCAL_BAD_NOISE, INVCAL_BAD_COUNT;
  *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE    for a reading: invcal_bad_reading says which;
  *   INVCAL_TOO_FEW        fewer than nine;
  *   INVCAL_UNDETERMINED   the positions leave parameters open, to the precision of the number type:
  *                         invcal_undetermined names them;
- *   INVCAL_NOT_ELLIPSOID  the readings do not lie on an ellipsoid (but a hyperboloid, for example),
- *                         on none of a triad (a semi-axis below about 1/10 of nominal or of another
- *                         one, or a centre beyond ten times the field), or scatter by a tenth of
- *                         the field.
+ *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid (but on a hyperboloid, for example), on
+ *                         one that no triad has (a semi-axis below about 1/10 of nominal or of
+ *                         another one, or a centre beyond ten times the field), or scatter by a
+ *                         tenth of the field.
  * Cost: 18,000 instructions for 18 positions. Stack: about 620 bytes. */
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
@@ -362,8 +363,8 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
  * Leaves out positions that contradict the others; reports a systematic error - drift,
  * nonlinearity, hysteresis - with its axis and size. Directions within 5 degrees count once.
  *
- * count  up to INVCAL_MAX_POSITIONS, in the order in which they were visited, at equal intervals.
- * out    not nominal.
+ * count  up to INVCAL_MAX_POSITIONS, in the order of the visits, at equal intervals of time.
+ * out    must not equal nominal.
  *
  * Sets left_out, suspected, systematic, axis, size and unchecked of quality, and a verdict that
  * considers them all. About one in a hundred sets of 18 good positions is not called good.
@@ -403,7 +404,7 @@ typedef enum {
 
 /* Internal: an axis of the rest detector. Means are in 1/1024 counts. */
 typedef struct {
-    int32_t first;  /* sample of the block */
+    int32_t first;  /* first sample of the block */
     uint32_t sum;   /* of the differences to it, modulo 2^32; then the block's mean from origin */
     int32_t origin; /* what block means are relative to */
     int32_t place;  /* of the last position; before the first one, of the first block */
@@ -482,8 +483,8 @@ invcal_status invcal_session_init(invcal_session *session, invcal_real counts, u
 invcal_status invcal_session_begin(invcal_session *session, const invcal_calibration *nominal,
                                    unsigned rate);
 
-/* Sets the counts at which the sensor clips, low < high (-32768, 32767): rests that reach them are
- * refused from now on. Without it clipping is not detected.
+/* Sets the counts at which the sensor clips, low < high (-32768 and 32767 for 16 bits): rests that
+ * reach them are refused from now on. Without it clipping is not detected.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RAILS. */
 invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high);
@@ -502,8 +503,8 @@ void invcal_session_hold(invcal_session *session, uint32_t milliseconds);
  *
  * Positions beyond INVCAL_MAX_POSITIONS replace the oldest.
  *
- * Bounded: it never solves. Cost: 62 instructions on average at 1 kHz, 98 at 100 Hz.
- * Stack: about 230 bytes. */
+ * Returns what happened. Never solves, so its cost is bounded.
+ * Cost: 62 instructions on average at 1 kHz, 98 at 100 Hz. Stack: about 230 bytes. */
 invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3]);
 
 /* Call it where samples were lost. A rest goes on if the next samples agree with it. */
@@ -523,13 +524,13 @@ invcal_event invcal_session_last(const invcal_session *session);
 invcal_status invcal_session_reason(const invcal_session *session);
 
 /* The same as a sentence, as from invcal_status_text, "" before the first. Links only the sentences
- * of rests. */
+ * about rests. */
 const char *invcal_session_why(const invcal_session *session);
 
 /* Which orientation to take next: of 26 directions - the faces, edges and corners of a cube - the
  * one that adds the most information (mathematics_programs.md, "Guidance"); of equals, the nearest
- * to the current orientation. A position that is READY and still held counts as taken. It need not
- * be hit exactly: the next direction is computed from the orientations measured.
+ * to the current orientation. A position that is READY and still held counts as taken. The
+ * direction need not be hit exactly: the next one is computed from the orientations measured.
  *
  * up  out: the direction to point upwards, in the frame of the case: a unit vector.
  *

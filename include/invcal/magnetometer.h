@@ -104,8 +104,8 @@ invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
 /* Feeds one sample, raw counts.
  *
  * From time to time it looks at all samples. After the first solution it leaves out samples that
- * contradict it; those before that solution are dropped, unless they agree with later samples as
- * soon as these cover all sides as well.
+ * contradict it; those before that solution are dropped, unless they agree with later samples once
+ * these cover all sides, too.
  *
  * Returns INVCAL_NOTHING; INVCAL_TAKEN if it is the first in its cell; INVCAL_REFUSED if it is left
  * out, or not a number.
@@ -128,10 +128,10 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
  *
  * out      the calibration, over field; symmetric against nominal.
  * quality  its positions are the cells. sigma counts samples with a common error once, or comes
- *          from the scatter of the cells if that is clearly larger. No redundancy: the correlation
- *          of the samples is not known yet. Weak also if the gap is 60 degrees or more, for the
- *          parameters along it. Rough if a step or PLACES is reported, or more than an eighth was
- *          left out.
+ *          from the scatter of the cells if that is clearly larger. Verdicts: no redundancy while
+ *          the correlation of the samples is not known; weak also if the gap is 60 degrees or more,
+ *          for the parameters along it; rough if STEP or PLACES is reported, or more than an eighth
+ *          was left out.
  * found    out; may be null.
  *
  * Returns INVCAL_OK; else nothing is written:

@@ -91,8 +91,8 @@ enum {
     INVCAL_AXES             /* their number */
 };
 
-/* Which axis points up, within 0.1 degrees: one bit, or 0 if none does. Or the bits of all
- * positions to get the axes of a plan.
+/* Which axis points up, within 0.1 degrees: one bit, or 0 if none does. The bitwise OR over all
+ * positions gives the axes of a plan.
  *
  * vertical  a unit vector; any other, or a NaN, does no harm. */
 uint8_t invcal_axis_up(const invcal_real vertical[3]);

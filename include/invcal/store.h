@@ -177,9 +177,8 @@ invcal_status invcal_store_erase(const invcal_store *store);
  *
  * It begins with its kind, its version (now 2) and its length, and ends with the CRC-32 (IEEE
  * 802.3, as zlib) of all before it. Later versions may change everything else. So any version can
- * distinguish sound bytes of another one from damaged ones. Any other change, even a new verdict,
- * gets a new version number, and later releases keep a function to read every version released
- * before.
+ * distinguish sound bytes of another one from damaged ones. Any change, even a new verdict, gets a
+ * new version number, and later releases keep a function to read every version released before.
  *
  * The CRC detects one to four wrong bits, any run of up to 32 wrong bits, and any two bytes
  * exchanged. Other damage passes once in 2^32 times.
@@ -279,11 +278,10 @@ uint32_t invcal_session_size(const invcal_session *session);
  * size  number of bytes restored.
  *
  * Returns INVCAL_OK;
- *   INVCAL_OTHER_VERSION  they were not saved by a build like this;
+ *   INVCAL_OTHER_VERSION  they were saved by a different build;
  *   INVCAL_DAMAGED        their number does not match the table;
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    a content that no
- *                                                                              session
- *   has. The means are not checked: solving refuses bad ones. */
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    no session has that.
+ * The means are not checked: solving refuses bad ones. */
 invcal_status invcal_session_resume(invcal_session *session, uint32_t size);
 
 #ifdef __cplusplus

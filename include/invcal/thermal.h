@@ -41,9 +41,9 @@ extern "C" {
 #define INVCAL_THERMAL_CHOSEN(name)                                                                \
     INVCAL_THERMAL_CHOSEN_(name, INVCAL_THERMAL_DEGREE, INVCAL_MAX_POSITIONS)
 #define INVCAL_THERMAL_CHOSEN_(name, degree, positions)                                            \
-    INVCAL_THERMAL_CHOSEN__(name, degree, positions) /* step of it */
+    INVCAL_THERMAL_CHOSEN__(name, degree, positions) /* next step */
 #define INVCAL_THERMAL_CHOSEN__(name, degree, positions)                                           \
-    INVCAL_CHOSEN(name, degree##_##positions) /* step of it */
+    INVCAL_CHOSEN(name, degree##_##positions) /* last step */
 #define invcal_thermal_at INVCAL_THERMAL_CHOSEN(invcal_thermal_at)
 #define invcal_thermal_calibrate INVCAL_THERMAL_CHOSEN(invcal_thermal_calibrate)
 #define invcal_thermal_start INVCAL_THERMAL_CHOSEN(invcal_thermal_start)
@@ -107,8 +107,9 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
 
 /* Calibrates from position means and their temperatures.
  *
- * raw          3 count numbers, as invcal_calibrate. At least nine positions for each coefficient,
- *              at different temperatures; twelve to eighteen at each are good, in any order.
+ * raw          3 * count numbers, as invcal_calibrate. At least nine positions for each
+ *              coefficient, at different temperatures; twelve to eighteen at each are good, in any
+ *              order.
  * temperature  count numbers: the mean over each rest, see invcal_thermal_drift_limit.
  * count, nominal, noise  as invcal_calibrate.
  * out          reference and span are the middle and half the range of the temperatures, at least
@@ -143,7 +144,7 @@ invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope);
 
 /* Positions with temperatures and noise: see invcal_thermal_calibrate. */
 typedef struct {
-    const invcal_real *raw;         /* 3 count numbers */
+    const invcal_real *raw;         /* 3 * count numbers */
     const invcal_real *temperature; /* count numbers */
     unsigned count;                 /* of the positions */
     invcal_real noise;              /* of a position mean, over field; 0: not known */
@@ -177,7 +178,7 @@ typedef struct {
  *         slope even one temperature is enough. If the residuals show more noise than stated,
  *         theirs, quality->noise, weighs the prior: judge with that. Where sigma is more than 0.7
  *         of its prior, that parameter is determined by the prior more than by the positions.
- * base    of invcal_thermal_start, or an earlier calibration; may be out.
+ * base    of invcal_thermal_start, or an earlier calibration; may equal out.
  * degree  highest degree to fit.
  *
  * Returns as invcal_thermal_calibrate; INVCAL_BAD_TEMPERATURE also for one more than two spans from
