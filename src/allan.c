@@ -6,7 +6,8 @@
  * the difference is exact as long as it fits 63 bits.
  *
  * Each averaging time has its own ring of totals, one at every 2^t-th sample: its size does not
- * depend on m. Squares of 63 bits need a sum of 128, written in halves, since C99 has no such type.
+ * depend on m. Squares of 63 bits need a sum of 128, kept in two halves, since C99 has no such
+ * type.
  */
 #include "invcal/allan.h"
 
@@ -45,7 +46,7 @@ static int is_full(const invcal_allan_tau *sum)
     return (sum->low & sum->high) == UINT64_MAX;
 }
 
-/* In halves: libgcc converts 64 bits by way of double, even where there is none. */
+/* In halves: libgcc converts 64 bits by way of double, even if only float is in hardware. */
 static invcal_real to_real(uint64_t x)
 {
     return TWO_32 * (invcal_real)(uint32_t)(x >> 32) + (invcal_real)(uint32_t)x;
@@ -138,7 +139,7 @@ void invcal_allan_push(invcal_allan *allan, int32_t raw)
         //@ assert lag > 0; // t is as small as can be
         const uint32_t at = samples >> t;
         if (at << t != samples) {
-            break; /* nor do longer strides end here */
+            break; /* longer strides do not end here either */
         }
         if (at >= 2 * lag && tau->count < UINT32_MAX && (!allan->is_apart || at % lag == 0)) {
             add_difference(tau, total, lag, at);
@@ -159,7 +160,7 @@ void invcal_allan_gap(invcal_allan *allan)
     }
 }
 
-/* ---- the result for one ---------------------------------------------------------------------- */
+/* ---- the result ------------------------------------------------------------------------------ */
 
 /* edf of white noise by NIST SP 1065, table 5, as in allan.h, with lag as m'. Without a gap,
  * `count` differences over 2 lag use count + 2 lag totals. */
@@ -184,7 +185,7 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
     if (is_full(tau)) {
         return INVCAL_NO_SPACE;
     }
-    /* adjacent windows do not overlap: as if each were one sample */
+    /* adjacent windows do not overlap: each counts as one sample */
     const uint32_t lag = allan->is_apart ? 1 : tau->m >> stage(tau->m, 0);
     out->m = tau->m;
     out->count = tau->count;

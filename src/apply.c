@@ -3,7 +3,7 @@
  * calibrated = matrix (raw - offset): mathematics.md, "From p to the calibration". The offset is
  * subtracted before the product: matrix raw - matrix offset would cancel in float.
  *
- * Every program links this module, also one that only loads a calibration. Hence it calls no other,
+ * Every program links this module, even one that only loads a calibration. So it calls no other,
  * and invcal_dot is here.
  */
 #include "invcal/invcal.h"

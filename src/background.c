@@ -2,8 +2,8 @@
  *
  * Calibration of a device in use (mathematics_programs.md, "Guidance"): the detector and table of a
  * session, but a position stays only if it adds information. Its worth is its leverage h K h' among
- * all positions kept: each new one changes K, so all are weighed again when a rest is taken, and
- * never in between.
+ * all positions kept: each new one changes K, so all are weighed again when a rest is taken, never
+ * in between.
  */
 #include <string.h>
 

@@ -14,7 +14,7 @@
 #define EXPONENT UINT32_C(0x7F800000) /* of binary32: all set if not finite */
 #define NOT_A_NUMBER UINT32_C(0x7FC00000)
 
-enum { EMPTY_FRAME = 8 }; /* a frame with nothing in it */
+enum { EMPTY_FRAME = 8 }; /* a frame without content */
 
 uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value)
 {

@@ -15,8 +15,8 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
 }
 
 /* Cornish and Fisher's expansion of Student's quantile about the normal one, z = 1.96 (Abramowitz
- * and Stegun 26.7.5: the coefficients are its g1 ... g4 at z); it needs 3 degrees of freedom, the
- * first two have their own. */
+ * and Stegun 26.7.5: the coefficients are its g1 ... g4 at z); it needs 3 degrees of freedom; 1 and
+ * 2 have values of their own. */
 invcal_real invcal_coverage(unsigned dof)
 {
     if (dof < 2) {

@@ -123,8 +123,9 @@ unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calib
 
 /* Computes noise and sigma again, now with the scatter of the samples.
  *
- * power  the variance of a cell's mean times its samples: their variance times how many of them
- *        have a common error. 0: unknown, sigma remains that of the scatter of the cells. */
+ * power  the variance of a cell's mean times the number of its samples: their variance, times how
+ *        many in a row have a common error. 0: unknown, sigma remains that of the scatter of the
+ *        cells. */
 void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power);
 
 /* Returns whether late samples differ from early ones of the same cells as after a change of offset

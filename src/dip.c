@@ -120,8 +120,8 @@ static void turn_by(const invcal_real angle[3], invcal_real r[3][3])
     memcpy(r, work, sizeof turned);
 }
 
-/* sigma^2 = n_a r^2 K / (n - 4). With n_a below 1 samples would count for more than they are. The
- * heading is in error by their root mean square over cos(dip), and cos^2 is 1 - s^2. */
+/* sigma^2 = n_a r^2 K / (n - 4). With n_a below 1, samples would count more than once. The heading
+ * is in error by their root mean square over cos(dip), and cos^2 is 1 - s^2. */
 static void judge_dip(const invcal_dip *dip, invcal_real alike, invcal_real s,
                       invcal_real a[INVCAL_PACKED_SIZE(DIP_UNKNOWNS + 1)],
                       invcal_dip_quality *quality)

@@ -53,7 +53,7 @@ static INVCAL_IN_HEADER void invcal_fit_row_inline(const invcal_fit *fit, unsign
  * the new c'r is the reduction of the squares by the unknown (mathematics_judgement.md, "One fit
  * for all of them").
  *
- * Returns the part of c'c that the nine leave. */
+ * Returns the part of c'c that the nine do not explain. */
 invcal_real invcal_fit_append(const invcal_fit *fit, invcal_column columns[INVCAL_MORE],
                               unsigned d);
 
@@ -79,7 +79,7 @@ static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *f
     return beside;
 }
 
-/* These are for frequent callers: inline if optimised for speed. */
+/* For frequent callers: inline if optimised for speed. */
 #ifdef INVCAL_FAST
 #define invcal_fit_row_often invcal_fit_row_inline
 #define invcal_fit_append_often invcal_fit_append_inline

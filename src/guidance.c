@@ -13,7 +13,7 @@
 #include "sums.h"
 #include "vector.h"
 
-#define RIDGE INVCAL_REAL(1e-5)       /* over the trace and 10: between weak and good */
+#define RIDGE INVCAL_REAL(1e-5)       /* over the trace plus 10: between weak and good */
 #define ACROSS INVCAL_REAL(0.0078125) /* the opposite direction counts 1/64 less */
 #define THE_SAME INVCAL_REAL(0.9)     /* cosine of 26 degrees: the same position if closer */
 #define CLEARLY INVCAL_REAL(1.001)    /* if directions differ by less, the first wins */

@@ -253,7 +253,7 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
     return status != INVCAL_OK && condition > OPEN ? INVCAL_UNDETERMINED : status;
 }
 
-/* Apart: its caller needs stack for more tests. */
+/* Not inline: its caller needs the stack for more tests. */
 INVCAL_APART invcal_status invcal_positions_calibrate(const invcal_positions *positions,
                                                       invcal_calibration *out,
                                                       invcal_quality *quality)

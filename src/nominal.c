@@ -11,7 +11,8 @@
 #define SMALLEST INVCAL_REAL(1e-10)     /* over field per count; the largest is its inverse */
 #define FARTHEST_ZERO INVCAL_REAL(1e18) /* zero, over field */
 
-/* Singular to rounding is a determinant that its rows do not show. */
+/* Singular to within rounding: the determinant is below 16 epsilon times the product of the lengths
+ * of the rows. */
 invcal_status invcal_nominal_check(const invcal_calibration *nominal)
 {
     invcal_real cofactor[3][3];

@@ -5,7 +5,7 @@
  * diagonal of H'H.
  *
  * The weight of these rows needs the noise of the positions, and the residuals may show more than
- * was stated. So everything is solved twice, the second time with the noise of the first.
+ * was stated. So everything is solved twice, the second time with the noise found by the first.
  */
 #include <string.h>
 
@@ -21,9 +21,9 @@ typedef struct {
     const invcal_real *sigma;
     invcal_real widest;   /* of them */
     unsigned count;       /* of those that are stated */
-    invcal_real stated;   /* noise, */
-    invcal_real noise;    /* the one used for the weights, */
-    invcal_real resolved; /* and the min that resolves what the positions leave open */
+    invcal_real stated;   /* noise, as passed */
+    invcal_real noise;    /* used for the weights */
+    invcal_real resolved; /* min noise that resolves what the positions leave open */
     invcal_calibration c;
     invcal_quality q;
     uint8_t of_noise; /* verdict on the residuals alone */
@@ -164,7 +164,7 @@ static invcal_status calibrate(const invcal_positions *positions, update *prior)
     }
     invcal_judge_residuals(&residuals, &prior->q);
     status = judge_with(sums.sum, prior, l, a);
-    if (status == INVCAL_OK) { /* and with the noise that is there */
+    if (status == INVCAL_OK) { /* again, with the noise found */
         status = judge_with(sums.sum, prior, l, a);
     }
     return status;

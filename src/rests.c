@@ -45,7 +45,7 @@ enum {
     FALL = 41,              /* 1 / 0.8 */
     FAR_BELOW = 4 * OCTAVE, /* motion before it: no noise is that uneven */
     QUIET = 297,            /* 5 times the level: chance is 2e-4 for 9 degrees of freedom */
-    HARD = 331,             /* 6 times the limit: motion, not a hand's unrest */
+    HARD = 331,             /* 6 times the limit: motion, not hand tremor */
     ALIKE = 203,            /* max ratio of block variances at one noise level: 3 */
     HIDDEN = -2 * OCTAVE,   /* readings that toggle between two counts vary by up to 1/4 count^2
                                on each axis: they hide a smaller noise */
@@ -110,7 +110,7 @@ static uint32_t smaller(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* From a number modulo 2^32 to a signed one. */
+/* A number modulo 2^32 as a signed one. */
 static int32_t as_signed(uint32_t x)
 {
     return x <= INT32_MAX ? (int32_t)x : -(int32_t)~x - 1;
@@ -146,7 +146,8 @@ static unsigned top_of(uint32_t x)
 #endif
 }
 
-/* To base 2, in octaves; linear between powers of two, so up to 6 % below. 0 counts as 1/2. */
+/* The logarithm to base 2, OCTAVE for a factor of 2; linear between powers of two, so up to 6 %
+ * low. 0 counts as 1/2. */
 static int octaves(uint32_t x)
 {
     const unsigned top = top_of(x);
@@ -200,7 +201,7 @@ COMPACT static int distance_from_place(const invcal_rests *s)
     return length_of(d) + 2 * (int)FINE * OCTAVE;
 }
 
-/* Of the first rest, or of a position. */
+/* Takes the rest as the place of the last position, or of the first rest. */
 INVCAL_APART static void mark_place(invcal_rests *s)
 {
     for (unsigned a = 0; a < 3; a++) {
@@ -228,13 +229,13 @@ INVCAL_APART static void clear_rest(invcal_rests *s)
     skip(s);
 }
 
-/* Its samples. */
+/* The samples of a block. */
 static uint16_t samples_of(const invcal_rests *s)
 {
     return (uint16_t)(1u << s->bits);
 }
 
-/* The next sample begins another. */
+/* Drops the block: the next sample begins another. */
 static void drop(invcal_rests *s)
 {
     s->missing = 0;
@@ -331,7 +332,7 @@ static void measure(invcal_rests *s)
 
 /* ---- learning from the stream ---------------------------------------------------------------- */
 
-/* That of 1/2 count until it is known. */
+/* The level of the quantum; that of 1/2 count until it is known. */
 static int quantum_level(const invcal_rests *s)
 {
     return 2 * octaves(s->quantum) + ONE;
@@ -367,9 +368,9 @@ static void learn_noise(invcal_rests *s, int level, int hidden)
     s->noise = (int16_t)(level <= noise + QUIET ? follow(noise, level) : noise);
 }
 
-/* A fan is switched on, a table instead of a hand: blocks in a row, not quiet, but of similar
- * variance, and closer to where they are expected (without a rest, where the previous block was)
- * than their noise. Then that is the new noise. */
+/* A fan is switched on, or the device moves from a hand to a table: blocks in a row, not quiet, but
+ * of similar variance, and closer to where they are expected (without a rest, where the previous
+ * block was) than their noise. Then that is the new noise. */
 static void learn_new_noise(invcal_rests *s, int level, int jump)
 {
     const int d = level - s->other;
@@ -389,8 +390,8 @@ static void learn_new_noise(invcal_rests *s, int level, int jump)
 
 /* ---- the trend of a rest --------------------------------------------------------------------- */
 
-/* The mean from origin, which without a rest moves to it, in whole counts. Returns the distance of
- * the block from the trend of the rest, which may drift slowly. */
+/* Measures the mean from origin; without a rest, origin moves to it, in whole counts. Returns the
+ * distance of the block from the trend of the rest, which may drift slowly. */
 static int locate(invcal_rests *s)
 {
     int32_t d[3];
@@ -413,7 +414,7 @@ static int locate(invcal_rests *s)
     return larger(jump, length_of(d));
 }
 
-/* With those held back. */
+/* The blocks of the rest, with those held back. */
 static uint32_t blocks_of(const invcal_rests *s)
 {
     return (uint32_t)s->blocks + s->pended;
@@ -615,7 +616,7 @@ static int judge(invcal_rests *s, int quantum, int *is_quiet)
     return larger(excess, jump - limit);
 }
 
-/* Has that just become long enough to report, and was not reported yet? */
+/* Has it been dead long enough to report, and was this not reported yet? */
 static int is_frozen(invcal_rests *s)
 {
     s->run++;
@@ -652,7 +653,7 @@ static int is_readable(const invcal_rests *s)
     return s->stage == HELD || s->stage == LEFT;
 }
 
-/* Of the raw samples. */
+/* The sum of the raw samples. */
 static int64_t sum_of(const invcal_rests *s, unsigned a)
 {
     const int64_t off = (int64_t)s->rest.total[a];
@@ -662,7 +663,7 @@ static int64_t sum_of(const invcal_rests *s, unsigned a)
     return off + (int64_t)s->axis[a].origin * (int32_t)((uint32_t)s->blocks << s->bits);
 }
 
-/* The compiler's conversion of 64 bits is many times as large. */
+/* The compiler's own conversion of 64 bits takes many times the code. */
 static invcal_real as_real(uint64_t x)
 {
     return (invcal_real)(uint32_t)(x >> 32) * INVCAL_REAL(4294967296.0) + (invcal_real)(uint32_t)x;

@@ -221,7 +221,7 @@ const char *invcal_session_why(const invcal_session *session)
     return invcal_refusal_text(invcal_session_reason(session));
 }
 
-/* The last position: 0 if there is none. */
+/* Reads the last position. Returns 0 if there is none. */
 INVCAL_APART static int read_last(const invcal_session *session, invcal_row *row)
 {
     if (session->count == 0) {

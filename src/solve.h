@@ -14,8 +14,8 @@ invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3]);
 /* m^-1; not finite if m is singular. */
 void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3]);
 
-/* Size of the work space of the next two; on their own stack it would lie under that of their
- * callees. */
+/* Size of the work space of invcal_make_symmetric and invcal_ellipsoid; as a variable of their own
+ * it would add to the stack of their callees. */
 enum { INVCAL_WORK = 18 };
 
 /* a = S R becomes S, the symmetric matrix of the same a a'; work then begins with the orthonormal
@@ -26,8 +26,9 @@ void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK]);
 invcal_status invcal_nominal_check(const invcal_calibration *nominal);
 
 /* The coefficients p of an ellipsoid to the calibration of the points on it, with a symmetric
- * matrix. INVCAL_NOT_ELLIPSOID if it is none, or none of a triad: a semi-axis below about 1/10 of
- * nominal or of another one, or a centre beyond ten times the field. out is overwritten then. */
+ * matrix. INVCAL_NOT_ELLIPSOID if they are of no ellipsoid, or of one that no triad has: a
+ * semi-axis below about 1/10 of nominal or of another one, or a centre beyond ten times the field.
+ * out is overwritten then. */
 invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
                                invcal_real work[INVCAL_WORK], invcal_calibration *out);
 

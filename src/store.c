@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Two slots, of which one always has sound bytes: the format and the promise are in store.h. The
+ * Two slots, of which one always has sound bytes: the format and the guarantee are in store.h. The
  * state of a slot is read from its bytes alone, by look(), and nothing is remembered between calls:
  * so a power cut, whenever it comes, leaves nothing to repair. Each step of a save is read back
  * before the next.
@@ -149,7 +149,7 @@ static invcal_status survey(work *w, const invcal_store *store)
     return INVCAL_OK;
 }
 
-/* Reads it back: some memories ignore commands. */
+/* Erases the slot, and reads it back: some memories ignore commands. */
 static int clear(work *w)
 {
     return w->store->erase(w->store->context, w->slot) == 0 && look(w) == EMPTY;

@@ -83,7 +83,7 @@ static INVCAL_IN_HEADER invcal_real invcal_leverage_inline(const invcal_real *in
     return sum;
 }
 
-/* These are for frequent callers: inline if optimised for speed. */
+/* For frequent callers: inline if optimised for speed. */
 #ifdef INVCAL_FAST
 #define invcal_products_often invcal_products_inline
 #define invcal_observe_often invcal_observe_inline

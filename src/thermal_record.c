@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Encodes and decodes a calibration of temperature: the record of that at the reference (record.c),
- * complete with its own CRC, then the polynomials. The two must agree. Only lengths are compared,
- * since the frame of the record may have been turned.
+ * Encodes and decodes a calibration over temperature: the record of the one at the reference
+ * (record.c), complete with its own CRC, then the polynomials. The two must agree. Only lengths are
+ * compared, since the frame of the record may have been turned.
  */
 #include <stddef.h>
 
