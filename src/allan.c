@@ -41,7 +41,7 @@ static void add_square(invcal_allan_tau *sum, uint64_t size)
     }
 }
 
-static int is_full(const invcal_allan_tau *sum)
+static int has_overflowed(const invcal_allan_tau *sum)
 {
     return (sum->low & sum->high) == UINT64_MAX;
 }
@@ -63,7 +63,7 @@ static invcal_real root_mean(const invcal_allan_tau *sum)
 /* ---- averaging times ------------------------------------------------------------------------- */
 
 /* t of an averaging time: the smallest, from `t` on, whose ring reaches back 2 m. */
-static unsigned stage(uint32_t m, unsigned t)
+static unsigned stride_bits(uint32_t m, unsigned t)
 {
     while (m > (uint32_t)INVCAL_ALLAN_OVERLAP << t) { /* at most 30 steps: m is 2^30 or less */
         //@ assert t < 30;
@@ -75,7 +75,7 @@ static unsigned stage(uint32_t m, unsigned t)
 /* Windows begin only at multiples of the stride 2^t, so m must be one. */
 static int is_usable(uint32_t m)
 {
-    return m >= 1 && m <= INVCAL_ALLAN_LONGEST && m >> stage(m, 0) << stage(m, 0) == m;
+    return m >= 1 && m <= INVCAL_ALLAN_LONGEST && m >> stride_bits(m, 0) << stride_bits(m, 0) == m;
 }
 
 void invcal_allan_init(invcal_allan *allan)
@@ -134,7 +134,7 @@ void invcal_allan_push(invcal_allan *allan, int32_t raw)
     allan->samples = samples;
     for (unsigned k = 0; k < allan->taus; k++) {
         //@ assert \valid(tau); // number k
-        t = stage(tau->m, t);
+        t = stride_bits(tau->m, t);
         const uint32_t lag = tau->m >> t;
         //@ assert lag > 0; // t is as small as can be
         const uint32_t at = samples >> t;
@@ -164,7 +164,7 @@ void invcal_allan_gap(invcal_allan *allan)
 
 /* edf of white noise by NIST SP 1065, table 5, as in allan.h, with lag as m'. Without a gap,
  * `count` differences over 2 lag use count + 2 lag totals. */
-static invcal_real freedom(invcal_real lag, invcal_real count)
+static invcal_real edf_of(invcal_real lag, invcal_real count)
 {
     const invcal_real n = count + 2 * lag; /* totals */
     const invcal_real square = 4 * lag * lag;
@@ -182,15 +182,15 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
     if (tau->count == 0) {
         return INVCAL_TOO_FEW;
     }
-    if (is_full(tau)) {
+    if (has_overflowed(tau)) {
         return INVCAL_NO_SPACE;
     }
     /* adjacent windows do not overlap: each counts as one sample */
-    const uint32_t lag = allan->is_apart ? 1 : tau->m >> stage(tau->m, 0);
+    const uint32_t lag = allan->is_apart ? 1 : tau->m >> stride_bits(tau->m, 0);
     out->m = tau->m;
     out->count = tau->count;
     out->adev = root_mean(tau) / (invcal_real)tau->m;
-    out->edf = freedom((invcal_real)lag, (invcal_real)tau->count);
+    out->edf = edf_of((invcal_real)lag, (invcal_real)tau->count);
     out->relative = 1 / INVCAL_SQRT(2 * out->edf);
     return INVCAL_OK;
 }

@@ -39,7 +39,7 @@ static void drop_position(invcal_background *b, unsigned i)
 
 /* Refuses the last position if it adds little. If the table is full, drops the least informative
  * one, by its share of det H'H, an old one before a new one. Returns the event for the new one. */
-INVCAL_APART static invcal_event sift(invcal_background *b)
+INVCAL_NOINLINE static invcal_event sift(invcal_background *b)
 {
     invcal_session *session = &b->session;
     invcal_real least = INVCAL_REAL_MAX;

@@ -13,9 +13,9 @@
 
 /* Four bytes are one load if alignment does not matter, which gcc does not find by itself. */
 #ifdef __GNUC__
-#define INVCAL_ALWAYS __attribute__((always_inline)) inline
+#define INVCAL_ALWAYS_INLINE __attribute__((always_inline)) inline
 #else
-#define INVCAL_ALWAYS inline
+#define INVCAL_ALWAYS_INLINE inline
 #endif
 
 static inline uint16_t invcal_get_u16(const uint8_t *bytes)
@@ -23,7 +23,7 @@ static inline uint16_t invcal_get_u16(const uint8_t *bytes)
     return (uint16_t)(bytes[0] | (unsigned)bytes[1] << 8);
 }
 
-static INVCAL_ALWAYS uint32_t invcal_get_u32(const uint8_t *bytes)
+static INVCAL_ALWAYS_INLINE uint32_t invcal_get_u32(const uint8_t *bytes)
 {
     return invcal_get_u16(bytes) | (uint32_t)invcal_get_u16(bytes + 2) << 16;
 }

@@ -129,8 +129,8 @@ static void name(const diagnosis *d, invcal_quality *q)
 }
 
 /* Returns the positions to leave out. */
-static INVCAL_APART invcal_mask choose(const invcal_fit *fit, const invcal_group *g,
-                                       invcal_quality *q)
+static INVCAL_NOINLINE invcal_mask choose(const invcal_fit *fit, const invcal_group *g,
+                                          invcal_quality *q)
 {
     diagnosis d;
 

@@ -65,8 +65,8 @@ static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *f
 {
     invcal_real *const x = columns[d];
     const invcal_real least = INVCAL_TOLERANCE * x[INVCAL_C + d];
-    const invcal_real beside = x[INVCAL_C + d] - invcal_leverage_often(fit->sums.sum, x);
-    invcal_real left = beside;
+    const invcal_real unexplained = x[INVCAL_C + d] - invcal_leverage_often(fit->sums.sum, x);
+    invcal_real left = unexplained;
 
     for (unsigned i = INVCAL_C; i < INVCAL_C + d; i++) {
         const invcal_real *const before = columns[i - INVCAL_C];
@@ -76,7 +76,7 @@ static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *f
     }
     x[INVCAL_C + d] = left > least ? 1 / INVCAL_SQRT(left) : 0;
     x[INVCAL_REST] *= x[INVCAL_C + d];
-    return beside;
+    return unexplained;
 }
 
 /* For frequent callers: inline if optimised for speed. */

@@ -106,7 +106,7 @@ invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_ca
     status = invcal_triad(found, &c);
     if (status == INVCAL_OK) {
         invcal_inverse3((const invcal_real(*)[3])m, c.matrix);
-        status = invcal_behind(nominal, &c);
+        status = invcal_compose(nominal, &c);
     }
     if (status == INVCAL_OK) {
         *out = c;

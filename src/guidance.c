@@ -60,7 +60,7 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
 
 /* The direction with the most information; of equals the closest to the current one, but not the
  * same again. */
-void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
+void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
 {
     const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current) + NO_LENGTH);
     invcal_real h[INVCAL_PARAMETERS];
@@ -106,7 +106,7 @@ void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibratio
 
     INVCAL_ASSERT((raw || count == 0) && nominal && up);
     invcal_sum_readings(raw, count, nominal, &sums, last);
-    invcal_next_beside(&sums, last, up);
+    invcal_next_of_sums(&sums, last, up);
 }
 
 /* J of a direction only planned is 0: it does not enter K. */

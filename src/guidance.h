@@ -22,7 +22,7 @@ void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_ca
 /* The direction to take next, given the rows in sums, which are overwritten.
  *
  * current  the last reading, over field; 0 if there is none. */
-void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3]);
+void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal_real up[3]);
 
 /* L^-1 of H'H and a small ridge; overwrites the sums. Works for any positions, even none. Returns
  * the ridge. */

@@ -33,8 +33,8 @@
 #define IMU_RIDGE INVCAL_REAL(6e-6)      /* of the trace */
 #define HELD_BY_RIDGE INVCAL_REAL(0.1)   /* open: the ridge gives more than this share */
 #define STATED_ROWS INVCAL_REAL(4.0)     /* residuals that a stated noise counts as */
-#define LITTLE INVCAL_REAL(0.01)         /* of a residual; with 0, rounding errors would count */
-#define MUCH INVCAL_REAL(2.0)            /* times the stated variance: something is wrong */
+#define UNSTATED_ROWS INVCAL_REAL(0.01)  /* of a residual; with 0, rounding errors would count */
+#define ROUGH_VARIANCE INVCAL_REAL(2.0)  /* times the stated variance: something is wrong */
 
 enum {
     IMU_ALL = INVCAL_IMU_PARAMETERS,
@@ -117,8 +117,8 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
             f[i] += (th[i] - up[0][i] - up[1][i]) / 2;
         }
         for (unsigned i = 0; i < 3; i++) {
-            const invcal_real felt = w->out->g_is_used ? invcal_dot3(w->out->slope[i], f) : 0;
-            v[i] -= time * (bias[i] + felt);
+            const invcal_real g_bias = w->out->g_is_used ? invcal_dot3(w->out->slope[i], f) : 0;
+            v[i] -= time * (bias[i] + g_bias);
         }
         invcal_zero(f, sizeof f);
         invcal_unpack(segment->kappa, INVCAL_KAPPA_UNIT, f);
@@ -212,7 +212,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     for (unsigned i = w->begin; i < end; i++) {
         w->bias[i][axis] += share * residual[i];
     }
-    w->felt[axis] = invcal_dot3(p, h); /* of the last rest */
+    w->g_bias[axis] = invcal_dot3(p, h); /* of the last rest */
     invcal_invert(a, BIAS);
     set_slopes(w->out, axis, a, square);
 }
@@ -226,7 +226,7 @@ static void find_bias(invcal_imu_work *w)
 
 /* ---- equations ------------------------------------------------------------------------------- */
 
-INVCAL_APART static void lengthen(invcal_real v[3], invcal_real times)
+INVCAL_NOINLINE static void scale_by(invcal_real v[3], invcal_real times)
 {
     for (unsigned i = 0; i < 3; i++) {
         v[i] *= times;
@@ -312,7 +312,7 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
         a[i] = invcal_dot3(r.c[i], up[1]);
     }
     invcal_cross(a, up[0], y);
-    lengthen(y, 3 / (2 + invcal_dot3(a, up[0])));
+    scale_by(y, 3 / (2 + invcal_dot3(a, up[0])));
     const invcal_real time_square = r.time * r.time;
     const invcal_real variance =
         2 * w->noise_square + density * (r.time + time_square / 2) + wander * time_square;
@@ -361,7 +361,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
         if (i >= w->begin) {
             invcal_apply(&w->out->accelerometer, raw, up[1]);
             const invcal_real length = INVCAL_SQRT(invcal_dot3(up[1], up[1]));
-            lengthen(up[1], 1 / length);
+            scale_by(up[1], 1 / length);
             if (!(length >= INVCAL_REAL(0.1) && length <= 10)) {
                 return INVCAL_OUT_OF_RANGE;
             }
@@ -456,7 +456,7 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
         }
         w->out->accelerometer.offset[i] = p[i];
     }
-    return invcal_behind(&before, &w->out->accelerometer);
+    return invcal_compose(&before, &w->out->accelerometer);
 }
 
 /* Estimates the variance of each kind from its residuals: (4 + squares) / (4 + dof). The expected
@@ -465,7 +465,7 @@ static void weigh_kinds(invcal_imu_work *w)
 {
     for (unsigned k = 0; k < INVCAL_KINDS; k++) {
         const invcal_real stated =
-            k == INVCAL_OF_MOVES || w->settings->noise > 0 ? STATED_ROWS : LITTLE;
+            k == INVCAL_OF_MOVES || w->settings->noise > 0 ? STATED_ROWS : UNSTATED_ROWS;
         const invcal_real dof =
             invcal_number(w->pass.kind[k] * (w->pass.rows - w->n)) / invcal_number(w->pass.rows);
         if (dof + stated >= 1) {
@@ -582,18 +582,19 @@ static void deliver(invcal_imu_work *w)
     const invcal_real *last = w->bias[m->count - 1u];
 
     for (unsigned i = 0; i < 3; i++) {
-        out->gyro.offset[i] = m->bias[i] + last[i] - (out->g_is_used ? w->felt[i] : 0);
+        out->gyro.offset[i] = m->bias[i] + last[i] - (out->g_is_used ? w->g_bias[i] : 0);
     }
     memcpy(out->gyro.matrix, w->out->parameter, sizeof out->gyro.matrix);
-    (void)invcal_behind(&m->nominal, &out->gyro);
+    (void)invcal_compose(&m->nominal, &out->gyro);
     out->move_rms = INVCAL_SQRT(w->pass.residuals);
     out->move_max = INVCAL_SQRT(w->pass.worst_residual);
     out->moves = (uint8_t)(w->pass.kind[INVCAL_OF_MOVES] / 2);
     out->dof = (uint16_t)(w->pass.rows - w->n);
     if (out->open != 0) {
         out->verdict = INVCAL_WEAK;
-    } else if (w->is_stated && (w->variance[INVCAL_OF_MOVES] > MUCH ||
-                                (w->settings->noise > 0 && w->variance[INVCAL_OF_RESTS] > MUCH))) {
+    } else if (w->is_stated &&
+               (w->variance[INVCAL_OF_MOVES] > ROUGH_VARIANCE ||
+                (w->settings->noise > 0 && w->variance[INVCAL_OF_RESTS] > ROUGH_VARIANCE))) {
         out->verdict = INVCAL_ROUGH;
     } else if (out->dof == 0) {
         out->verdict = INVCAL_NO_REDUNDANCY;

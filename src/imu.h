@@ -22,7 +22,7 @@ typedef struct {
     unsigned begin;           /* first rest of moves that has a mean */
     unsigned apart;           /* moves left out */
     int is_stated, is_adapted;
-    invcal_real felt[3];                /* bias due to acceleration in the last rest */
+    invcal_real g_bias[3];              /* bias due to acceleration in the last rest */
     invcal_real variance[INVCAL_KINDS]; /* over the expected variance */
     struct {
         unsigned kind[INVCAL_KINDS];              /* rows of each kind */

@@ -165,7 +165,7 @@ void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q
 
 /* By how many standard deviations residuals exceed a noise: the root of 2 chi squared is nearly
  * normal about that of 2 dof - 1 (Fisher). 0 if there is nothing to compare. */
-static INVCAL_APART invcal_real excess(invcal_real stated, invcal_real squares, invcal_real dof)
+static INVCAL_NOINLINE invcal_real excess(invcal_real stated, invcal_real squares, invcal_real dof)
 {
     const invcal_real known = stated * stated;
 
@@ -254,9 +254,9 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
 }
 
 /* Not inline: its caller needs the stack for more tests. */
-INVCAL_APART invcal_status invcal_positions_calibrate(const invcal_positions *positions,
-                                                      invcal_calibration *out,
-                                                      invcal_quality *quality)
+INVCAL_NOINLINE invcal_status invcal_positions_calibrate(const invcal_positions *positions,
+                                                         invcal_calibration *out,
+                                                         invcal_quality *quality)
 {
     invcal_calibration triad;
     const invcal_real(*a)[3] = (const invcal_real(*)[3])triad.matrix;
@@ -272,7 +272,7 @@ INVCAL_APART invcal_status invcal_positions_calibrate(const invcal_positions *po
     }
     if (status == INVCAL_OK) {
         c = triad;
-        status = invcal_behind(positions->nominal, &c);
+        status = invcal_compose(positions->nominal, &c);
     }
     if (status == INVCAL_OK) {
         status = invcal_positions_compare(positions, &c, a, &sums, &residuals);

@@ -77,7 +77,7 @@ invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calib
     }
     status = invcal_triad(p, &c);
     if (status == INVCAL_OK) {
-        status = invcal_behind(nominal, &c);
+        status = invcal_compose(nominal, &c);
     }
     if (status == INVCAL_OK) {
         *out = c;

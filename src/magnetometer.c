@@ -27,8 +27,8 @@ enum { NO_SOLUTION, FIRST_SOLUTION, SECOND_SOLUTION };
 enum { FIRST_LOOK = 100, LARGEST_BLOCK = 4096 };
 #define FULL_COUNT UINT32_C(16777216)
 /* Until there are residuals: eight of a tenth of the field, and the sum of their squares. */
-enum { DIFFER_COUNT = 8 };
-#define DIFFER_SQUARES INVCAL_REAL(0.08)
+enum { INITIAL_COUNT = 8 };
+#define INITIAL_SQUARES INVCAL_REAL(0.08)
 #define CONTRADICTS INVCAL_REAL(25.0) /* square of 5 */
 #define FAR INVCAL_REAL(0.01)
 #define WIDE_GAP INVCAL_REAL(0.6)      /* a cosine: more than 45 degrees */
@@ -80,9 +80,9 @@ static void end_block(invcal_magnetometer *m)
 static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETERS])
 {
     const invcal_real r = invcal_dot(m->p, h, INVCAL_PARAMETERS) - INVCAL_REAL(0.5);
-    const invcal_real n = (invcal_real)(m->blocked + m->in_block + DIFFER_COUNT);
+    const invcal_real n = (invcal_real)(m->blocked + m->in_block + INITIAL_COUNT);
 
-    if (!(r * r * n <= CONTRADICTS * (m->squares + DIFFER_SQUARES))) {
+    if (!(r * r * n <= CONTRADICTS * (m->squares + INITIAL_SQUARES))) {
         return 0;
     }
     m->squares += r * r;
@@ -105,7 +105,7 @@ static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invc
     invcal_calibration c = {{shift[0], shift[1], shift[2]},
                             {{1 / scale, 0, 0}, {0, 1 / scale, 0}, {0, 0, 1 / scale}}};
 
-    if (invcal_behind(&m->work, &c) != INVCAL_OK) {
+    if (invcal_compose(&m->work, &c) != INVCAL_OK) {
         return 0;
     }
     m->work = c;
@@ -383,7 +383,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
         fit.quality.sigma[i] /= invcal_cells_field(&fit);
     }
     judge_motion(m, &f, &fit.tables, &fit.quality);
-    status = invcal_behind(&m->work, &fit.triad);
+    status = invcal_compose(&m->work, &fit.triad);
     if (status == INVCAL_OK) {
         *out = fit.triad;
         *quality = fit.quality;

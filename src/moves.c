@@ -14,9 +14,9 @@
 #include "solve.h"
 
 /* mathematics_imu.md, "Segments". */
-#define FULL INVCAL_REAL(0.1218)       /* 20 degrees, squared: of a segment */
-#define PART INVCAL_REAL(0.0110)       /* 6 degrees, squared: of one that is not merged */
-#define LONGEST_MOVE INVCAL_REAL(10.0) /* seconds */
+#define MERGED_LIMIT INVCAL_REAL(0.1218)   /* 20 degrees, squared: of a segment */
+#define UNMERGED_LIMIT INVCAL_REAL(0.0110) /* 6 degrees, squared: of one that is not merged */
+#define LONGEST_MOVE INVCAL_REAL(10.0)     /* seconds */
 
 enum {
     LATE = 8,            /* blocks that are not merged: a rest is TAKEN 7 blocks after its end */
@@ -81,7 +81,7 @@ static int pack_segment(const invcal_real rho[3], const invcal_real v[3], invcal
     return fits;
 }
 
-INVCAL_APART void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
+INVCAL_NOINLINE void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
 {
     for (unsigned i = 0; i < 3; i++) {
         out[i] += (invcal_real)packed[i] * unit;
@@ -100,7 +100,7 @@ static int merge(invcal_segment *a, const invcal_segment *b)
     invcal_unpack(a->v, INVCAL_V_UNIT, of[2]);
     invcal_unpack(b->v, INVCAL_V_UNIT, of[1]);
     invcal_unpack(b->v, INVCAL_V_UNIT, of[2]);
-    if (invcal_dot3(of[2], of[2]) > FULL || samples > MOST_SAMPLES) {
+    if (invcal_dot3(of[2], of[2]) > MERGED_LIMIT || samples > MOST_SAMPLES) {
         return 0;
     }
     invcal_unpack(a->kappa, INVCAL_KAPPA_UNIT, of[0]);
@@ -115,7 +115,7 @@ static int merge(invcal_segment *a, const invcal_segment *b)
 }
 
 /* Removes segments from..to - 1. */
-static void take_out(invcal_moves *m, unsigned from, unsigned to)
+static void remove_segments(invcal_moves *m, unsigned from, unsigned to)
 {
     /* at most INVCAL_MAX_SEGMENTS steps */
     while (to < m->used && to < INVCAL_MAX_SEGMENTS && /* uncovered: a guard for the proof */
@@ -131,7 +131,7 @@ static void take_out(invcal_moves *m, unsigned from, unsigned to)
     m->used = (uint16_t)from;
 }
 
-static void find_fault(invcal_moves *m, unsigned status)
+static void set_fault(invcal_moves *m, unsigned status)
 {
     if (m->fault == INVCAL_OK) {
         m->fault = (uint8_t)status;
@@ -141,12 +141,12 @@ static void find_fault(invcal_moves *m, unsigned status)
 /* Closes the current segment. Its rounding error is carried to the next. If the table is full, the
  * oldest segment that is not merged is lost, and with it the moves to which that one and this one
  * belong. */
-INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
+INVCAL_NOINLINE static void close_segment(invcal_moves *m, unsigned mark)
 {
     if (m->used >= INVCAL_MAX_SEGMENTS && m->fixed < INVCAL_MAX_SEGMENTS) {
         m->marks = (uint8_t)(m->marks - (m->segment[m->fixed].time & 1u));
-        take_out(m, m->fixed, m->fixed + 1u);
-        find_fault(m, INVCAL_NO_SPACE);
+        remove_segments(m, m->fixed, m->fixed + 1u);
+        set_fault(m, INVCAL_NO_SPACE);
         m->spoilt = INVCAL_NO_SPACE;
     }
     if (m->used >= INVCAL_MAX_SEGMENTS) { /* resumed from stored bytes */
@@ -177,7 +177,7 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
 /* ---- rests and moves ------------------------------------------------------------------------- */
 
 /* The device is not at rest. */
-INVCAL_APART static void forget_rest(invcal_moves *m)
+INVCAL_NOINLINE static void forget_rest(invcal_moves *m)
 {
     m->cut = NOWHERE;
     m->still_samples = 0;
@@ -217,7 +217,7 @@ static void settle(invcal_moves *m, int is_rest)
     m->samples += s->time / 2u;
     const unsigned reason = find_reason(m);
     if (!is_rest || s->v[0] == SPOILT) {
-        find_fault(m, reason);
+        set_fault(m, reason);
     }
     if (is_rest) {
         add_still(m, s);
@@ -225,7 +225,7 @@ static void settle(invcal_moves *m, int is_rest)
         forget_rest(m);
     }
     if (reason != INVCAL_OK || (m->fixed > m->first && m->fixed != m->cut && merge(s - 1, s))) {
-        take_out(m, m->fixed, m->fixed + 1u);
+        remove_segments(m, m->fixed, m->fixed + 1u);
     } else {
         m->fixed++;
     }
@@ -242,7 +242,7 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 
 /* From now on the bias of the first rest is subtracted from v. The newest blocks still contain it.
  * They are at rest, so they can be dropped. */
-static void subtract(invcal_moves *m)
+static void subtract_bias(invcal_moves *m)
 {
     const invcal_real pace = m->rate / (invcal_real)m->still_samples;
 
@@ -259,7 +259,7 @@ static void drop_oldest(invcal_moves *m)
 {
     const unsigned segments = m->rest[1].move > 0 ? (unsigned)m->rest[1].move : 0;
 
-    take_out(m, 0, segments);
+    remove_segments(m, 0, segments);
     m->fixed = (uint16_t)(m->fixed - segments);
     m->first = m->fixed;
     m->count--;
@@ -292,12 +292,12 @@ static void keep_move(invcal_moves *m)
     int16_t bias[3];
 
     const int has_turned = measure_bias(m, bias);
-    find_fault(m, segments == 0              ? INVCAL_MOVE_GAP
-                  : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
-                  : has_turned               ? INVCAL_REST_DRIFT
-                                             : INVCAL_OK);
+    set_fault(m, segments == 0              ? INVCAL_MOVE_GAP
+                 : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
+                 : has_turned               ? INVCAL_REST_DRIFT
+                                            : INVCAL_OK);
     const unsigned kept = m->fault == INVCAL_OK ? segments : 0;
-    take_out(m, m->first + kept, m->fixed);
+    remove_segments(m, m->first + kept, m->fixed);
     m->first = (uint16_t)(m->first + kept);
     m->fixed = m->first;
     const int move = m->fault == INVCAL_OK ? (int)segments : -(int)m->fault;
@@ -372,7 +372,7 @@ void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3])
     }
     turn(moves->rho, th);
     moves->missing++;
-    if (!(invcal_dot3(moves->v, moves->v) < PART) || moves->missing == MOST_SAMPLES) {
+    if (!(invcal_dot3(moves->v, moves->v) < UNMERGED_LIMIT) || moves->missing == MOST_SAMPLES) {
         close_segment(moves, 0);
     }
 }
@@ -398,7 +398,7 @@ void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_
     const int has_rest = event == INVCAL_READY || event == INVCAL_TAKEN;
     settle_until(moves, has_rest ? ((rests->time - rests->end) >> bits) + CUT_OFF : LATE, resting);
     if (event == INVCAL_READY && moves->count == 0 && moves->still_samples > 0) {
-        subtract(moves);
+        subtract_bias(moves);
     }
     if (event == INVCAL_TAKEN) {
         keep_move(moves);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Accepts or refuses a calibration as nominal. Every solver checks its result in the same way
- * (invcal_behind), so each result may be stored, or be the nominal of the next calibration.
+ * (invcal_compose), so each result may be stored, or be the nominal of the next calibration.
  */
 #include "solve.h"
 #include "vector.h"

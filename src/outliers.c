@@ -94,7 +94,7 @@ static INVCAL_OFTEN int visit(search *s, left_over *over, invcal_column group[IN
 }
 
 /* All groups of one and two, and those of three with a promising pair. */
-static INVCAL_APART void search_groups(search *s, unsigned size)
+static INVCAL_NOINLINE void search_groups(search *s, unsigned size)
 {
     const unsigned count = s->fit->positions.count;
     left_over over[INVCAL_GROUP + 1];
@@ -172,7 +172,7 @@ static void clear_group(const search *s, unsigned size, invcal_group *found)
 void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
 {
     const invcal_mask before = fit->positions.left_out;
-    const contest nobody = {before, before, fit->squares, fit->squares};
+    const contest initial = {before, before, fit->squares, fit->squares};
     unsigned size = invcal_fit_spare(fit, INVCAL_SPARE);
     search s;
 
@@ -185,7 +185,7 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
     s.fit = fit;
     s.promising = fit->squares * (1 - PROMISING / invcal_number(fit->sums.count));
     for (unsigned k = 0; k <= INVCAL_GROUP; k++) {
-        s.contests[k] = nobody;
+        s.contests[k] = initial;
     }
     search_groups(&s, size);
     clear_group(&s, size, found);

@@ -30,7 +30,7 @@ typedef struct {
     uint16_t from_prior;
 } update;
 
-static invcal_status know(const invcal_positions *positions, update *prior)
+static invcal_status check_prior(const invcal_positions *positions, update *prior)
 {
     const invcal_real *sigma = prior->sigma;
 
@@ -154,7 +154,7 @@ static invcal_status calibrate(const invcal_positions *positions, update *prior)
     invcal_status status = solve_with(positions, prior, &sums, l, &triad);
     if (status == INVCAL_OK) {
         prior->c = triad;
-        status = invcal_behind(positions->nominal, &prior->c);
+        status = invcal_compose(positions->nominal, &prior->c);
     }
     if (status == INVCAL_OK) {
         status = invcal_positions_compare(positions, &prior->c, a, &sums, &residuals);
@@ -171,13 +171,14 @@ static invcal_status calibrate(const invcal_positions *positions, update *prior)
 }
 
 /* If the data are noisier than stated, the prior has more weight: solve again. */
-static invcal_status learn(const invcal_positions *positions, const invcal_real *sigma, update *u)
+static invcal_status calibrate_twice(const invcal_positions *positions, const invcal_real *sigma,
+                                     update *u)
 {
     invcal_zero(u, sizeof *u);
     u->sigma = sigma;
     u->stated = positions->noise;
     u->noise = positions->noise;
-    invcal_status status = know(positions, u);
+    invcal_status status = check_prior(positions, u);
     if (status == INVCAL_OK) {
         status = calibrate(positions, u);
     }
@@ -197,7 +198,7 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
     update u;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && prior && out && quality && from_prior);
-    const invcal_status status = learn(&positions, prior, &u);
+    const invcal_status status = calibrate_twice(&positions, prior, &u);
     if (status == INVCAL_OK) {
         *out = u.c;
         *quality = u.q;
@@ -218,7 +219,8 @@ invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
     update u;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && out && quality && held);
-    const invcal_status status = gamma < 1 ? learn(&positions, prior, &u) : INVCAL_BAD_PRIOR;
+    const invcal_status status =
+        gamma < 1 ? calibrate_twice(&positions, prior, &u) : INVCAL_BAD_PRIOR;
     if (status == INVCAL_OK) {
         const unsigned weak = u.q.weak;
         *held = (uint16_t)(u.from_prior | (weak & angles));

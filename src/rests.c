@@ -92,7 +92,7 @@ enum {
  * as long; and COMPACT functions are not inlined. */
 #ifdef __OPTIMIZE_SIZE__
 #define QUICK 0
-#define COMPACT INVCAL_APART
+#define COMPACT INVCAL_NOINLINE
 #else
 #define QUICK 1
 #define COMPACT
@@ -202,7 +202,7 @@ COMPACT static int distance_from_place(const invcal_rests *s)
 }
 
 /* Takes the rest as the place of the last position, or of the first rest. */
-INVCAL_APART static void mark_place(invcal_rests *s)
+INVCAL_NOINLINE static void mark_place(invcal_rests *s)
 {
     for (unsigned a = 0; a < 3; a++) {
         s->axis[a].place = s->axis[a].origin;
@@ -219,7 +219,7 @@ static void skip(invcal_rests *s)
 }
 
 /* There is no rest: look for the next one. */
-INVCAL_APART static void clear_rest(invcal_rests *s)
+INVCAL_NOINLINE static void clear_rest(invcal_rests *s)
 {
     s->blocks = 0;
     s->pended = 0;
@@ -265,7 +265,7 @@ static void begin(invcal_rests *s, const int32_t raw[3])
 
 /* Any sample: the first of a block, one far from it or near a rail, or one that may reduce the
  * quantum. */
-INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
+INVCAL_NOINLINE static void add_any(invcal_rests *s, const int32_t raw[3])
 {
     if (s->missing == 0) {
         begin(s, raw);
@@ -478,7 +478,7 @@ static int is_stuck(const invcal_rests *s)
 }
 
 /* What is wrong with it? */
-INVCAL_APART static invcal_status fault(const invcal_rests *s)
+INVCAL_NOINLINE static invcal_status fault(const invcal_rests *s)
 {
     if (s->blocks >= s->least) {
         if (s->drift > 0 && s->stage != HELD) {
@@ -500,26 +500,26 @@ INVCAL_APART static invcal_status fault(const invcal_rests *s)
     return (s->flags & LOST) != 0 ? INVCAL_REST_GAP : INVCAL_REST_SHORT;
 }
 
-static invcal_event say(invcal_rests *s, invcal_status why, invcal_event event)
+static invcal_event report(invcal_rests *s, invcal_status why, invcal_event event)
 {
     s->reason = (uint8_t)why;
     return event;
 }
 
 /* The rest is over. A very short one is not reported. */
-INVCAL_APART static invcal_event finish(invcal_rests *s)
+INVCAL_NOINLINE static invcal_event finish(invcal_rests *s)
 {
     const invcal_status why = fault(s);
     const int is_nothing = s->blocks < s->least / 4 || s->stage == (uint8_t)why; /* nothing twice */
 
     if (why != INVCAL_OK) {
         clear_rest(s);
-        return is_nothing ? INVCAL_MOVING : say(s, why, INVCAL_REFUSED);
+        return is_nothing ? INVCAL_MOVING : report(s, why, INVCAL_REFUSED);
     }
     mark_place(s);
     s->taken = 1;
     s->stage = LEFT;
-    return say(s, why, INVCAL_TAKEN);
+    return report(s, why, INVCAL_TAKEN);
 }
 
 /* Drift and shortness are not reported yet: the rest may settle, or become long enough. */
@@ -537,21 +537,21 @@ static invcal_event announce(invcal_rests *s)
     }
     if (s->drift == DRIFTING) {
         clear_rest(s);
-        return say(s, INVCAL_REST_DRIFT, INVCAL_REFUSED);
+        return report(s, INVCAL_REST_DRIFT, INVCAL_REFUSED);
     }
     const invcal_status why = fault(s);
     if (!is_news(s, why)) {
         return INVCAL_SETTLING;
     }
     s->stage = (uint8_t)why;
-    return say(s, why, why == INVCAL_OK ? INVCAL_READY : INVCAL_REFUSED);
+    return report(s, why, why == INVCAL_OK ? INVCAL_READY : INVCAL_REFUSED);
 }
 
 /* ---- decisions ------------------------------------------------------------------------------- */
 
 /* A knock passes, motion does not; another place is quiet, but elsewhere. After a shock blocks are
  * not trusted at once, nor after any motion as long as there is no position. */
-INVCAL_APART static invcal_event disagree(invcal_rests *s, int is_quiet, int excess)
+INVCAL_NOINLINE static invcal_event disagree(invcal_rests *s, int is_quiet, int excess)
 {
     if (excess > HARD || (!is_quiet && s->blocks < s->least)) {
         skip(s);
@@ -624,7 +624,7 @@ static int is_frozen(invcal_rests *s)
 }
 
 /* A block is full. Is it quiet, and where it is expected? */
-INVCAL_APART static invcal_event decide(invcal_rests *s)
+INVCAL_NOINLINE static invcal_event decide(invcal_rests *s)
 {
     const int quantum = quantum_level(s);
     int is_quiet = 0;
@@ -640,7 +640,7 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
         if (!is_dead(s, quantum)) {
             excess = judge(s, quantum, &is_quiet);
         } else if (is_frozen(s)) {
-            return say(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
+            return report(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
         } /* cppcheck-suppress misra-c2012-15.7 ; it disagrees */
     }
     return excess <= 0 ? agree(s) : disagree(s, is_quiet, excess);

@@ -26,8 +26,8 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 /* ---- settings -------------------------------------------------------------------------------- */
 
 /* Called before any other write to the session; writes only on success. */
-INVCAL_APART static invcal_status begin_stream(invcal_session *session,
-                                               const invcal_calibration *nominal, unsigned rate)
+INVCAL_NOINLINE static invcal_status begin_stream(invcal_session *session,
+                                                  const invcal_calibration *nominal, unsigned rate)
 {
     invcal_status status = invcal_nominal_check(nominal);
     if (status == INVCAL_OK) {
@@ -134,7 +134,7 @@ invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
 /* ---- samples --------------------------------------------------------------------------------- */
 
 /* The reading of the rest that is READY or was just TAKEN. */
-INVCAL_APART static invcal_status read_rest(const invcal_session *session, invcal_row *row)
+INVCAL_NOINLINE static invcal_status read_rest(const invcal_session *session, invcal_row *row)
 {
     return invcal_rests_mean(&session->rests, row->h)
                ? invcal_observe(&session->nominal, row->h, row)
@@ -158,7 +158,7 @@ static void keep(invcal_session *session)
 }
 
 /* A rest that is not a reading of this field is refused at once, and again when it ends. */
-INVCAL_APART static invcal_event digest(invcal_session *session, invcal_event event)
+INVCAL_NOINLINE static invcal_event digest(invcal_session *session, invcal_event event)
 {
     session->last = (uint8_t)event;
     if (event == INVCAL_REFUSED) {
@@ -222,7 +222,7 @@ const char *invcal_session_why(const invcal_session *session)
 }
 
 /* Reads the last position. Returns 0 if there is none. */
-INVCAL_APART static int read_last(const invcal_session *session, invcal_row *row)
+INVCAL_NOINLINE static int read_last(const invcal_session *session, invcal_row *row)
 {
     if (session->count == 0) {
         return 0;
@@ -244,7 +244,7 @@ void invcal_session_next(const invcal_session *session, invcal_real up[3])
     } else if (!read_last(session, &row)) {
         invcal_zero(&row, sizeof row);
     } /* cppcheck-suppress misra-c2012-15.7 ; the row is that of the last position */
-    invcal_next_beside(&sums, row.h, up);
+    invcal_next_of_sums(&sums, row.h, up);
 }
 
 const char *invcal_session_next_words(const invcal_session *session, char words[INVCAL_WORDS])

@@ -149,7 +149,8 @@ invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibr
 }
 
 /* A (u - delta) with u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
-static INVCAL_APART void put_behind(const invcal_calibration *nominal, invcal_calibration *c)
+static INVCAL_NOINLINE void compose_unchecked(const invcal_calibration *nominal,
+                                              invcal_calibration *c)
 {
     const invcal_real delta[3] = {c->offset[0], c->offset[1], c->offset[2]};
     const invcal_real(*n)[3] = nominal->matrix;
@@ -170,9 +171,9 @@ static INVCAL_APART void put_behind(const invcal_calibration *nominal, invcal_ca
 }
 
 /* A calibration that is not a valid nominal cannot be stored either. */
-invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibration *c)
 {
-    put_behind(nominal, c);
+    compose_unchecked(nominal, c);
     return invcal_nominal_check(c);
 }
 
@@ -193,7 +194,7 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
         status = invcal_ellipsoid(&a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], a, &c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(nominal, &c);
+        status = invcal_compose(nominal, &c);
     }
     if (status == INVCAL_OK) {
         *out = c; /* which may be nominal */

@@ -37,8 +37,8 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
  * + S the last is the second over the last element of A. triad is overwritten then. */
 invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad);
 
-/* The calibration of a triad, that is of readings corrected by nominal, becomes one of raw counts.
- * INVCAL_BAD_NOMINAL if it is not a valid nominal itself: c is overwritten then. */
-invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c);
+/* Makes c, which calibrates a triad, that is readings corrected by nominal, a calibration of raw
+ * counts. INVCAL_BAD_NOMINAL if that is not a valid nominal itself: c is overwritten then. */
+invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibration *c);
 
 #endif

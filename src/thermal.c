@@ -61,7 +61,7 @@ invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real tempe
         status = invcal_thermal_triad(thermal, t, &c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(&thermal->nominal, &c);
+        status = invcal_compose(&thermal->nominal, &c);
     }
     if (status == INVCAL_OK) {
         *calibration = c;

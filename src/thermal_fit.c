@@ -227,7 +227,7 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
         status = invcal_thermal_triad(&j->now, t, &first);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(&first, &c);
+        status = invcal_compose(&first, &c);
     }
     if (status != INVCAL_OK) {
         return status;
@@ -407,7 +407,7 @@ static invcal_status find_range(const invcal_real *temperature, unsigned count, 
 }
 
 /* What is known beforehand, over the span. */
-static invcal_status hold(job *j, const invcal_thermal_prior *prior)
+static invcal_status set_prior(job *j, const invcal_thermal_prior *prior)
 {
     invcal_real power = 1;
 
@@ -447,7 +447,7 @@ static invcal_status set_up(job *j, const invcal_thermal_positions *positions,
                                 !(INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST))) {
         return INVCAL_BAD_TEMPERATURE;
     }
-    return status == INVCAL_OK && prior != NULL ? hold(j, prior) : status;
+    return status == INVCAL_OK && prior != NULL ? set_prior(j, prior) : status;
 }
 
 /* Exactly two solves, and their quality. If the data are noisier than stated, a prior has more

@@ -131,8 +131,8 @@ static invcal_real variance_of(const invcal_turns *turns, invcal_real degrees)
 }
 
 /* C' v, with C the rotation about n: cos v + (1 - cos) (n'v) n - sin n x v. */
-static void way_back(const invcal_real n[3], invcal_real cosine, invcal_real sine,
-                     const invcal_real v[3], invcal_real out[3])
+static void rotate_back(const invcal_real n[3], invcal_real cosine, invcal_real sine,
+                        const invcal_real v[3], invcal_real out[3])
 {
     invcal_real across[3];
     const invcal_real along = (1 - cosine) * invcal_dot3(n, v);
@@ -167,8 +167,8 @@ static void make_rest_row(invcal_real h[TURNS_ALL], const invcal_real up[3])
 
 /* The rows of imu.c for a turn exactly about one axis n: then S = J th n', with
  * J th = sin + (th - sin) n n' + (1 - cos) [n x]. */
-INVCAL_APART static void make_turn_rows(const invcal_turns *turns, const invcal_turn *turn,
-                                        turn_rows *out)
+INVCAL_NOINLINE static void make_turn_rows(const invcal_turns *turns, const invcal_turn *turn,
+                                           turn_rows *out)
 {
     const invcal_real *n = turn->axis;
     const invcal_real angle = turn->degrees * RADIANS;
@@ -179,7 +179,7 @@ INVCAL_APART static void make_turn_rows(const invcal_turns *turns, const invcal_
     invcal_real g[INVCAL_PARAMETERS];
 
     invcal_circle(turn->degrees, &cosine, &sine);
-    way_back(n, cosine, sine, turns->up, out->up);
+    rotate_back(n, cosine, sine, turns->up, out->up);
     find_across(turns->up, across);
     for (unsigned k = 0; k < 2; k++) {
         const invcal_real *b = across[k];
@@ -193,7 +193,7 @@ INVCAL_APART static void make_turn_rows(const invcal_turns *turns, const invcal_
             }
         }
         invcal_cross(turns->up, b, g);
-        way_back(n, cosine, sine, g, &h[TURNS_GYRO]);
+        rotate_back(n, cosine, sine, g, &h[TURNS_GYRO]);
         invcal_products(out->up, &h[TURNS_GYRO]);
         scale(g, -1);
         invcal_products(turns->up, g);

@@ -23,16 +23,16 @@
 #define INVCAL_UNROLL
 #define INVCAL_UNROLL_ROWS
 #define INVCAL_INLINE
-#define INVCAL_OFTEN INVCAL_APART
+#define INVCAL_OFTEN INVCAL_NOINLINE
 #define INVCAL_IN_HEADER inline
 #endif
 
 /* Not inline: for a function whose frame should not lie under its caller's other callees, or that
  * takes less code as a call. */
 #ifdef __GNUC__
-#define INVCAL_APART __attribute__((noinline))
+#define INVCAL_NOINLINE __attribute__((noinline))
 #else
-#define INVCAL_APART
+#define INVCAL_NOINLINE
 #endif
 
 /* Sets bytes to 0. Not by memset if optimised for size: newlib's takes 160 bytes. */
