@@ -25,7 +25,7 @@ invcal_status invcal_background_init(invcal_background *background,
     return status;
 }
 
-/* Later ones move up. */
+/* Later positions move up. */
 static void drop_position(invcal_background *b, unsigned i)
 {
     //@ split i;
@@ -87,7 +87,7 @@ invcal_event invcal_background_feed(invcal_background *background, const int32_t
 void invcal_background_age(invcal_background *background)
 {
     INVCAL_ASSERT(background);
-    /* from the end, since later ones move up */
+    /* from the end, since later positions move up */
     for (unsigned i = background->session.count; i > 0; i--) {
         if (++background->age[i - 1] >= DAYS) {
             drop_position(background, i - 1);

@@ -7,7 +7,7 @@
 
 #include "invcal/invcal.h"
 
-/* The nth of texts in a row, each with its end mark: no table of pointers, which would need
+/* The nth of texts in a row, each terminated by zero: no table of pointers, which would need
  * relocation and so writable memory. */
 const char *invcal_text(const char *texts, unsigned n);
 

@@ -106,7 +106,7 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
     return status;
 }
 
-/* J comes after the row. */
+/* Only H'H has repeats; H'J and J'J come after it. */
 void invcal_sums_system(invcal_sums *sums)
 {
     INVCAL_UNROLL

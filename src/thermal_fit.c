@@ -192,7 +192,7 @@ static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status
     if (*status != INVCAL_UNDETERMINED) {
         return INVCAL_THERMAL_AS_ASKED;
     }
-    j->noise = noise; /* not raised in vain */
+    j->noise = noise; /* as before the attempt */
     return INVCAL_THERMAL_OPEN;
 }
 
@@ -286,7 +286,7 @@ static invcal_status improve(job *j, unsigned degree)
         return status;
     }
     //@ split now->fitted;
-    const int is_new = now->fitted >= now->degree; /* else slopes are kept, and where they hold */
+    const int is_new = now->fitted >= now->degree; /* else slopes and their range are kept */
     now->min = is_new || j->min < now->min ? j->min : now->min;
     now->max = is_new || j->max > now->max ? j->max : now->max;
     now->degree = is_new ? now->fitted : now->degree;

@@ -233,7 +233,8 @@ void invcal_record_init(invcal_record *record, const invcal_calibration *calibra
  *   INVCAL_NOT_FINITE   a number is NaN, infinite, or beyond the largest float;
  *   INVCAL_BAD_NOMINAL  rounded to float, the calibration is singular or absurdly scaled;
  *   INVCAL_DAMAGED      the record contradicts itself: verdict WEAK without a weak parameter, or
- *                       the reverse; a tenth parameter; an unknown temperature that is not 0.
+ *                       the reverse; an unknown verdict; a tenth parameter; an unknown temperature
+ *                       that is not 0.
  * Stack: about 300 bytes. */
 invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE]);
 
