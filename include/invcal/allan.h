@@ -185,7 +185,7 @@ typedef struct {
  * Returns INVCAL_OK; INVCAL_BAD_RATE unless rate is positive, and the results fit the number type;
  * INVCAL_TOO_FEW if no kind is visible: go on sampling, 20 samples show white noise. Constant
  * readings show none.
- * Cost: 50,000 instructions for 16 octaves. Stack: about 650 bytes. */
+ * Cost: 50,000 instructions for 16 octaves. Stack: about 600 bytes. */
 invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_noise *noise);
 
 /* adev(tau) of the model, counts; tau > 0 in s, else NaN or infinity. */

@@ -183,8 +183,8 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
  * count    any; no positions leave all nine open.
  * nominal  the one of the refusal.
  *
- * Returns bit r for parameter r; 0: none. Cost: 7,700 instructions for 18 positions. Stack: about
- * 460 bytes. */
+ * Returns bit r for parameter r; 0: none. Cost: 7,000 instructions for 18 positions. Stack: about
+ * 400 bytes. */
 uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
                              const invcal_calibration *nominal);
 
@@ -193,7 +193,7 @@ uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
  * raw, count, nominal  those of the refusal.
  *
  * Returns the first one, from 0; count if all are readings. Cost: 76 instructions for each
- * reading. Stack: about 80 bytes. */
+ * reading. Stack: about 110 bytes. */
 unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
                             const invcal_calibration *nominal);
 
@@ -207,7 +207,7 @@ unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
  * nominal      the one it was solved with.
  * x            delta over field, dk (1), gamma (rad): accurate to a few INVCAL_EPSILON.
  *
- * Checks nothing: a bad calibration gives NaN. Cost: 350 instructions. Stack: about 150 bytes. */
+ * Checks nothing: a bad calibration gives NaN. Cost: 320 instructions. Stack: about 190 bytes. */
 void invcal_deviation(const invcal_calibration *calibration, const invcal_calibration *nominal,
                       invcal_real x[INVCAL_PARAMETERS]);
 
@@ -220,7 +220,7 @@ void invcal_deviation(const invcal_calibration *calibration, const invcal_calibr
  * nominal      the one it was solved with. If its matrix is diagonal, the new one is exactly 0
  *              below the diagonal.
  *
- * Cost: 660 instructions. Stack: about 180 bytes. */
+ * Cost: 620 instructions. Stack: about 200 bytes. */
 void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibration *nominal);
 
 /* The standard deviation of the offset in raw counts: quality.sigma of delta through the inverse of
@@ -229,7 +229,7 @@ void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibr
  *
  * sigma  of the three raw axes, counts.
  *
- * Cost: 230 instructions. Stack: about 110 bytes. */
+ * Cost: 190 instructions. Stack: about 80 bytes. */
 void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration *nominal,
                          invcal_real sigma[3]);
 
@@ -243,14 +243,14 @@ void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration
  * quality  reads dof and verdict; sets noise, sigma_dof and verdict. noise is 1, the whole field,
  *          if there is neither a residual nor a stated noise.
  *
- * Cost: 100 instructions. Stack: about 60 bytes. */
+ * Cost: 90 instructions. Stack: about 10 bytes. */
 void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality *quality);
 
 /* Is `found` the better of two calibrations? For a device that recalibrates now and then.
  *
  * Returns 1 if its verdict is no worse, and the sum of the squares of its nine 95 % intervals,
  * invcal_coverage of sigma_dof times sigma, is smaller, so that a sigma that happens to be small
- * does not decide. 0 otherwise, also if they are equal. Cost: 160 instructions. Stack: about 60
+ * does not decide. 0 otherwise, also if they are equal. Cost: 120 instructions. Stack: about 40
  * bytes. */
 int invcal_improves(const invcal_quality *found, const invcal_quality *present);
 
@@ -262,7 +262,8 @@ int invcal_improves(const invcal_quality *found, const invcal_quality *present);
  *
  * out  may equal nominal.
  *
- * Everything else as for invcal_calibrate_judged. Cost: 110,000 instructions for 18 positions. */
+ * Everything else as for invcal_calibrate_judged. Cost: 90,000 instructions for 18 good
+ * positions. */
 invcal_status invcal_calibrate_robust(const invcal_real *raw, unsigned count,
                                       const invcal_calibration *nominal, invcal_real noise,
                                       invcal_calibration *out, invcal_quality *quality);
@@ -304,7 +305,7 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
  *
  * Returns as invcal_calibrate; INVCAL_BAD_PRIOR if a number is negative or not finite, or all are
  * 0. INVCAL_UNDETERMINED refers to parameters without a prior.
- * Cost: 45,000 instructions for 18 positions. Stack: about 1,070 bytes. */
+ * Cost: 47,000 instructions for 18 positions. Stack: about 950 bytes. */
 invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count,
                                           const invcal_calibration *nominal, invcal_real noise,
                                           const invcal_real prior[INVCAL_PARAMETERS],
@@ -342,7 +343,7 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
  *
  * Returns as invcal_calibrate; INVCAL_TOO_FEW for fewer than six; INVCAL_UNDETERMINED if they leave
  * offsets or scales open; INVCAL_BAD_PRIOR unless gamma is above 0 and below 1.
- * Cost: 30,000 instructions for six positions. Stack: about 980 bytes. */
+ * Cost: 30,000 instructions for six positions. Stack: about 990 bytes. */
 invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
                                          const invcal_calibration *nominal, invcal_real noise,
                                          invcal_real gamma, invcal_calibration *out,
@@ -388,7 +389,7 @@ void invcal_linear_init(invcal_linear_sums *linear);
  * eta      the up direction in the frame of the unit, unit length within 1e-4.
  *
  * Returns INVCAL_OK; INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE as invcal_observe;
- * INVCAL_BAD_DIRECTION. Cost: 370 instructions. Stack: about 130 bytes. */
+ * INVCAL_BAD_DIRECTION. Cost: 330 instructions. Stack: about 130 bytes. */
 invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
                                          const invcal_calibration *nominal,
                                          const invcal_real raw[3], const invcal_real eta[3]);
@@ -412,7 +413,7 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
  *   INVCAL_UNDETERMINED   the directions leave parameters open;
  *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
- * Cost: 2,300 instructions. Stack: about 220 bytes. */
+ * Cost: 1,700 instructions. Stack: about 200 bytes. */
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                   invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS]);
 

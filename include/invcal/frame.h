@@ -61,7 +61,7 @@ void invcal_frame_init(invcal_frame *frame);
  *   INVCAL_NOT_FINITE      a reading is NaN or infinite;
  *   INVCAL_OUT_OF_RANGE    its length is outside 1/2 ... 2: not a rest, or not a calibration;
  *   INVCAL_BAD_DIRECTION   up has another length.
- * Cost: 150 instructions. Stack: about 50 bytes. */
+ * Cost: 150 instructions. Stack: about 80 bytes. */
 invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *calibration,
                                const invcal_real raw[3], const invcal_real up[3]);
 
@@ -75,7 +75,7 @@ invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *ca
  *   INVCAL_UNDETERMINED   all directions up were nearly the same, or opposite: the turn about them
  *                         is open (invcal_frame_level); or they contradict each other: a mirrored
  *                         axis.
- * Cost: 1,800 instructions. Stack: about 250 bytes. */
+ * Cost: 1,800 instructions. Stack: about 310 bytes. */
 invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation[3][3],
                                  invcal_frame_quality *quality);
 
@@ -86,13 +86,13 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW without a rest; INVCAL_UNDETERMINED for a rotation of more than
  * 139 degrees.
- * Cost: 250 instructions. Stack: about 60 bytes. */
+ * Cost: 250 instructions. Stack: about 70 bytes. */
 invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
                                  invcal_real rotation[3][3]);
 
 /* Turns a calibration: multiplies its matrix by R from the left.
  *
- * Cost: 60 instructions. Stack: about 30 bytes. */
+ * Cost: 150 instructions. Stack: about 50 bytes. */
 void invcal_frame_turn(const invcal_real rotation[3][3], invcal_calibration *calibration);
 
 #ifdef __cplusplus

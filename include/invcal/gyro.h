@@ -151,7 +151,7 @@ invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *n
  * Returns INVCAL_OK; INVCAL_BAD_RAILS unless low < high. */
 invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high);
 
-/* Feeds one sample, moving or not, raw counts. Cost: 150 instructions. Stack: about 120 bytes. */
+/* Feeds one sample, moving or not, raw counts. Cost: 150 instructions. Stack: about 110 bytes. */
 void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3]);
 
 /* Reports lost samples: the current move is refused, rests are kept. */
@@ -165,7 +165,7 @@ void invcal_moves_gap(invcal_moves *moves);
  * event  from invcal_session_feed or invcal_rests_feed, or ..._finish: INVCAL_NOTHING costs
  *        nothing.
  *
- * Cost: up to 3,000 instructions once per 1/8 s. Stack: about 200 bytes. */
+ * Cost: up to 3,000 instructions once per 1/8 s. Stack: about 180 bytes. */
 void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_event event);
 
 /* Why the move that led to a rest is unusable; INVCAL_OK if it is usable. INVCAL_REST_CLIPPED,
@@ -365,7 +365,7 @@ void invcal_imu_record_init(invcal_imu_record *record, const invcal_imu *imu);
  *
  * Returns INVCAL_OK: invcal_imu_record_decode accepts the bytes. On failure they are lost: as
  * invcal_record_encode, of either sensor; INVCAL_DAMAGED also for a tenth parameter, or a verdict
- * that contradicts weak. Stack: about 700 bytes. */
+ * that contradicts weak. Stack: about 600 bytes. */
 invcal_status invcal_imu_record_encode(const invcal_imu_record *record,
                                        uint8_t bytes[INVCAL_IMU_RECORD_SIZE]);
 
@@ -381,13 +381,14 @@ invcal_status invcal_imu_record_decode(const uint8_t *bytes, uint32_t size, invc
  *
  * Returns INVCAL_OK; as invcal_store_save; as invcal_imu_record_encode, for values that no solution
  * has.
- * Stack: about 1,500 bytes, without the callbacks. */
+ * Stack: about 1,300 bytes, without the callbacks. */
 invcal_status invcal_save_imu(const invcal_store *store, const invcal_imu *imu);
 
 /* Loads it.
  *
  * Returns INVCAL_OK; as invcal_store_load; as invcal_imu_record_decode. INVCAL_NO_SPACE or
- * INVCAL_OTHER_VERSION: the store holds something else. Stack: about 1,100 bytes. */
+ * INVCAL_OTHER_VERSION: the store holds something else. Stack: about 1,000 bytes, without the
+ * callbacks. */
 invcal_status invcal_load_imu(const invcal_store *store, invcal_imu_record *out);
 
 /* The name of a parameter: "gyro_xx" (scale), "gyro_xy" ... "gyro_zz", then the names of

@@ -325,7 +325,7 @@ invcal_real invcal_coverage(unsigned dof);
  *
  * Computed from sigma alone, as if scale errors were independent: within 10 % (mathematics.md,
  * "Accuracy").
- * Cost: 150 instructions. */
+ * Cost: 65 instructions. */
 invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
 
 /* Calibrates from position means.
@@ -354,7 +354,7 @@ invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
  *                         one that no triad has (a semi-axis below about 1/10 of nominal or of
  *                         another one, or a centre beyond ten times the field), or scatter by a
  *                         tenth of the field.
- * Cost: 18,000 instructions for 18 positions. Stack: about 620 bytes. */
+ * Cost: 18,000 instructions for 18 positions. Stack: about 660 bytes. */
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality);
@@ -370,7 +370,7 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
  * considers them all. About one in a hundred sets of 18 good positions is not called good.
  *
  * Returns as invcal_calibrate; INVCAL_BAD_COUNT for more than INVCAL_MAX_POSITIONS.
- * Cost: 120,000 instructions for 18 good positions. Stack: about 980 bytes. */
+ * Cost: 120,000 instructions for 18 good positions. Stack: about 840 bytes. */
 invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
                                       const invcal_calibration *nominal, invcal_real noise,
                                       invcal_calibration *out, invcal_quality *quality);
@@ -447,8 +447,8 @@ typedef struct {
     } rest;                    /* the current one */
 } invcal_rests;
 
-/* A session: 560 bytes (float, 24 positions). mean and count may be read. Since means are in
- * counts, nominal may be replaced by one with which all of them are readings (invcal_bad_reading,
+/* A session: 560 bytes (float, 24 positions). mean and count may be read. Means are in counts, so
+ * nominal may be replaced by another one with which all of them are readings (invcal_bad_reading,
  * expert.h). invcal_session_is_good uses it from the next position on. */
 typedef struct {
     /* saved: store.h */
@@ -504,7 +504,7 @@ void invcal_session_hold(invcal_session *session, uint32_t milliseconds);
  * Positions beyond INVCAL_MAX_POSITIONS replace the oldest.
  *
  * Returns what happened. Never solves, so its cost is bounded.
- * Cost: 62 instructions on average at 1 kHz, 98 at 100 Hz. Stack: about 230 bytes. */
+ * Cost: 56 instructions on average at 1 kHz, 95 at 100 Hz. Stack: about 160 bytes. */
 invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3]);
 
 /* Call it where samples were lost. A rest goes on if the next samples agree with it. */
@@ -534,7 +534,7 @@ const char *invcal_session_why(const invcal_session *session);
  *
  * up  out: the direction to point upwards, in the frame of the case: a unit vector.
  *
- * Cost: 14,000 instructions. Stack: about 470 bytes. */
+ * Cost: 14,000 instructions. Stack: about 480 bytes. */
 void invcal_session_next(const invcal_session *session, invcal_real up[3]);
 
 #define INVCAL_WORDS 40u /* bytes, with the terminating zero */
@@ -559,7 +559,7 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
  * invcal_calibrate_judged). Does not change the session: more may follow.
  *
  * Returns as invcal_calibrate. Cost: 190,000 instructions for 18 good positions, up to 400,000 if
- * some are wrong. Stack: about 1,000 bytes. */
+ * some are wrong. Stack: about 850 bytes. */
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality);
 

@@ -121,7 +121,7 @@ invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const i
  *        points north, and down by the dip, 60 degrees or more in most of Europe and North
  *        America: there, let the opposite side point up (invcal_words), and swing it around.
  *
- * Cost: 13,000 instructions. Stack: about 100 bytes. */
+ * Cost: up to 14,000 instructions. Stack: about 120 bytes. */
 void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_real along[3]);
 
 /* Solves the samples so far. More may follow.
@@ -151,7 +151,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
  * k            0 ... INVCAL_CELLS - 1.
  * raw          out: raw counts.
  *
- * Returns the number of its samples; if 0, raw is unchanged. Cost: 500 instructions. */
+ * Returns the number of its samples; if 0, raw is unchanged. Cost: 650 instructions. */
 unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
                                   const invcal_calibration *calibration, unsigned k,
                                   invcal_real raw[3]);
@@ -217,7 +217,7 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
  *   INVCAL_UNDETERMINED   an angle is undetermined: all turns were about one axis, or the field is
  *                         vertical; or no angle fits, for example if a and m are not of the same
  *                         instants.
- * Cost: 35,000 instructions. Stack: about 500 bytes. */
+ * Cost: 35,000 instructions. Stack: about 560 bytes. */
 invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_real rotation[3][3],
                                invcal_dip_quality *quality);
 

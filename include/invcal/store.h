@@ -235,7 +235,7 @@ void invcal_record_init(invcal_record *record, const invcal_calibration *calibra
  *   INVCAL_DAMAGED      the record contradicts itself: verdict WEAK without a weak parameter, or
  *                       the reverse; an unknown verdict; a tenth parameter; an unknown temperature
  *                       that is not 0.
- * Stack: about 300 bytes. */
+ * Stack: about 240 bytes. */
 invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE]);
 
 /* Decodes a record from bytes, at any alignment.
@@ -252,7 +252,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
 /* The same for a record of version 1, from release 0.1.0: the result is over field, as all are now;
  * `field` still gives the unit it was in.
  *
- * Returns as invcal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about 500
+ * Returns as invcal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about 520
  * bytes. */
 invcal_status invcal_record_decode_v1(const uint8_t *bytes, uint32_t size, invcal_record *out);
 

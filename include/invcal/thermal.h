@@ -84,8 +84,8 @@ typedef enum {
  *
  * Returns INVCAL_OK; INVCAL_BAD_TEMPERATURE if it is not finite; INVCAL_BAD_NOMINAL,
  * INVCAL_NOT_ELLIPSOID if thermal is damaged.
- * Cost: 640 instructions. Call it again only after a relevant change of T: at 1 mg/K, 0.05 K are
- * 5e-5 of the field. Stack: about 200 bytes. */
+ * Cost: 730 instructions. Call it again only after a relevant change of T: at 1 mg/K, 0.05 K are
+ * 5e-5 of the field. Stack: about 250 bytes. */
 invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real temperature,
                                 invcal_calibration *calibration, invcal_thermal_place *place);
 
@@ -122,7 +122,7 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
  * for other errors, which residuals need not show.
  *
  * Returns as invcal_calibrate, and INVCAL_BAD_TEMPERATURE for one that is not finite.
- * Cost: 350,000 instructions for 36 positions (degree 1). Stack: 1.4, 2.1, 3.1 KB for degree 0, 1,
+ * Cost: 350,000 instructions for 36 positions (degree 1). Stack: 1.3, 2.0, 3.0 KB for degree 0, 1,
  * 2. */
 invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,
                                        unsigned count, const invcal_calibration *nominal,
@@ -244,7 +244,7 @@ invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
  * Returns INVCAL_OK; on failure the bytes are overwritten: as invcal_record_encode,
  * INVCAL_NOT_FINITE, INVCAL_BAD_NOMINAL, INVCAL_NOT_ELLIPSOID, INVCAL_BAD_COUNT for a degree above
  * that of the build, and INVCAL_DAMAGED for what no fit gives, or a record of another
- * calibration. Stack: about 700 bytes. */
+ * calibration. Stack: about 660 bytes. */
 invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
                                            uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE]);
 
@@ -260,7 +260,7 @@ invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
 /* The same for a record of version 1, from release 0.1.0: the result is over field, as all are now.
  *
  * Returns as invcal_thermal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about
- * 800 bytes. */
+ * 850 bytes. */
 invcal_status invcal_thermal_record_decode_v1(const uint8_t *bytes, uint32_t size,
                                               invcal_thermal_record *out);
 
