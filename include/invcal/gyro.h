@@ -7,7 +7,7 @@
  * of its matrix and the nine parameters of the accelerometer, in one solution and without a
  * previous calibration. No sample is stored: a move is kept as a few segments.
  *
- *     static invcal_imu_session both;     3.7 kB; or a session and moves of their own
+ *     static invcal_imu_session both;     3.7 kB; or a separate session and moves
  *     invcal_imu_record record;
  *     invcal_imu imu;
  *     if (invcal_load_imu(&result, &record) == INVCAL_OK)
@@ -213,7 +213,7 @@ typedef struct {
     invcal_real move_rms;          /* residuals of moves, rad on each axis, root mean square */
     invcal_real move_max;          /* the largest, both axes together, rad */
     uint32_t left_out; /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
-    uint32_t idle;     /* bit i: that move did not turn: INVCAL_REST_SAME */
+    uint32_t idle;     /* bit i: the move to rest i did not turn: INVCAL_REST_SAME */
     /* bit r: parameter r is undetermined; or weak: sigma above both 2.5 noise and 2.5 move_noise */
     uint32_t open;
     uint16_t dof;      /* degrees of freedom of the residuals */
