@@ -23,7 +23,7 @@
 #define NAMEABLE INVCAL_REAL(0.02)  /* of the residuals alone */
 #define FAVOUR INVCAL_REAL(7.4)     /* by which outliers may be less likely, and yet win */
 #define AMBIGUOUS INVCAL_REAL(0.3)
-#define SHOWN INVCAL_REAL(0.44444) /* sigma grows to 1.5 of itself at most */
+#define SHOWN INVCAL_REAL(0.44444) /* sigma grows 1.5 times at most */
 
 static invcal_real chance_of(const invcal_fit *fit, const invcal_test *t, unsigned stated)
 {

@@ -51,7 +51,7 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
     return INVCAL_OK;
 }
 
-/* u M v, M the mean of the row times itself. */
+/* u M v, with M the mean of b b'. */
 static invcal_real between(const invcal_dip *dip, const invcal_real u[INVCAL_DIP_ROW],
                            const invcal_real v[INVCAL_DIP_ROW])
 {

@@ -91,9 +91,9 @@ static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *f
 /* ---- chance ---------------------------------------------------------------------------------- */
 
 /* The probability that chance alone reduces a sum of squares that much: m more unknowns, one to
- * three, reduce it from `before` to z of itself, and leave dof residuals. The tail of Fisher's F,
- * I_z(dof/2, m/2), by its leading terms (mathematics_judgement.md, "Chance"): with t = dof (1 - z)
- * / 2
+ * three, reduce it from `before` to z times that, and leave dof residuals. The tail of Fisher's F,
+ * I_z(dof/2, m/2), by its leading terms (mathematics_judgement.md, "Chance"): with
+ * t = dof (1 - z) / 2
  *
  *     z^(dof/2) / sqrt(pi t) (1, sqrt(pi t), 1 + 2 t),
  *

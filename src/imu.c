@@ -256,8 +256,8 @@ static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real ex
     w->pass.kind[INVCAL_OF_RESTS]++;
 }
 
-/* Adds the angles of a move perpendicular to up. For each axis, with b its perpendicular part, b'y
- * = b'S de + (g1 D(u1) + g0 D(u0)) dp, g1 = C'(u0 x b), g0 = b x a. The three rows have rank
+/* Adds the angles of a move perpendicular to up. For each axis, with b its perpendicular part,
+ * b'y = b'S de + (g1 D(u1) + g0 D(u0)) dp, g1 = C'(u0 x b), g0 = b x a. The three rows have rank
  * two. */
 static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a[3],
                        const invcal_real up[2][3], const invcal_real y[3], invcal_real weight)

@@ -202,7 +202,7 @@ void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality 
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
                              invcal_quality *q)
 {
-    /* in calibrated units: |A eta| times itself, here the mean square over all directions */
+    /* in calibrated units: |A eta| times that of u, here the mean square over all directions */
     const invcal_real square = q->noise * q->noise * invcal_dot(a[0], a[0], 9) / 3;
     const invcal_real of_noise = invcal_number(q->positions) * square;
     invcal_real most = INVCAL_WEAK_K;

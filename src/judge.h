@@ -77,8 +77,8 @@ static inline void invcal_judge_begin(invcal_quality *q)
 /* rms, max, worst, positions. */
 void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q);
 
-/* g = A eta: noise of u, alike on its axes, moves the length of eta = A (u - delta), A symmetric,
- * by |g| times itself. Returns |g|^2. */
+/* g = A eta: noise of u, the same on all axes, moves the length of eta = A (u - delta), A
+ * symmetric, by |g| times that noise. Returns |g|^2. */
 invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3]);
 
 /* Second pass, with the calibration c of the raw counts: residuals without cancellation, and the

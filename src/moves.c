@@ -5,8 +5,8 @@
  * up to seven blocks of 1/8 s later. So the newest segments wait as they are, then each is merged
  * into its move, or added to the bias of a rest and dropped once that is taken.
  *
- * segment[]: 0 ... first - 1 of complete moves; to fixed - 1 of the current one, merged; to used -
- * 1 still waiting.
+ * segment[]: from 0 those of complete moves; from `first` those of the current one, merged; from
+ * `fixed` to used - 1 those still waiting.
  */
 #include <stddef.h>
 

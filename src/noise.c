@@ -270,9 +270,9 @@ invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau)
     return INVCAL_SQRT(sum);
 }
 
-/* Where a / T + b + c T = 1, in units of the target variance: the smaller root of c T^2 - (1 - b) T
- * + a, or, if there is none, the minimum: sqrt(a / c), or without random walk 5 % above the floor.
- * The root is in the form that does not cancel, and allows c = 0. */
+/* Where a / T + b + c T = 1, in units of the target variance: the smaller root of
+ * c T^2 - (1 - b) T + a, or, if there is none, the minimum: sqrt(a / c), or without random walk 5 %
+ * above the floor. The root is in the form that does not cancel, and allows c = 0. */
 static invcal_real time_of(const invcal_noise *noise, invcal_real sigma)
 {
     invcal_real term[KINDS];

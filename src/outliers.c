@@ -5,7 +5,7 @@
  * more row below the Cholesky factor instead of another solution ("One fit for all of them"). All
  * single ones and pairs are tried, and triples that contain a promising pair.
  *
- * Then the largest group that is not by chance wins, if no other group of its size is nearly as
+ * Then the largest group that chance does not explain wins, if no other of its size is nearly as
  * good ("Chance").
  */
 #include "outliers.h"

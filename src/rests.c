@@ -453,10 +453,10 @@ COMPACT static void add_block(invcal_rests *s)
  * for the noise and for the reach: a sensor that warms up is slower.
  *
  * On a slope of one per block the lag is g: 15 in the end, and a quarter of the number of blocks,
- * within 20 %, until then. If block means scatter by v, the variance of the slope b is v / (5.5
- * g^3), within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) above b^2 g^3 = 8 /
- * 5.5 v. The wander includes the slope, up to 8 b^2 before the trend is known: so an eighth of it
- * counts as v. */
+ * within 20 %, until then. If block means scatter by v, the variance of the slope b is
+ * v / (5.5 g^3), within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) above
+ * b^2 g^3 = 8 / 5.5 v. The wander includes the slope, up to 8 b^2 before the trend is known: so an
+ * eighth of it counts as v. */
 static int is_drifting(const invcal_rests *s)
 {
     const int g = octaves(smaller(blocks_of(s), 60)) - 2 * OCTAVE;
@@ -575,8 +575,8 @@ static invcal_event agree(invcal_rests *s)
     return announce(s);
 }
 
-/* No noise, although there was some before; or the same number on three axes, as from no triad: the
- * sensor is not being read. */
+/* No noise, although there was some before; or the same number on all three axes, which no triad
+ * delivers: the sensor is not being read. */
 static int is_dead(const invcal_rests *s, int quantum)
 {
     return s->square == 0 && (s->noise > quantum || (s->axis[0].first == s->axis[1].first &&
