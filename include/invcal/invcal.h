@@ -15,7 +15,7 @@
  *
  *     u = (I + S) eta + delta + noise,
  *
- * where u is the raw reading after the nominal calibration of the data sheet, and S is diag(dk) and
+ * where u is the raw reading after the nominal calibration of the data sheet, and S is diag(dk) plus
  * the symmetric cross terms gamma / 2. So all readings lie on an ellipsoid, and a dozen of them
  * determine its nine parameters (mathematics.md, "The sensor").
  *
