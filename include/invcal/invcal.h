@@ -15,9 +15,9 @@
  *
  *     u = (I + S) eta + delta + noise,
  *
- * where u is the raw reading after the nominal calibration of the data sheet, and S is diag(dk) plus
- * the symmetric cross terms gamma / 2. So all readings lie on an ellipsoid, and a dozen of them
- * determine its nine parameters (mathematics.md, "The sensor").
+ * where u is the raw reading after the nominal calibration of the data sheet, and S is diag(dk)
+ * plus the symmetric cross terms gamma / 2. So all readings lie on an ellipsoid, and a dozen of
+ * them determine its nine parameters (mathematics.md, "The sensor").
  *
  * Units. A reading is in *raw* counts, as the sensor delivers it, or *over field*: in units of the
  * length of the field, which is g for an accelerometer. There is no other unit; invcal_scale
