@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Texts of statuses, parameters and verdicts. Each list is in the order of its enumeration in invcal.h; the
- * statuses of refused rests, from the middle of theirs, are a list of their own, which a session links without
- * the others.
+ * Texts of statuses, parameters and verdicts. Each list is in the order of its enumeration in
+ * invcal.h; the statuses of refused rests, from the middle of theirs, are a list of their own,
+ * which a session links without the others.
  */
 #include "status.h"
 

@@ -76,7 +76,7 @@ plant nan src/sums.h 's/(square >= \(.*\) && square <= \(.*\)) {/(!(square < \1 
     'float-sums: .* [1-9][0-9]* failed' unit sums
 plant constant port/host/fit/gravity.c 's/9\.7803253359/9.7803253459/' \
     'tool-gravity: .* [1-9][0-9]* failed' unit gravity
-plant event src/rests.c 's/say(s, INVCAL_REST_FROZEN/say(s, INVCAL_REST_SHORT/' \
+plant event src/rests.c 's/report(s, INVCAL_REST_FROZEN/report(s, INVCAL_REST_SHORT/' \
     'float-(faults|rests): .* [1-9][0-9]* failed' unit 'faults|rests'
 plant mirrored src/full_vector.c 's/work) > LEAST_DET)) {/work) > -9)) {/' \
     'float-full_vector: .* [1-9][0-9]* failed' unit full_vector
