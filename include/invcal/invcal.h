@@ -167,7 +167,6 @@ typedef enum {
     INVCAL_BAD_RATE,        /* samples per second */
     INVCAL_BAD_RAILS,       /* the ends of the sensor's range */
     INVCAL_BAD_NOISE,       /* a standard deviation */
-    INVCAL_BAD_WEIGHT,      /* of a row; unused: invcal_sums_add_row checks nothing */
     INVCAL_BAD_PRIOR,       /* a prior's standard deviation */
     INVCAL_BAD_FIELD,       /* the length of the field */
     INVCAL_BAD_COUNT,       /* of positions, or of anything else */
