@@ -68,7 +68,7 @@ type thermal.h invcal_thermal_fallback invcal_thermal_fallback_text
 type thermal.h invcal_thermal_place
 type allan.h invcal_dwell_end
 
-# An answer that nothing gives would be a riddle.
+# A status that nothing gives would only mislead.
 while read -r name; do
     grep -rqw "$name" src port/host || echo "$name"
 done < "$out/invcal_status.names" > "$out/unused"

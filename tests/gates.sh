@@ -193,6 +193,8 @@ plant time src/sums.h 's/^        const invcal_real weighted = /        for (vol
     'FAIL' m4f bench
 plant costs port/manual/targets.md 's/^\(| a sample of one axis into .allan\.h. | [0-9,]* | [0-9]*\)/\11/' \
     'targets.md should say' sh tests/costs.sh "$build"
+plant promise include/invcal/invcal.h 's/Stack: about 1[0-9]0 bytes/Stack: about 100 bytes/' \
+    'invcal_session_feed: stack: the header says 100' sh tests/costs.sh "$build"
 plant bits src/sums.h 's/weight \* v\[r\]/& * (sizeof(void *) == 4 ? 1 + INVCAL_EPSILON : 1)/' \
     'differs' m4f targets
 plant firmware port/cortex-m/firmware/main.c '/^static int digest/,/^}/s/event != INVCAL_TAKEN/event != INVCAL_READY/' \

@@ -81,7 +81,7 @@ invcal_status invcal_save(const invcal_store *store, const invcal_calibration *c
 /* Loads it. For its other contents, use invcal_store_load and invcal_record_decode.
  *
  * Returns INVCAL_OK; as invcal_store_load; as invcal_record_decode. INVCAL_NO_SPACE or
- * INVCAL_OTHER_VERSION: it holds something else. Stack: about 500 bytes. */
+ * INVCAL_OTHER_VERSION: it holds something else. Stack: about 450 bytes. */
 invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration);
 
 /* The same for a calibration saved by release 0.1.0: call it if invcal_load fails, in a device in
