@@ -35,7 +35,6 @@ comments() {
         is_open || match($0, /\/\*/) {
             text = is_open ? $0 : substr($0, RSTART + 2)
             is_open = !sub(/\*\/.*/, "", text)
-            gsub(/told\.h/, "", text)
             print FILENAME ":" FNR ": " text
         }'
 }

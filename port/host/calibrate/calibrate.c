@@ -50,7 +50,7 @@ static calibrate_result ask(const request *r, const positions *data, const rests
         .settings = r->settings,
         .field_unit = r->field_unit,
         .place = r->value[ASK_LATITUDE] ? r->place : NULL,
-        .told = r->told,
+        .units = r->units,
         .need = r->need,
         .need_unit = r->need_unit,
         .record = r->record,

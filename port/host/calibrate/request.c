@@ -301,7 +301,7 @@ static int read_unit(request *r)
         return message_usage(r->syntax->command, "--unit %s: must be g, mg, m/s2 or counts",
                              r->value[ASK_UNIT]);
     }
-    if (r->value[ASK_UNITS] && !told_parse(r->value[ASK_UNITS], &r->told)) {
+    if (r->value[ASK_UNITS] && !unit_style_parse(r->value[ASK_UNITS], &r->units)) {
         return message_usage(r->syntax->command, "--units %s: must be everyday or ins",
                              r->value[ASK_UNITS]);
     }

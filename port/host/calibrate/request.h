@@ -7,7 +7,7 @@
 #define CALIBRATE_REQUEST_H
 
 #include "cli/options.h"
-#include "cli/told.h"
+#include "cli/unit_style.h"
 #include "fit/case_frame.h"
 #include "fit/fit.h"
 #include "fit/gyro.h"
@@ -87,10 +87,10 @@ typedef struct {
     double rate;                    /* 0: not given */
     double clip[2];
     reading_unit unit; /* of --unit, */
-    told_style told;   /* --units */
+    unit_style units;  /* --units */
     double target[3];
-    double need;         /* field units; 0: not given */
-    told_unit need_unit; /* what it was stated in */
+    double need;            /* field units; 0: not given */
+    display_unit need_unit; /* what it was stated in */
     double mean_sigma;
     double tolerance[3];
     char command[REQUEST_COMMAND_MAX]; /* the command line, for the report */

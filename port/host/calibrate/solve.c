@@ -292,7 +292,7 @@ static void settle_need(const request *r, calibrate_result *result)
     if (r->value[ASK_NEED] && strchr(r->value[ASK_NEED], '%')) {
         result->need *= field / r->settings.field;
     } else if (r->value[ASK_NEED]) {
-        result->need_unit = (told_unit){field, calibrate_field_unit(result)};
+        result->need_unit = (display_unit){field, calibrate_field_unit(result)};
     }
 }
 

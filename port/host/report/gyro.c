@@ -40,8 +40,8 @@ static void write_parameters(page *p, const report_facts *f)
                               "turns about the second), in the axes of the accelerometer.",
                               titles, 3, 4};
     const gyro_fit *g = &f->result->gyro;
-    const told_unit scale = told_scale(f->result->told);
-    const told_unit angle = told_angle(f->result->told);
+    const display_unit scale = unit_style_scale(f->result->units);
+    const display_unit angle = unit_style_angle(f->result->units);
     invcal_calibration m = {.offset = {0}};
     double inverse[3][3];
     char name[CELL];
@@ -53,7 +53,7 @@ static void write_parameters(page *p, const report_facts *f)
         const unsigned r = i < 3 ? i : (i - 3) / 2;
         const unsigned c = i < 3 ? i : ((i - 3) % 2 + ((i - 3) % 2 >= r));
         const double spread = g->interval * g->imu.sigma[3 * r + c];
-        const told_unit unit = i < 3 ? scale : angle;
+        const display_unit unit = i < 3 ? scale : angle;
         snprintf(name, sizeof name, i < 3 ? "scale error %s" : "cross %s%s", axes[r], axes[c]);
         if (i < 3 && g->is_counts) {
             const double counts = UNIT_DEGREE / g->turn * inverse[r][r];

@@ -236,8 +236,8 @@ static void add_row(const char *label, const char *which, double value, double s
 static void print_figures(FILE *file, const calibrate_result *r)
 {
     const gyro_fit *g = &r->gyro;
-    const told_unit scale = told_scale(r->told);
-    const told_unit angle = told_angle(r->told);
+    const display_unit scale = unit_style_scale(r->units);
+    const display_unit angle = unit_style_angle(r->units);
     const int is_counts = strcmp(unit_turn_words(g->turn), "counts") == 0 || g->is_counts;
     char angle_off[FIGURE_MAX];
     invcal_calibration nominal = {.offset = {0}};

@@ -469,7 +469,7 @@ int live_read(positions *p, const char *path, const live_wish *wish, turns *gyro
                                .track = &live_recording,
                                .unit = live_log.unit};
     now = (watch_state){.talk = wish->talk,
-                        .told = wish->told,
+                        .units = wish->units,
                         .name = live_log.table.name,
                         .phase = WATCH_MOVING,
                         .need = wish->need};

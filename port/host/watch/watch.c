@@ -32,7 +32,7 @@ static void end_talk(FILE *nowhere)
 /* What is asked of both. */
 static live_wish wish_of(const request *r)
 {
-    live_wish wish = {.rate = r->rate, .field = r->settings.field, .told = r->told};
+    live_wish wish = {.rate = r->rate, .field = r->settings.field, .units = r->units};
 
     memcpy(wish.target, r->target, sizeof wish.target);
     wish.need = r->need / r->settings.field;

@@ -167,7 +167,7 @@ int wave_read(positions *p, const char *path, const invcal_calibration *nominal,
     }
     interrupt_catch(path);
     now = (watch_state){.talk = wish->talk,
-                        .told = wish->told,
+                        .units = wish->units,
                         .is_magnetometer = 1,
                         .disturbed = "",
                         .phase = WATCH_MOVING,
