@@ -4,7 +4,7 @@
 #include <string.h>
 
 #define DEGREES 57.295779513082321 /* in a radian */
-#define ARCSEC (3600 * DEGREES)
+#define ARCSECONDS (3600 * DEGREES)
 
 int unit_style_parse(const char *text, unit_style *out)
 {
@@ -44,6 +44,6 @@ display_unit unit_style_scale(unit_style style)
 
 display_unit unit_style_angle(unit_style style)
 {
-    return style == UNIT_STYLE_INS ? (display_unit){ARCSEC, "arcsec"}
+    return style == UNIT_STYLE_INS ? (display_unit){ARCSECONDS, "arcsec"}
                                    : (display_unit){DEGREES, "degrees"};
 }
