@@ -42,7 +42,7 @@ said=$(literals)
 noted=$(comments)
 
 # Parts of identifiers, of printf's formats and of instruction sets.
-echo "$all" | xargs codespell -L 'rsource,ontext,shold,rcall,te,upto'
+echo "$all" | xargs codespell -L 'rsource,ontext,shold,rcall,te'
 wrong=$?
 
 [ -n "$said" ] && [ -n "$noted" ] && [ -s tests/words.txt ] || exit 1

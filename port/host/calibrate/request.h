@@ -97,12 +97,12 @@ typedef struct {
     double place[2];                   /* latitude, height */
     reading_unit field_unit;           /* as stated; of a magnetometer alone */
     double field_sigma; /* what the length of the field may be wrong by, field units */
-    thermal_wish thermal;
-    gyro_wish gyro;
+    thermal_options thermal;
+    gyro_options gyro;
     const design *program; /* of --plan, which watch follows; or null */
     unsigned degree;       /* of --quadratic, --cubic; else 0 */
     stand_wish stand;
-    case_wish ways_up;            /* of --case; none: its count is 0 */
+    case_axes ways_up;            /* of --case; none: its count is 0 */
     int wants_accelerometer_axes; /* of --frame, for a magnetometer */
     record record;
     fit_settings settings; /* all but the nominal, and the noise unless stated */

@@ -54,7 +54,7 @@ static const char *open_text(const prospect *p, char text[TEXT_MAX])
 {
     int length = snprintf(text, TEXT_MAX, "undetermined");
 
-    for (unsigned e = 0; e < NONLINEARITY_MOST; e++) {
+    for (unsigned e = 0; e < NONLINEARITY_TERMS; e++) {
         if (p->open >> e & 1) {
             length += snprintf(text + length, TEXT_MAX - (size_t)length, "%s %s",
                                length > 14 ? "," : ":", nonlinearity_name(e));
@@ -66,7 +66,7 @@ static const char *open_text(const prospect *p, char text[TEXT_MAX])
 /* What calibrate would not take. */
 static const char *few_text(const prospect *p, const design *d, char text[TEXT_MAX])
 {
-    const unsigned least = nonlinearity_least(p->degree);
+    const unsigned least = nonlinearity_min_positions(p->degree);
 
     text[0] = '\0';
     if (d->count < least) {
@@ -122,7 +122,7 @@ void plan_nonlinear_json(json_writer *w, const design *d)
         json_number(w, "parameters", parameters_of(&p));
         json_number(w, "sigma", p.open ? NUMBER_UNKNOWN : p.sigma);
         json_number(w, "condition", p.open ? NUMBER_UNKNOWN : p.all.condition);
-        json_names(w, "undetermined", p.open, NONLINEARITY_MOST, nonlinearity_name);
+        json_names(w, "undetermined", p.open, NONLINEARITY_TERMS, nonlinearity_name);
         json_object_end(w);
     }
     json_object_end(w);

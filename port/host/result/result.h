@@ -18,7 +18,7 @@
 #include "read/positions.h"
 #include "fit/rejection.h"
 #include "read/rests.h"
-#include "read/waved.h"
+#include "read/magnetometer_log.h"
 #include "stand/stand.h"
 #include "fit/thermal_fit.h"
 #include "cli/unit_style.h"
@@ -48,8 +48,8 @@ typedef struct {
 typedef struct {
     refusal refused; /* then all below but data, log, rejected, nominal and settings is not known */
     const positions *data;
-    const rests_summary *log;  /* what they were found in; null: they were given */
-    const waved *magnetometer; /* which was waved, and whose cells they are; or null */
+    const rests_summary *log;             /* what they were found in; null: they were given */
+    const magnetometer_log *magnetometer; /* which was waved, and whose cells they are; or null */
     rejection rejected;
     nominal_choice nominal;
     fit_settings settings;
@@ -70,8 +70,8 @@ typedef struct {
     unsigned
         degree; /* of the nonlinearity that was fitted as well: 2, 3; 0: none. The calibration */
     double nonlinear
-        [NONLINEARITY_MOST]; /* is freed of it: x y z quadratic, x y z cubic, over the field, */
-    double nonlinear_sigma[NONLINEARITY_MOST]; /* and how well that is known */
+        [NONLINEARITY_TERMS]; /* is freed of it: x y z quadratic, x y z cubic, over the field, */
+    double nonlinear_sigma[NONLINEARITY_TERMS]; /* and how well that is known */
     int is_robust_wanted; /* a cross-check by the l1 estimate of all positions, */
     int has_robust;       /* which there is: */
     double robust[INVCAL_PARAMETERS];

@@ -33,7 +33,7 @@ typedef struct {
     const invcal_noise *noise; /* of three axes, over the field, instead of the noise of the
                                   first rest; null: none. Needs mean_sigma */
     unit_style units;          /* the units of sigma */
-    gyro_wish gyro;
+    gyro_options gyro;
     FILE *talk; /* where to say it */
 } live_wish;
 
