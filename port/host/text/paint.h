@@ -2,8 +2,8 @@
  *
  * text/paint.h: colours on a terminal.
  *
- * They are off if TERM is dumb, or NO_COLOR is set and not empty. printf counts an escape sequence
- * as characters: keep it out of padded fields.
+ * They are on if the stream is a terminal, TERM is set and not dumb, and NO_COLOR is unset or empty.
+ * printf counts an escape sequence as characters: keep it out of padded fields.
  */
 #ifndef PAINT_H
 #define PAINT_H
