@@ -7,15 +7,15 @@
 
 #include "calibrate/request.h"
 #include "read/rests.h"
-#include "read/waved.h"
+#include "read/magnetometer_log.h"
 
 /* Reads positions; `log` is what they were found in, `gyro` what a gyroscope
  * read meanwhile. Returns an exit code. */
-typedef int positions_reader(const request *r, positions *data, rests_summary *log, turns *gyro);
+typedef int positions_reader(const request *r, positions *data, rests_summary *log, gyro_log *gyro);
 
 /* The same of a magnetometer that is waved. */
 typedef int waved_reader(const request *r, const invcal_calibration *nominal, positions *data,
-                         waved *log);
+                         magnetometer_log *log);
 
 typedef struct {
     positions_reader *rests;

@@ -11,7 +11,7 @@
 /* Fills in result->gyro, from the accelerometer's solution or, if that was refused, from nominal; and where rests alone
  * leave the accelerometer open or weak, but moves do not, its solution, too. Returns EXIT_GOOD; `refused` if that stays;
  * EXIT_FILE after a message. */
-int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_result *result);
+int calibrate_gyro(const request *r, const gyro_log *gyro, int refused, calibrate_result *result);
 
 /* The accelerometer is in its final frame, which differs from that of the moves: turns the gyroscope to it. */
 void calibrate_gyro_turn(calibrate_result *result);

@@ -7,7 +7,7 @@
 #define CALIBRATE_REQUEST_H
 
 #include "cli/options.h"
-#include "cli/told.h"
+#include "cli/unit_style.h"
 #include "fit/case_frame.h"
 #include "fit/fit.h"
 #include "fit/gyro.h"
@@ -87,22 +87,22 @@ typedef struct {
     double rate;                    /* 0: not given */
     double clip[2];
     reading_unit unit; /* of --unit, */
-    told_style told;   /* --units */
+    unit_style units;  /* --units */
     double target[3];
-    double need;         /* field units; 0: not given */
-    told_unit need_unit; /* what it was stated in */
+    double need;            /* field units; 0: not given */
+    display_unit need_unit; /* what it was stated in */
     double mean_sigma;
     double tolerance[3];
     char command[REQUEST_COMMAND_MAX]; /* the command line, for the report */
     double place[2];                   /* latitude, height */
     reading_unit field_unit;           /* as stated; of a magnetometer alone */
     double field_sigma; /* what the length of the field may be wrong by, field units */
-    thermal_wish thermal;
-    gyro_wish gyro;
+    thermal_options thermal;
+    gyro_options gyro;
     const design *program; /* of --plan, which watch follows; or null */
     unsigned degree;       /* of --quadratic, --cubic; else 0 */
     stand_wish stand;
-    case_wish ways_up;            /* of --case; none: its count is 0 */
+    case_axes ways_up;            /* of --case; none: its count is 0 */
     int wants_accelerometer_axes; /* of --frame, for a magnetometer */
     record record;
     fit_settings settings; /* all but the nominal, and the noise unless stated */

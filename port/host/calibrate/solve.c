@@ -136,15 +136,15 @@ static int solve_thermal(const request *r, calibrate_result *result)
 /* What --thermal would find. It has its own opinion of what contradicts. */
 static int probe_temperature(calibrate_result *result)
 {
-    const thermal_wish wish = {.degree = 1};
+    const thermal_options options = {.degree = 1};
     rejection rejected = {0};
     invcal_status status = INVCAL_TOO_FEW;
     fit_reason reason;
     int failure = EXIT_GOOD;
 
     if (result->data->has_temperature) {
-        failure = thermal_fit_make(&result->fit, result->data, &result->settings, &wish, &rejected,
-                                   &status, &reason);
+        failure = thermal_fit_make(&result->fit, result->data, &result->settings, &options,
+                                   &rejected, &status, &reason);
         result->temperature = status == INVCAL_OK ? CALIBRATE_PROBED : CALIBRATE_PLAIN;
         rejection_free(&rejected);
     }
@@ -228,7 +228,7 @@ static void complete(const request *r, const positions *data, calibrate_result *
     result->residual_before = residual_of_nominal(data, &result->settings.nominal);
 }
 
-int solve_positions(const request *r, const positions *data, const turns *gyro,
+int solve_positions(const request *r, const positions *data, const gyro_log *gyro,
                     calibrate_result *result)
 {
     int failure = stand_check(&r->stand, data);
@@ -274,7 +274,7 @@ static int find_axes(const request *r, calibrate_result *result)
         return failure;
     }
     if ((path && dip->answer == DIP_NO_ACCELEROMETER) ||
-        (r->wants_accelerometer_axes && dip->answer != DIP_TOLD)) {
+        (r->wants_accelerometer_axes && dip->answer != DIP_FOUND)) {
         return calibrate_no_axes(result);
     }
     if (r->wants_accelerometer_axes) {
@@ -292,13 +292,13 @@ static void settle_need(const request *r, calibrate_result *result)
     if (r->value[ASK_NEED] && strchr(r->value[ASK_NEED], '%')) {
         result->need *= field / r->settings.field;
     } else if (r->value[ASK_NEED]) {
-        result->need_unit = (told_unit){field, calibrate_field_unit(result)};
+        result->need_unit = (display_unit){field, calibrate_field_unit(result)};
     }
 }
 
 int solve_waved(const request *r, const positions *data, calibrate_result *result)
 {
-    const waved *m = result->magnetometer;
+    const magnetometer_log *m = result->magnetometer;
     const int is_scaled = r->value[ASK_LSB] || r->value[ASK_NOMINAL];
 
     result->is_field_measured = !r->value[ASK_GRAVITY];

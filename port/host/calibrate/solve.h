@@ -10,7 +10,7 @@
 
 /* Returns EXIT_GOOD; EXIT_DATA with result->refused filled in; EXIT_USAGE or EXIT_FILE after a
  * message. */
-int solve_positions(const request *r, const positions *data, const turns *gyro,
+int solve_positions(const request *r, const positions *data, const gyro_log *gyro,
                     calibrate_result *result);
 
 /* The same of a magnetometer that was waved, whose cells `data` are: result->magnetometer. */

@@ -317,7 +317,7 @@ void report_file(page *p, const report_facts *f)
 }
 
 /* What a magnetometer felt. */
-static void write_waved(page *p, const waved *m)
+static void write_waved(page *p, const magnetometer_log *m)
 {
     page_fact(p, "samples",
               "%lu, %lu left out, in %u of %u direction cells; correlated: %.0f count as one",

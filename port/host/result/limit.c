@@ -189,7 +189,7 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
 {
     const double uneven = unevenness(r, length);
     const char *noise = r->is_noise_given ? "stated noise" : "noise of the samples";
-    const told_unit told = calibrate_told_field(r);
+    const display_unit told = calibrate_told_field(r);
     char number[FIGURE_MAX];
 
     if (depends_on_temperature(r) && r->fit.without > 2 * r->fit.quality.rms) {
@@ -256,7 +256,7 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
 {
     const thermal_fit *fit = &r->fit;
     const double range = fit->calibration.max - fit->calibration.min;
-    const told_unit told = told_parts(r->told, calibrate_is_gravity(r));
+    const display_unit told = unit_style_page_field(r->units, calibrate_is_gravity(r));
     const unsigned most = steepest_offset(fit);
     const double scale = told.scale * calibrate_slope_scale(r, most);
     char before[FIGURE_MAX];

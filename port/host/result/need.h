@@ -33,7 +33,7 @@ typedef enum {
  * field   its length.
  * digits  out: so many bytes are the number.
  * unit    out, but for the last two answers: the unit to print it in; its scale makes a need over the field of 1. */
-need_ending need_parse(const char *text, double field, size_t *digits, told_unit *unit);
+need_ending need_parse(const char *text, double field, size_t *digits, display_unit *unit);
 
 /* For a result with a need. */
 need_missing need_judge(const calibrate_result *result);

@@ -18,10 +18,10 @@
 #include "read/positions.h"
 #include "fit/rejection.h"
 #include "read/rests.h"
-#include "read/waved.h"
+#include "read/magnetometer_log.h"
 #include "stand/stand.h"
 #include "fit/thermal_fit.h"
-#include "cli/told.h"
+#include "cli/unit_style.h"
 #include "result/record.h"
 #include "result/uncertainty.h"
 
@@ -48,8 +48,8 @@ typedef struct {
 typedef struct {
     refusal refused; /* then all below but data, log, rejected, nominal and settings is not known */
     const positions *data;
-    const rests_summary *log;  /* what they were found in; null: they were given */
-    const waved *magnetometer; /* which was waved, and whose cells they are; or null */
+    const rests_summary *log;             /* what they were found in; null: they were given */
+    const magnetometer_log *magnetometer; /* which was waved, and whose cells they are; or null */
     rejection rejected;
     nominal_choice nominal;
     fit_settings settings;
@@ -63,15 +63,15 @@ typedef struct {
     reading_unit field_unit; /* as stated */
     double accuracy; /* 95 % of lengths are right within that, over the field, if the field is */
     double need;     /* what is asked of all of it, field units; 0: nothing; */
-    told_unit need_unit;   /* its unit */
+    display_unit need_unit; /* its unit */
     int is_drift_fitted;   /* the calibration holds in the middle of the session, and is freed of */
     double drift[3];       /* this: from the first position to the last, over the field, */
     double drift_sigma[3]; /* and how well that is known */
     unsigned
         degree; /* of the nonlinearity that was fitted as well: 2, 3; 0: none. The calibration */
     double nonlinear
-        [NONLINEARITY_MOST]; /* is freed of it: x y z quadratic, x y z cubic, over the field, */
-    double nonlinear_sigma[NONLINEARITY_MOST]; /* and how well that is known */
+        [NONLINEARITY_TERMS]; /* is freed of it: x y z quadratic, x y z cubic, over the field, */
+    double nonlinear_sigma[NONLINEARITY_TERMS]; /* and how well that is known */
     int is_robust_wanted; /* a cross-check by the l1 estimate of all positions, */
     int has_robust;       /* which there is: */
     double robust[INVCAL_PARAMETERS];
@@ -89,7 +89,7 @@ typedef struct {
     int is_dip_frame;      /* the calibration is turned to its axes */
     gyro_fit gyro;         /* the gyroscope, if there is one; */
     int is_joint;          /* its moves determine the accelerometer, which the rests alone do not */
-    told_style told;       /* the units of figures for people */
+    unit_style units;      /* the units of figures for people */
     record record;         /* what it is filed under */
     const double *place;   /* latitude and height that give the field; null: it was stated */
 } calibrate_result;
@@ -168,7 +168,7 @@ const char *calibrate_field_unit(const calibrate_result *result);
 const char *calibrate_input_unit(const calibrate_result *result);
 
 /* The unit of lengths, offsets and residuals over the field, except in the report. */
-told_unit calibrate_told_field(const calibrate_result *result);
+display_unit calibrate_told_field(const calibrate_result *result);
 
 /* What limits the accuracy: a sentence. Returns text. */
 #define CALIBRATE_LIMIT_MAX 400

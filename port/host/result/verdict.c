@@ -40,7 +40,7 @@ const char *verdict_systematic(unsigned systematic)
 /* The size of the systematic error with its unit. */
 static const char *size_of(const calibrate_result *r, char text[64])
 {
-    const told_unit told = calibrate_told_field(r);
+    const display_unit told = calibrate_told_field(r);
     char number[FIGURE_MAX];
 
     snprintf(text, 64, "%s %s", figure_digits(told.scale * fabs(r->quality.size), 2, number),
@@ -50,7 +50,7 @@ static const char *size_of(const calibrate_result *r, char text[64])
 
 static void say_drift(const calibrate_result *r, char text[VERDICT_MAX])
 {
-    const told_unit told = calibrate_told_field(r);
+    const display_unit told = calibrate_told_field(r);
     char number[3][FIGURE_MAX];
     char size[64];
 
