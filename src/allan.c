@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Overlapping Allan deviation of one axis, sample by sample (NIST SP 1065, 5.2.4). The second difference of
- * running totals, x(i) - 2 x(i - m) + x(i - 2m), is m times the step from one mean of m samples to the next, so
- * no window is ever summed. Totals wrap modulo 2^64, which does no harm: the difference is exact as long as it
- * fits 63 bits.
+ * Overlapping Allan deviation of one axis, sample by sample (NIST SP 1065, 5.2.4). The second
+ * difference of running totals, x(i) - 2 x(i - m) + x(i - 2m), is m times the step from one mean of
+ * m samples to the next, so no window is ever summed. Totals wrap modulo 2^64, which does no harm:
+ * the difference is exact as long as it fits 63 bits.
  *
- * Each averaging time has its own ring of totals, one at every 2^t-th sample: its size does not depend on m.
- * Squares of 63 bits need a sum of 128, written in halves, since C99 has no such type.
+ * Each averaging time has its own ring of totals, one at every 2^t-th sample: its size does not
+ * depend on m. Squares of 63 bits need a sum of 128, kept in two halves, since C99 has no such
+ * type.
  */
 #include "invcal/allan.h"
 
@@ -40,12 +41,12 @@ static void add_square(invcal_allan_tau *sum, uint64_t size)
     }
 }
 
-static int is_full(const invcal_allan_tau *sum)
+static int has_overflowed(const invcal_allan_tau *sum)
 {
     return (sum->low & sum->high) == UINT64_MAX;
 }
 
-/* In halves: libgcc converts 64 bits by way of double, even where there is none. */
+/* In halves: libgcc converts 64 bits by way of double, even if only float is in hardware. */
 static invcal_real to_real(uint64_t x)
 {
     return TWO_32 * (invcal_real)(uint32_t)(x >> 32) + (invcal_real)(uint32_t)x;
@@ -59,10 +60,10 @@ static invcal_real root_mean(const invcal_allan_tau *sum)
     return TWO_32 * INVCAL_SQRT(total / (2 * (invcal_real)sum->count));
 }
 
-/* ---- averaging times --------------------------------------------------------------------------- */
+/* ---- averaging times ------------------------------------------------------------------------- */
 
 /* t of an averaging time: the smallest, from `t` on, whose ring reaches back 2 m. */
-static unsigned stage(uint32_t m, unsigned t)
+static unsigned stride_bits(uint32_t m, unsigned t)
 {
     while (m > (uint32_t)INVCAL_ALLAN_OVERLAP << t) { /* at most 30 steps: m is 2^30 or less */
         //@ assert t < 30;
@@ -74,7 +75,7 @@ static unsigned stage(uint32_t m, unsigned t)
 /* Windows begin only at multiples of the stride 2^t, so m must be one. */
 static int is_usable(uint32_t m)
 {
-    return m >= 1 && m <= INVCAL_ALLAN_LONGEST && m >> stage(m, 0) << stage(m, 0) == m;
+    return m >= 1 && m <= INVCAL_ALLAN_LONGEST && m >> stride_bits(m, 0) << stride_bits(m, 0) == m;
 }
 
 void invcal_allan_init(invcal_allan *allan)
@@ -133,12 +134,12 @@ void invcal_allan_push(invcal_allan *allan, int32_t raw)
     allan->samples = samples;
     for (unsigned k = 0; k < allan->taus; k++) {
         //@ assert \valid(tau); // number k
-        t = stage(tau->m, t);
+        t = stride_bits(tau->m, t);
         const uint32_t lag = tau->m >> t;
         //@ assert lag > 0; // t is as small as can be
         const uint32_t at = samples >> t;
         if (at << t != samples) {
-            break; /* nor do longer strides end here */
+            break; /* longer strides do not end here either */
         }
         if (at >= 2 * lag && tau->count < UINT32_MAX && (!allan->is_apart || at % lag == 0)) {
             add_difference(tau, total, lag, at);
@@ -148,8 +149,8 @@ void invcal_allan_push(invcal_allan *allan, int32_t raw)
     }
 }
 
-/* Counts samples from 0 again. Only the total at 0 is entered: the first difference ends 2 lag totals later,
- * and all those after it reach back to new totals. */
+/* Counts samples from 0 again. Only the total at 0 is entered: the first difference ends 2 lag
+ * totals later, and all those after it reach back to new totals. */
 void invcal_allan_gap(invcal_allan *allan)
 {
     INVCAL_ASSERT(allan);
@@ -159,11 +160,11 @@ void invcal_allan_gap(invcal_allan *allan)
     }
 }
 
-/* ---- the result for one -------------------------------------------------------------------------- */
+/* ---- the result ------------------------------------------------------------------------------ */
 
-/* edf of white noise by NIST SP 1065, table 5, as in allan.h, with lag as m'. Without a gap, `count`
- * differences over 2 lag use count + 2 lag totals. */
-static invcal_real freedom(invcal_real lag, invcal_real count)
+/* edf of white noise by NIST SP 1065, table 5, as in allan.h, with lag as m'. Without a gap,
+ * `count` differences over 2 lag use count + 2 lag totals. */
+static invcal_real edf_of(invcal_real lag, invcal_real count)
 {
     const invcal_real n = count + 2 * lag; /* totals */
     const invcal_real square = 4 * lag * lag;
@@ -181,15 +182,15 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
     if (tau->count == 0) {
         return INVCAL_TOO_FEW;
     }
-    if (is_full(tau)) {
+    if (has_overflowed(tau)) {
         return INVCAL_NO_SPACE;
     }
-    /* adjacent windows do not overlap: as if each were one sample */
-    const uint32_t lag = allan->is_apart ? 1 : tau->m >> stage(tau->m, 0);
+    /* adjacent windows do not overlap: each counts as one sample */
+    const uint32_t lag = allan->is_apart ? 1 : tau->m >> stride_bits(tau->m, 0);
     out->m = tau->m;
     out->count = tau->count;
     out->adev = root_mean(tau) / (invcal_real)tau->m;
-    out->edf = freedom((invcal_real)lag, (invcal_real)tau->count);
+    out->edf = edf_of((invcal_real)lag, (invcal_real)tau->count);
     out->relative = 1 / INVCAL_SQRT(2 * out->edf);
     return INVCAL_OK;
 }

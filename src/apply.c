@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * calibrated = matrix (raw - offset): mathematics.md, "From p to the calibration". The offset is subtracted
- * before the product: matrix raw - matrix offset would cancel in float.
+ * calibrated = matrix (raw - offset): mathematics.md, "From p to the calibration". The offset is
+ * subtracted before the product: matrix raw - matrix offset would cancel in float.
  *
- * Every program links this module, also one that only loads a calibration. Hence it calls no other, and
- * invcal_dot is here.
+ * Every program links this module, even one that only loads a calibration. So it calls no other,
+ * and invcal_dot is here.
  */
 #include "invcal/invcal.h"
 #include "vector.h"

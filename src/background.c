@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Calibration of a device in use (mathematics_programs.md, "Guidance"): the detector and table of a session,
- * but a position stays only if it adds information. Its worth is its leverage h K h' among all positions kept:
- * each new one changes K, so all are weighed again when a rest is taken, and never in between.
+ * Calibration of a device in use (mathematics_programs.md, "Guidance"): the detector and table of a
+ * session, but a position stays only if it adds information. Its worth is its leverage h K h' among
+ * all positions kept: each new one changes K, so all are weighed again when a rest is taken, never
+ * in between.
  */
 #include <string.h>
 
@@ -24,7 +25,7 @@ invcal_status invcal_background_init(invcal_background *background,
     return status;
 }
 
-/* Later ones move up. */
+/* Later positions move up. */
 static void drop_position(invcal_background *b, unsigned i)
 {
     //@ split i;
@@ -36,9 +37,9 @@ static void drop_position(invcal_background *b, unsigned i)
     }
 }
 
-/* Refuses the last position if it adds little. If the table is full, drops the least informative one, by
- * its share of det H'H, an old one before a new one. Returns the event for the new one. */
-INVCAL_APART static invcal_event sift(invcal_background *b)
+/* Refuses the last position if it adds little. If the table is full, drops the least informative
+ * one, by its share of det H'H, an old one before a new one. Returns the event for the new one. */
+INVCAL_NOINLINE static invcal_event sift(invcal_background *b)
 {
     invcal_session *session = &b->session;
     invcal_real least = INVCAL_REAL_MAX;
@@ -86,7 +87,7 @@ invcal_event invcal_background_feed(invcal_background *background, const int32_t
 void invcal_background_age(invcal_background *background)
 {
     INVCAL_ASSERT(background);
-    /* from the end, since later ones move up */
+    /* from the end, since later positions move up */
     for (unsigned i = background->session.count; i > 0; i--) {
         if (++background->age[i - 1] >= DAYS) {
             drop_position(background, i - 1);

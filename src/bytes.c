@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The frame of all records: integers and binary32 reals, the least significant byte first, closed by a CRC-32
- * (store.h, "the record of a calibration"). Values are shifted into bytes one by one, so neither byte order nor
- * alignment of the machine matters; reals go through float, whatever invcal_real is.
+ * The frame of all records: integers and binary32 reals, the least significant byte first, closed
+ * by a CRC-32 (store.h, "the record of a calibration"). Values are shifted into bytes one by one,
+ * so neither byte order nor alignment of the machine matters; reals go through float, whatever
+ * invcal_real is.
  */
 #include "bytes.h"
 
@@ -13,7 +14,7 @@
 #define EXPONENT UINT32_C(0x7F800000) /* of binary32: all set if not finite */
 #define NOT_A_NUMBER UINT32_C(0x7FC00000)
 
-enum { EMPTY_FRAME = 8 }; /* a frame with nothing in it */
+enum { EMPTY_FRAME = 8 }; /* a frame without content */
 
 uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value)
 {

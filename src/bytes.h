@@ -13,9 +13,9 @@
 
 /* Four bytes are one load if alignment does not matter, which gcc does not find by itself. */
 #ifdef __GNUC__
-#define INVCAL_ALWAYS __attribute__((always_inline)) inline
+#define INVCAL_ALWAYS_INLINE __attribute__((always_inline)) inline
 #else
-#define INVCAL_ALWAYS inline
+#define INVCAL_ALWAYS_INLINE inline
 #endif
 
 static inline uint16_t invcal_get_u16(const uint8_t *bytes)
@@ -23,33 +23,33 @@ static inline uint16_t invcal_get_u16(const uint8_t *bytes)
     return (uint16_t)(bytes[0] | (unsigned)bytes[1] << 8);
 }
 
-static INVCAL_ALWAYS uint32_t invcal_get_u32(const uint8_t *bytes)
+static INVCAL_ALWAYS_INLINE uint32_t invcal_get_u32(const uint8_t *bytes)
 {
     return invcal_get_u16(bytes) | (uint32_t)invcal_get_u16(bytes + 2) << 16;
 }
 
-/* Puts four bytes. Returns the end, as do all that put. */
+/* Writes four bytes. Returns their end, as do all functions that write. */
 uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value);
 
-/* Puts two numbers of 16 bits. */
+/* Writes two numbers of 16 bits. */
 static inline uint8_t *invcal_put_two(uint8_t *bytes, unsigned first, unsigned second)
 {
     return invcal_put_u32(bytes, first | (uint32_t)second << 16);
 }
 
-/* Puts the reals at the beginning of a structure, as binary32; one beyond float becomes a NaN. */
+/* Writes the reals at the beginning of a structure, as binary32; one beyond float becomes a NaN. */
 uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count);
 
-/* Gets them. Returns 1 if all are finite. */
+/* Reads them. Returns 1 if all are finite. */
 int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count);
 
-/* CRC-32 (IEEE 802.3, as zlib): of "123456789" 0xCBF43926. Starts at 0, and goes on where an
+/* CRC-32 (IEEE 802.3, as zlib): 0xCBF43926 for "123456789". Starts at 0, and goes on where an
  * earlier call ended. Bit by bit: a table would be larger than all its users. */
 uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count);
 #define INVCAL_CRC_RESIDUE UINT32_C(0x2144DF1C) /* of anything followed by its own CRC-32 */
 
-/* Records have a frame: kind, version, length (16 bits), the content, and at the end of the length the
- * CRC of all before it. */
+/* Records have a frame: kind, version, length (16 bits), the content, and at the end of the length
+ * the CRC of all before it. */
 enum { INVCAL_CRC_SIZE = 4 };
 enum {
     INVCAL_RECORD_KIND = 0x02CA, /* version and kind */
@@ -60,7 +60,8 @@ enum {
 };
 void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length);
 
-/* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for sound bytes of another kind or version. */
+/* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for sound bytes of another kind or
+ * version. */
 invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, unsigned kind);
 
 /* The matrix of a record of version 1, which is in the unit of its field. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Plain calibration, and what its sigma means to a user (mathematics.md, "Uncertainty"): the half width of a
- * 95 % interval in sigma, and the accuracy of a calibrated length. The solution itself is that of judge.c with
- * no position left out.
+ * Plain calibration, and what its sigma means to a user (mathematics.md, "Uncertainty"): the half
+ * width of a 95 % interval in sigma, and the accuracy of a calibrated length. The solution itself
+ * is that of judge.c with no position left out.
  */
 #include "invcal/expert.h"
 #include "vector.h"
@@ -14,9 +14,9 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
     return invcal_calibrate_without(raw, count, 0, nominal, noise, out, quality);
 }
 
-/* Cornish and Fisher's expansion of Student's quantile about the normal one, z = 1.96 (Abramowitz and Stegun
- * 26.7.5: the coefficients are its g1 ... g4 at z); it needs 3 degrees of freedom, the first two have their
- * own. */
+/* Cornish and Fisher's expansion of Student's quantile about the normal one, z = 1.96 (Abramowitz
+ * and Stegun 26.7.5: the coefficients are its g1 ... g4 at z); it needs 3 degrees of freedom; 1 and
+ * 2 have values of their own. */
 invcal_real invcal_coverage(unsigned dof)
 {
     if (dof < 2) {
@@ -32,8 +32,9 @@ invcal_real invcal_coverage(unsigned dof)
                n;
 }
 
-/* The error of a length is h X. The mean squares of h over all directions: x 1/3, x^2 1/5, xy 1/15. Covariances
- * of dk are neglected. The sigma of gravity is stated, not estimated, so it has the normal quantile. */
+/* The error of a length is h X. The mean squares of h over all directions: x 1/3, x^2 1/5, xy 1/15.
+ * Covariances of dk are neglected. The sigma of gravity is stated, not estimated, so it has the
+ * normal quantile. */
 invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity)
 {
     INVCAL_ASSERT(quality);

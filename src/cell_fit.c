@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * From cells to a calibration and its quality (mathematics_magnetometer.md, "From cells to positions",
- * "The effective number of samples", "Disturbances"). The ellipsoid comes from the mean rows, which satisfy its
- * equation exactly. Sigma and verdict are those of positions: so each cell then becomes one, along its mean and
- * with the root-mean-square length of its samples, and judge.c solves these like any others.
+ * From cells to a calibration and its quality (mathematics_magnetometer.md, "From cells to
+ * positions", "The effective number of samples", "Disturbances"). The ellipsoid comes from the mean
+ * rows, which satisfy its equation exactly. Sigma and verdict are those of positions: so each cell
+ * then becomes one, along its mean and with the root-mean-square length of its samples, and judge.c
+ * solves these like any others.
  *
- * Order: coverage, the ellipsoid, the positions, then sigma from the scatter of the samples and the test for a
- * step.
+ * Order: coverage, the ellipsoid, the positions, then sigma from the scatter of the samples and the
+ * test for a step.
  */
 #include <string.h>
 
@@ -16,7 +17,8 @@
 #include "sums.h"
 #include "vector.h"
 
-/* mathematics_magnetometer.md, "The effective number of samples" and, for a step, "Disturbances". */
+/* mathematics_magnetometer.md, "The effective number of samples" and, for a step,
+ * "Disturbances". */
 enum { POWER_DOF = 24 };               /* degrees of freedom of the power of samples */
 #define CELLS_SCATTER INVCAL_REAL(3.0) /* ratio of variances: above, it is not chance */
 #define STEP_CHI_SQUARE                                                                            \
@@ -24,7 +26,7 @@ enum { POWER_DOF = 24 };               /* degrees of freedom of the power of sam
 #define STEP_F INVCAL_REAL(160.0) /* 4 times F of 4 and n - 4, for cells with a common error */
 enum { STEP_UNKNOWNS = 4, STEP_CELLS = 10 };
 
-/* ---- what is covered ---------------------------------------------------------------------------- */
+/* ---- what is covered ------------------------------------------------------------------------- */
 
 unsigned invcal_cells_count(const invcal_cell_tables *tables, unsigned k)
 {
@@ -68,7 +70,7 @@ invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst)
     return gap;
 }
 
-/* ---- the solution ------------------------------------------------------------------------------- */
+/* ---- the solution ---------------------------------------------------------------------------- */
 
 /* Computes the mean row of cell k, and J. Returns the number of samples; if 0, h is lost. */
 static unsigned mean_row(const invcal_cell_tables *tables, unsigned k,
@@ -84,8 +86,8 @@ static unsigned mean_row(const invcal_cell_tables *tables, unsigned k,
     return count;
 }
 
-/* A system like invcal_sums; but in a sum over mean rows no two elements are the same: the mean of xy, squared,
- * is not the mean of x^2 times that of y^2. */
+/* A system like invcal_sums; but in a sum over mean rows no two elements are the same: the mean of
+ * xy, squared, is not the mean of x^2 times that of y^2. */
 invcal_status invcal_cells_solve(invcal_cell_fit *fit)
 {
     invcal_real a[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
@@ -112,8 +114,8 @@ invcal_status invcal_cells_solve(invcal_cell_fit *fit)
     return invcal_ellipsoid(fit->p, a, &fit->triad);
 }
 
-/* For a mean row: eta = A (v - delta) of the mean, and the mean of |eta|^2, which is larger: |eta|^2 + tr A C A',
- * with C the products less those of the mean. */
+/* For a mean row: eta = A (v - delta) of the mean, and the mean of |eta|^2, which is larger:
+ * |eta|^2 + tr A C A', with C the products less those of the mean. */
 static invcal_real mean_square(const invcal_calibration *triad,
                                const invcal_real h[INVCAL_PARAMETERS], invcal_real eta[3])
 {
@@ -181,11 +183,11 @@ invcal_real invcal_cells_field(const invcal_cell_fit *fit)
     return 3 / (a[0][0] + a[1][1] + a[2][2]);
 }
 
-/* ---- judgement ---------------------------------------------------------------------------------- */
+/* ---- judgement ------------------------------------------------------------------------------- */
 
-/* Combines the scatter of the samples, power / n of each cell, with that of the cells, weighted by their
- * degrees of freedom. If the latter is clearly larger, it stays alone: then cells differ by more than their
- * samples show. */
+/* Combines the scatter of the samples, power / n of each cell, with that of the cells, weighted by
+ * their degrees of freedom. If the latter is clearly larger, it stays alone: then cells differ by
+ * more than their samples show. */
 void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
 {
     invcal_quality *const q = &fit->quality;
@@ -213,10 +215,10 @@ void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
     invcal_judge_parameters(k, (const invcal_real(*)[3])fit->triad.matrix, q);
 }
 
-/* The row of cell k: (eta, 1, excess length of late samples), since an offset d moves the length by eta d, and
- * a change of field moves all lengths alike. Half the difference of squares is that of lengths. Returns its
- * weight, the number of samples that would give the same variance against an exact length; 0 if early or late
- * has none. */
+/* The row of cell k: (eta, 1, excess length of late samples), since an offset d moves the length by
+ * eta d, and a change of field moves all lengths alike. Half the difference of squares is that of
+ * lengths. Returns its weight, the number of samples that would give the same variance against an
+ * exact length; 0 if early or late has none. */
 static invcal_real compare_late(const invcal_cell_fit *fit, unsigned k, invcal_real row[5])
 {
     const invcal_cell_tables early = {fit->tables.early, fit->tables.early};
@@ -236,8 +238,8 @@ static invcal_real compare_late(const invcal_cell_fit *fit, unsigned k, invcal_r
     return n * m / (n + m);
 }
 
-/* Compares the squares that a step explains with the power, and with the other differences of the cells, since
- * samples after a step raise the power. */
+/* Compares the squares that a step explains with the power, and with the other differences of the
+ * cells, since samples after a step raise the power. */
 int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power)
 {
     invcal_real a[INVCAL_PACKED_SIZE(STEP_UNKNOWNS + 1)];

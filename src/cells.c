@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The table of cells follows each change of centre and unit (mathematics_magnetometer.md, "Cells"). Sums of
- * x, y, z and of their products determine the same sums about any other centre, so no sample is needed again.
+ * The table of cells follows each change of centre and unit (mathematics_magnetometer.md, "Cells").
+ * Sums of x, y, z and of their products determine the same sums about any other centre, so no
+ * sample is needed again.
  */
 #include "cells.h"
 
@@ -62,7 +63,8 @@ void invcal_cells_merge(invcal_cells *into, invcal_cells *from)
     }
 }
 
-/* sum (v - s)(v - s)' = sum v v' - s sum v' - sum v s' + n s s'. Products first: they need the old sums of v. */
+/* sum (v - s)(v - s)' = sum v v' - s sum v' - sum v s' + n s s'. Products first: they need the old
+ * sums of v. */
 static void move_sum(invcal_real *sum, invcal_real n, const invcal_real s[3], invcal_real scale)
 {
     static const uint8_t pair[PRODUCTS][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
@@ -78,8 +80,8 @@ static void move_sum(invcal_real *sum, invcal_real n, const invcal_real s[3], in
     }
 }
 
-/* The products of the mean, not the mean products: only it has a direction. Its length does not matter, so the
- * sum serves. */
+/* The products of the mean, not the mean products: only it has a direction. Its length does not
+ * matter, so the sum serves. */
 static unsigned cell_of_mean(const invcal_cells *cells, unsigned k)
 {
     invcal_real h[INVCAL_PARAMETERS];
@@ -89,7 +91,8 @@ static unsigned cell_of_mean(const invcal_cells *cells, unsigned k)
     return invcal_cell_of(h);
 }
 
-/* Converts all sums before any cell moves: those that come together must have the same coordinates. */
+/* Converts all sums before any cell moves: those that come together must have the same
+ * coordinates. */
 void invcal_cells_move(invcal_cells *cells, const invcal_real shift[3], invcal_real scale)
 {
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {

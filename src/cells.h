@@ -2,9 +2,9 @@
  *
  * Internal: the cells of magnetometer.h, and their solution.
  *
- * A row is (x y z x^2 y^2 z^2 xy xz yz), of a sample or the mean of many. The equation of an ellipsoid is
- * linear in it, so it also holds for the mean, however wide the cell is; a mean of vectors would be too short.
- * Changes of unit or centre are exact.
+ * A row is (x y z x^2 y^2 z^2 xy xz yz), of a sample or the mean of many. The equation of an
+ * ellipsoid is linear in it, so it also holds for the mean, however wide the cell is; a mean of
+ * vectors would be too short. Changes of unit or centre are exact.
  */
 #ifndef INVCAL_CELLS_H
 #define INVCAL_CELLS_H
@@ -57,7 +57,8 @@ static inline unsigned invcal_cell_of_inline(const invcal_real h[INVCAL_PARAMETE
 /* The centre of a cell, a unit vector. */
 void invcal_cell_direction(unsigned k, invcal_real d[3]);
 
-/* A full cell is halved: its mean stays, and later samples count more. 16 bits hold two full cells. */
+/* A full cell is halved: its mean stays, and later samples count more. 16 bits hold two full
+ * cells. */
 enum { INVCAL_FULL_CELL = 16384 };
 void invcal_cells_halve(invcal_cells *cells, unsigned k);
 
@@ -83,7 +84,7 @@ void invcal_cells_merge(invcal_cells *into, invcal_cells *from);
 /* Readings v become (v - shift) / scale; a mean that then points into another cell moves there. */
 void invcal_cells_move(invcal_cells *cells, const invcal_real shift[3], invcal_real scale);
 
-/* ---- their solution ----------------------------------------------------------------------------- */
+/* ---- their solution -------------------------------------------------------------------------- */
 
 /* Two tables, as if they were one; the same table twice counts as one. */
 typedef struct {
@@ -94,7 +95,8 @@ typedef struct {
 /* The number of samples in cell k; less once it was halved. */
 unsigned invcal_cells_count(const invcal_cell_tables *tables, unsigned k);
 
-/* Returns the cosine of the gap, 1 if there is none. worst: its cell, or the one with the fewest samples. */
+/* Returns the cosine of the gap, 1 if there is none. worst: its cell, or the one with the fewest
+ * samples. */
 invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst);
 
 /* The solution of cells, in the coordinates of their rows. */
@@ -121,12 +123,13 @@ unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calib
 
 /* Computes noise and sigma again, now with the scatter of the samples.
  *
- * power  the variance of a cell's mean times its samples: their variance times how many of them have a common
- *        error. 0: unknown, sigma remains that of the scatter of the cells. */
+ * power  the variance of a cell's mean times the number of its samples: their variance, times how
+ *        many in a row have a common error. 0: unknown, sigma remains that of the scatter of the
+ *        cells. */
 void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power);
 
-/* Returns whether late samples differ from early ones of the same cells as after a change of offset or length.
- * In 999 of 1000 cases without a change they do not.
+/* Returns whether late samples differ from early ones of the same cells as after a change of offset
+ * or length. In 999 of 1000 cases without a change they do not.
  *
  * power  the same, from before the late ones. 0: unknown, then it returns 0. */
 int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power);

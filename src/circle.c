@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reduces the angle to an eighth of a turn by quarter turns, sums both Taylor series there, and exchanges sine
- * and cosine. Angles are in degrees, since a quarter turn is then a whole number: the reduction is exact, and
- * so are the values at its multiples.
+ * Reduces the angle to an eighth of a turn by quarter turns, sums both Taylor series there, and
+ * exchanges sine and cosine. Angles are in degrees, since a quarter turn is then a whole number:
+ * the reduction is exact, and so are the values at its multiples.
  */
 #include "circle.h"
 

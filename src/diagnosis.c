@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * One round of the choice between outliers and systematic errors (mathematics_judgement.md,
- * "Choosing between hypotheses"). outliers.c proposes a group, systematic.c tests the four kinds of systematic
- * error, both against the same fit. The result is a group to leave out, the name of an error, a verdict of
- * rough, or nothing.
+ * "Choosing between hypotheses"). outliers.c proposes a group, systematic.c tests the four kinds of
+ * systematic error, both against the same fit. The result is a group to leave out, the name of an
+ * error, a verdict of rough, or nothing.
  *
- * Before two or more positions are left out, a drift and a step must be ruled out: either makes good positions
- * look like outliers, and without those a wrong calibration would look good.
+ * Before two or more positions are left out, a drift and a step must be ruled out: either makes
+ * good positions look like outliers, and without those a wrong calibration would look good.
  */
 #include "diagnosis.h"
 
@@ -16,14 +16,14 @@
 #include "systematic.h"
 #include "vector.h"
 
-/* Levels and ratios of mathematics_judgement.md: "Chance", "Choosing between hypotheses" and, for SHOWN, which
- * is 1 / 1.5^2, "What cannot be tested". */
+/* Levels and ratios of mathematics_judgement.md: "Chance", "Choosing between hypotheses" and, for
+ * SHOWN, which is 1 / 1.5^2, "What cannot be tested". */
 #define SIGNIFICANT INVCAL_REAL(0.002)
 #define UNSTATED INVCAL_REAL(0.004) /* the same, if no noise is stated */
 #define NAMEABLE INVCAL_REAL(0.02)  /* of the residuals alone */
 #define FAVOUR INVCAL_REAL(7.4)     /* by which outliers may be less likely, and yet win */
 #define AMBIGUOUS INVCAL_REAL(0.3)
-#define SHOWN INVCAL_REAL(0.44444) /* sigma grows to 1.5 of itself at most */
+#define SHOWN INVCAL_REAL(0.44444) /* sigma grows 1.5 times at most */
 
 static invcal_real chance_of(const invcal_fit *fit, const invcal_test *t, unsigned stated)
 {
@@ -59,8 +59,8 @@ static int is_clearer(const diagnosis *d, const invcal_test *t, invcal_real own)
     return own <= NAMEABLE && t->squares < d->best.squares;
 }
 
-/* Significant by the stated noise or by the residuals alone: then the verdict is no longer good. A name needs
- * the latter, since the noise may be stated too small. */
+/* Significant by the stated noise or by the residuals alone: then the verdict is no longer good. A
+ * name needs the latter, since the noise may be stated too small. */
 static void try_kind(const invcal_fit *fit, diagnosis *d, unsigned kind)
 {
     const invcal_real level = fit->positions.noise > 0 ? SIGNIFICANT : UNSTATED;
@@ -98,8 +98,8 @@ static void try_kinds(const invcal_fit *fit, diagnosis *d)
     }
 }
 
-/* A systematic error, or a step, may look like two or more outliers. Each test may lower d->least; with that of
- * the four kinds it is then what the best rival of the group leaves. */
+/* A systematic error, or a step, may look like two or more outliers. Each test may lower d->least;
+ * with that of the four kinds it is then what the best rival of the group leaves. */
 static int is_ambiguous(const invcal_fit *fit, diagnosis *d, const invcal_group *g)
 {
     const unsigned n = fit->positions.count;
@@ -129,8 +129,8 @@ static void name(const diagnosis *d, invcal_quality *q)
 }
 
 /* Returns the positions to leave out. */
-static INVCAL_APART invcal_mask choose(const invcal_fit *fit, const invcal_group *g,
-                                       invcal_quality *q)
+static INVCAL_NOINLINE invcal_mask choose(const invcal_fit *fit, const invcal_group *g,
+                                          invcal_quality *q)
 {
     diagnosis d;
 

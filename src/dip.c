@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * The rotation from magnetometer to accelerometer, and the dip (mathematics_magnetometer.md,
- * "Its axes and those of an accelerometer"). With b the row (a (x) m, 1) of a sample, each residual and each of
- * its derivatives is a product of b and a row that depends on R and s alone. So all normal equations of
- * Gauss-Newton are forms u M v in the one matrix M = sum b b', and a step costs the same for any number of
- * samples.
+ * The rotation from magnetometer to accelerometer, and the dip (mathematics_magnetometer.md, "Its
+ * axes and those of an accelerometer"). With b the row (a (x) m, 1) of a sample, each residual and
+ * each of its derivatives is a product of b and a row that depends on R and s alone. So all normal
+ * equations of Gauss-Newton are forms u M v in the one matrix M = sum b b', and a step costs the
+ * same for any number of samples.
  */
 #include "invcal/magnetometer.h"
 
@@ -51,7 +51,7 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
     return INVCAL_OK;
 }
 
-/* u M v, M the mean of the row times itself. */
+/* u M v, with M the mean of b b'. */
 static invcal_real between(const invcal_dip *dip, const invcal_real u[INVCAL_DIP_ROW],
                            const invcal_real v[INVCAL_DIP_ROW])
 {
@@ -66,8 +66,9 @@ static invcal_real between(const invcal_dip *dip, const invcal_real u[INVCAL_DIP
     return sum / (invcal_real)dip->count;
 }
 
-/* The row of a R m - s, and its derivatives: by rotation of R about each axis of a, and by s. A small rotation
- * about axis k moves component j of R m by component i, and component i by minus component j. */
+/* The row of a R m - s, and its derivatives: by rotation of R about each axis of a, and by s. A
+ * small rotation about axis k moves component j of R m by component i, and component i by minus
+ * component j. */
 static void make_rows(const invcal_real r[3][3], invcal_real s,
                       invcal_real row[DIP_UNKNOWNS + 1][INVCAL_DIP_ROW])
 {
@@ -119,8 +120,8 @@ static void turn_by(const invcal_real angle[3], invcal_real r[3][3])
     memcpy(r, work, sizeof turned);
 }
 
-/* sigma^2 = n_a r^2 K / (n - 4). With n_a below 1 samples would count for more than they are. The heading is in
- * error by their root mean square over cos(dip), and cos^2 is 1 - s^2. */
+/* sigma^2 = n_a r^2 K / (n - 4). With n_a below 1, samples would count more than once. The heading
+ * is in error by their root mean square over cos(dip), and cos^2 is 1 - s^2. */
 static void judge_dip(const invcal_dip *dip, invcal_real alike, invcal_real s,
                       invcal_real a[INVCAL_PACKED_SIZE(DIP_UNKNOWNS + 1)],
                       invcal_dip_quality *quality)
@@ -140,8 +141,8 @@ static void judge_dip(const invcal_dip *dip, invcal_real alike, invcal_real s,
     quality->heading = INVCAL_SQRT(sum / (1 - s * s));
 }
 
-/* Begins at R = I, so the axes must be roughly aligned. The system after the last step is not solved: it is
- * that of the solution, from which scatter and sigma come. */
+/* Begins at R = I, so the axes must be roughly aligned. The system after the last step is not
+ * solved: it is that of the solution, from which scatter and sigma come. */
 invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_real rotation[3][3],
                                invcal_dip_quality *quality)
 {

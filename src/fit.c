@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Solves the positions once, then tests further unknowns one by one without solving again
- * (mathematics_judgement.md, "One fit for all of them"), and gives the probability of an improvement by
- * chance ("Chance").
+ * (mathematics_judgement.md, "One fit for all of them"), and gives the probability of an
+ * improvement by chance ("Chance").
  */
 #include "fit.h"
 

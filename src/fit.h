@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: the fit of near-identity positions, its improvement by more unknowns, and the probability of that
- * by chance alone.
+ * Internal: the fit of near-identity positions, its improvement by more unknowns, and the
+ * probability of that by chance alone.
  */
 #ifndef INVCAL_FIT_H
 #define INVCAL_FIT_H
@@ -23,7 +23,7 @@ typedef struct {
 /* Returns as invcal_positions_sum, then as invcal_determine. */
 invcal_status invcal_fit_solve(invcal_fit *fit);
 
-/* ---- more unknowns ------------------------------------------------------------------------------ */
+/* ---- more unknowns --------------------------------------------------------------------------- */
 
 enum {
     INVCAL_MORE = 3,                              /* max unknowns after the nine */
@@ -31,7 +31,8 @@ enum {
     INVCAL_REST = INVCAL_PARAMETERS + INVCAL_MORE /* index of the residual, after them */
 };
 
-/* One of them, number d, by its column c of H: H'c, then c'c of those before it and its own, then c'r. */
+/* One of them, number d, by its column c of H: H'c, then c'c of those before it and its own, then
+ * c'r. */
 typedef invcal_real invcal_column[INVCAL_REST + 1];
 
 /* The row of position k: h, and its residual r = J + h p. */
@@ -48,10 +49,11 @@ static INVCAL_IN_HEADER void invcal_fit_row_inline(const invcal_fit *fit, unsign
 }
 
 /* The Cholesky factor of the normal equations continues below L: column d becomes its row, with the
- * reciprocal of the diagonal; 0 if the others explain all but 0.1 % of its square. The square of the new
- * c'r is the reduction of the squares by the unknown (mathematics_judgement.md, "One fit for all of them").
+ * reciprocal of the diagonal; 0 if the others explain all but 0.1 % of its square. The square of
+ * the new c'r is the reduction of the squares by the unknown (mathematics_judgement.md, "One fit
+ * for all of them").
  *
- * Returns the part of c'c that the nine leave. */
+ * Returns the part of c'c that the nine do not explain. */
 invcal_real invcal_fit_append(const invcal_fit *fit, invcal_column columns[INVCAL_MORE],
                               unsigned d);
 
@@ -63,8 +65,8 @@ static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *f
 {
     invcal_real *const x = columns[d];
     const invcal_real least = INVCAL_TOLERANCE * x[INVCAL_C + d];
-    const invcal_real beside = x[INVCAL_C + d] - invcal_leverage_often(fit->sums.sum, x);
-    invcal_real left = beside;
+    const invcal_real unexplained = x[INVCAL_C + d] - invcal_leverage_often(fit->sums.sum, x);
+    invcal_real left = unexplained;
 
     for (unsigned i = INVCAL_C; i < INVCAL_C + d; i++) {
         const invcal_real *const before = columns[i - INVCAL_C];
@@ -74,10 +76,10 @@ static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *f
     }
     x[INVCAL_C + d] = left > least ? 1 / INVCAL_SQRT(left) : 0;
     x[INVCAL_REST] *= x[INVCAL_C + d];
-    return beside;
+    return unexplained;
 }
 
-/* These are for frequent callers: inline if optimised for speed. */
+/* For frequent callers: inline if optimised for speed. */
 #ifdef INVCAL_FAST
 #define invcal_fit_row_often invcal_fit_row_inline
 #define invcal_fit_append_often invcal_fit_append_inline
@@ -86,15 +88,17 @@ static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *f
 #define invcal_fit_append_often invcal_fit_append
 #endif
 
-/* ---- chance ------------------------------------------------------------------------------------- */
+/* ---- chance ---------------------------------------------------------------------------------- */
 
-/* The probability that chance alone reduces a sum of squares that much: m more unknowns, one to three,
- * reduce it from `before` to z of itself, and leave dof residuals. The tail of Fisher's F,
- * I_z(dof/2, m/2), by its leading terms (mathematics_judgement.md, "Chance"): with t = dof (1 - z) / 2
+/* The probability that chance alone reduces a sum of squares that much: m more unknowns, one to
+ * three, reduce it from `before` to z times that, and leave dof residuals. The tail of Fisher's F,
+ * I_z(dof/2, m/2), by its leading terms (mathematics_judgement.md, "Chance"): with
+ * t = dof (1 - z) / 2
  *
  *     z^(dof/2) / sqrt(pi t) (1, sqrt(pi t), 1 + 2 t),
  *
- * which are too large, by 1/(2 t) of the first or, for one residual, by a quarter: on the safe side.
+ * which are too large, by 1/(2 t) of the first or, for one residual, by a quarter: on the safe
+ * side.
  *
  * after   the squares that all of `unknowns` leave; at least what rounding leaves of 0.
  * stated  how many residuals a stated noise counts as.

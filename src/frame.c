@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The rotation from the calibrated axes to those of the case (mathematics_imu.md, "The frame of the case").
- * Rests are kept as one 3x3 sum, B = sum c a', whose orthonormal factor is the least-squares rotation (Wahba's
- * problem). Newton's iteration of solve.c finds it, so no singular values are computed.
+ * The rotation from the calibrated axes to those of the case (mathematics_imu.md, "The frame of the
+ * case"). Rests are kept as one 3x3 sum, B = sum c a', whose orthonormal factor is the
+ * least-squares rotation (Wahba's problem). Newton's iteration of solve.c finds it, so no singular
+ * values are computed.
  */
 #include "invcal/frame.h"
 
@@ -49,8 +50,8 @@ invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *ca
     return INVCAL_OK;
 }
 
-/* Covariance of the angles: (tr S I - S)^-1 with S = sum c a' R', or tr S I - S = sum (I - c c'), since a
- * direction determines no turn about itself. */
+/* Covariance of the angles: (tr S I - S)^-1 with S = sum c a' R', or tr S I - S = sum (I - c c'),
+ * since a direction determines no turn about itself. */
 static void judge_frame(const invcal_frame *frame, const invcal_real r[3][3],
                         invcal_frame_quality *quality)
 {
@@ -76,8 +77,8 @@ static void judge_frame(const invcal_frame *frame, const invcal_real r[3][3],
     quality->scatter = off > 0 ? INVCAL_SQRT(off) : 0;
 }
 
-/* With singular values s of the sums B, |C| of its cofactors C is s1 s2, and B + C has the same directions:
- * so two faces, with s3 = 0, still determine R as the orthonormal factor of B + C. */
+/* With singular values s of the sums B, |C| of its cofactors C is s1 s2, and B + C has the same
+ * directions: so two faces, with s3 = 0, still determine R as the orthonormal factor of B + C. */
 invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation[3][3],
                                  invcal_frame_quality *quality)
 {
@@ -109,8 +110,8 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
     return INVCAL_OK;
 }
 
-/* With v = a x c: I + [v] + [v]^2 / (1 + a.c), [v]^2 = v v' - v.v I. Near half a turn a and c are opposite, and
- * v no longer shows the axis: more than 139 degrees, LEAST_LEVEL, are refused. */
+/* With v = a x c: I + [v] + [v]^2 / (1 + a.c), [v]^2 = v v' - v.v I. Near half a turn a and c are
+ * opposite, and v no longer shows the axis: more than 139 degrees, LEAST_LEVEL, are refused. */
 invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
                                  invcal_real rotation[3][3])
 {

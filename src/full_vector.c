@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * All three readings of a position against its known direction, u = M eta + delta (mathematics.md,
- * "The full vector"). The rows (eta 1) are the same for all three axes: one 4x4 factor serves them, with one
- * right side for each. The polar decomposition of M then separates the sensor, I + S, from its mounting, R.
+ * "The full vector"). The rows (eta 1) are the same for all three axes: one 4x4 factor serves them,
+ * with one right side for each. The polar decomposition of M then separates the sensor, I + S, from
+ * its mounting, R.
  */
 #include <limits.h>
 #include <string.h>
@@ -45,8 +46,8 @@ invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_cali
     return INVCAL_OK;
 }
 
-/* M and delta, one axis at a time, as the row after the system, where invcal_back_substitute expects it. It
- * solves A p = -b, hence the signs. */
+/* M and delta, one axis at a time, as the row after the system, where invcal_back_substitute
+ * expects it. It solves A p = -b, hence the signs. */
 static void solve_axes(invcal_real *a, invcal_real m[3][3], invcal_real delta[3])
 {
     invcal_real *p = &a[INVCAL_PACKED(OF_AXIS, 0)];
@@ -76,8 +77,8 @@ static void parameters_of(const invcal_real p[3][3], const invcal_real delta[3],
     x[INVCAL_GAMMA_ZY] = p[2][1] + p[1][2];
 }
 
-/* M = (I + S) R; the calibrated R'A u is M^-1 u. X is found first, and passes the same limits as that of
- * lengths (invcal_triad). `full` is overwritten as work space. */
+/* M = (I + S) R; the calibrated R'A u is M^-1 u. X is found first, and passes the same limits as
+ * that of lengths (invcal_triad). `full` is overwritten as work space. */
 invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_calibration *nominal,
                                        invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS],
                                        invcal_real mounting[3][3])
@@ -105,7 +106,7 @@ invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_ca
     status = invcal_triad(found, &c);
     if (status == INVCAL_OK) {
         invcal_inverse3((const invcal_real(*)[3])m, c.matrix);
-        status = invcal_behind(nominal, &c);
+        status = invcal_compose(nominal, &c);
     }
     if (status == INVCAL_OK) {
         *out = c;

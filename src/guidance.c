@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * The next direction to take: greedy D-optimal design over the 26 directions of a cube
- * (mathematics_programs.md, "Guidance"). One more row h multiplies det H'H by 1 + h K h', so the largest
- * leverage wins. A small ridge on H'H makes K finite from the first position on; refusal.c and background.c use
- * the same ridge.
+ * (mathematics_programs.md, "Guidance"). One more row h multiplies det H'H by 1 + h K h', so the
+ * largest leverage wins. A small ridge on H'H makes K finite from the first position on; refusal.c
+ * and background.c use the same ridge.
  */
 #include "guidance.h"
 
@@ -13,7 +13,7 @@
 #include "sums.h"
 #include "vector.h"
 
-#define RIDGE INVCAL_REAL(1e-5)       /* over the trace and 10: between weak and good */
+#define RIDGE INVCAL_REAL(1e-5)       /* over the trace plus 10: between weak and good */
 #define ACROSS INVCAL_REAL(0.0078125) /* the opposite direction counts 1/64 less */
 #define THE_SAME INVCAL_REAL(0.9)     /* cosine of 26 degrees: the same position if closer */
 #define CLEARLY INVCAL_REAL(1.001)    /* if directions differ by less, the first wins */
@@ -40,7 +40,7 @@ int invcal_direction(unsigned n, invcal_real up[3])
     return 1;
 }
 
-/* ---- information ------------------------------------------------------------------------------ */
+/* ---- information ----------------------------------------------------------------------------- */
 
 invcal_real invcal_ridged_inverse(invcal_sums *sums)
 {
@@ -58,9 +58,9 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
     return ridge;
 }
 
-/* The direction with the most information; of equals the closest to the current one, but not the same
- * again. */
-void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
+/* The direction with the most information; of equals the closest to the current one, but not the
+ * same again. */
+void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
 {
     const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current) + NO_LENGTH);
     invcal_real h[INVCAL_PARAMETERS];
@@ -106,7 +106,7 @@ void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibratio
 
     INVCAL_ASSERT((raw || count == 0) && nominal && up);
     invcal_sum_readings(raw, count, nominal, &sums, last);
-    invcal_next_beside(&sums, last, up);
+    invcal_next_of_sums(&sums, last, up);
 }
 
 /* J of a direction only planned is 0: it does not enter K. */

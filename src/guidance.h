@@ -9,8 +9,8 @@
 
 enum { INVCAL_DIRECTIONS = 43 }; /* from 0 to the last, 222 to base 4 */
 
-/* Faces, edges and corners of a cube, as unit vectors: n to base 4 has a digit for each axis, x first, 0
- * for +, 1 for neither, 2 for -; the centre is 0. Returns 0 if a digit is 3. */
+/* Faces, edges and corners of a cube, as unit vectors: n to base 4 has a digit for each axis, x
+ * first, 0 for +, 1 for neither, 2 for -; the centre is 0. Returns 0 if a digit is 3. */
 int invcal_direction(unsigned n, invcal_real up[3]);
 
 /* The sums of positions; skips those that are not readings.
@@ -22,10 +22,10 @@ void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_ca
 /* The direction to take next, given the rows in sums, which are overwritten.
  *
  * current  the last reading, over field; 0 if there is none. */
-void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3]);
+void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal_real up[3]);
 
-/* L^-1 of H'H and a small ridge; overwrites the sums. Works for any positions, even none. Returns the
- * ridge. */
+/* L^-1 of H'H and a small ridge; overwrites the sums. Works for any positions, even none. Returns
+ * the ridge. */
 invcal_real invcal_ridged_inverse(invcal_sums *sums);
 
 #endif

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Accelerometer and gyroscope in one least-squares solution (mathematics_imu.md). Unknowns are the nine
- * elements of M, by rows, then delta, dk and gamma of the accelerometer; if that is held, only the first nine.
+ * Accelerometer and gyroscope in one least-squares solution (mathematics_imu.md). Unknowns are the
+ * nine elements of M, by rows, then delta, dk and gamma of the accelerometer; if that is held, only
+ * the first nine.
  *
- * Order: the integral of a move ("Segments"), the bias of each rest ("The bias"), the equations of rests and
- * moves ("Two equations from a move"), Gauss-Newton passes with their weights ("Weights"), the result
- * ("Verdict"). Each pass integrates all segments again with its own M, so no error of linearisation remains in
- * the solution.
+ * Order: the integral of a move ("Segments"), the bias of each rest ("The bias"), the equations of
+ * rests and moves ("Two equations from a move"), Gauss-Newton passes with their weights
+ * ("Weights"), the result ("Verdict"). Each pass integrates all segments again with its own M, so
+ * no error of linearisation remains in the solution.
  */
 #include "imu.h"
 
@@ -18,8 +19,8 @@
 #include "solve.h"
 #include "sums.h"
 
-/* mathematics_imu.md: "Weights", "Verdict", and "Two equations from a move" for the angles below which one is
- * idle. */
+/* mathematics_imu.md: "Weights", "Verdict", and "Two equations from a move" for the angles below
+ * which one is idle. */
 #define STEP (INVCAL_DOUBLE ? INVCAL_REAL(1e-14) : INVCAL_REAL(1e-11)) /* squared: converged */
 #define FAR_APART INVCAL_REAL(12.5)      /* 5 sigma, squared, over the variance of two angles */
 #define ABSURD_TURN INVCAL_REAL(0.01)    /* residuals of 0.1 rad, squared */
@@ -32,8 +33,8 @@
 #define IMU_RIDGE INVCAL_REAL(6e-6)      /* of the trace */
 #define HELD_BY_RIDGE INVCAL_REAL(0.1)   /* open: the ridge gives more than this share */
 #define STATED_ROWS INVCAL_REAL(4.0)     /* residuals that a stated noise counts as */
-#define LITTLE INVCAL_REAL(0.01)         /* of a residual; with 0, rounding errors would count */
-#define MUCH INVCAL_REAL(2.0)            /* times the stated variance: something is wrong */
+#define UNSTATED_ROWS INVCAL_REAL(0.01)  /* of a residual; with 0, rounding errors would count */
+#define ROUGH_VARIANCE INVCAL_REAL(2.0)  /* times the stated variance: something is wrong */
 
 enum {
     IMU_ALL = INVCAL_IMU_PARAMETERS,
@@ -48,7 +49,7 @@ enum {
     SERIES_OF_TURN = INVCAL_DOUBLE ? 9 : 5
 };
 
-/* ---- a move ------------------------------------------------------------------------------------- */
+/* ---- a move ---------------------------------------------------------------------------------- */
 
 /* out = C' a */
 static void turn_back(invcal_real (*c)[3], const invcal_real a[3], invcal_real out[3])
@@ -58,8 +59,8 @@ static void turn_back(invcal_real (*c)[3], const invcal_real a[3], invcal_real o
     }
 }
 
-/* With the matrix I + E: S += C J v', C <- C exp([th x]), J the left Jacobian of th. By rows: c [th x] is
- * c x th. The series are those of (1 - cos x)/x^2 and (x - sin x)/x^3. */
+/* With the matrix I + E: S += C J v', C <- C exp([th x]), J the left Jacobian of th. By rows: c [th
+ * x] is c x th. The series are those of (1 - cos x)/x^2 and (x - sin x)/x^3. */
 static void turn_segment(invcal_replay *r, const invcal_real v[3], const invcal_real th[3])
 {
     const invcal_real x = invcal_dot3(th, th);
@@ -89,8 +90,8 @@ static void turn_segment(invcal_replay *r, const invcal_real v[3], const invcal_
     }
 }
 
-/* The bias of the move is the mean of two rests. That of a segment differs by G times (up at its middle less
- * the mean of up in both rests). */
+/* The bias of the move is the mean of two rests. That of a segment differs by G times (up at its
+ * middle less the mean of up in both rests). */
 void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment, unsigned count,
                         const invcal_real bias[3], const invcal_real up[2][3], invcal_replay *r)
 {
@@ -116,8 +117,8 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
             f[i] += (th[i] - up[0][i] - up[1][i]) / 2;
         }
         for (unsigned i = 0; i < 3; i++) {
-            const invcal_real felt = w->out->g_is_used ? invcal_dot3(w->out->slope[i], f) : 0;
-            v[i] -= time * (bias[i] + felt);
+            const invcal_real g_bias = w->out->g_is_used ? invcal_dot3(w->out->slope[i], f) : 0;
+            v[i] -= time * (bias[i] + g_bias);
         }
         invcal_zero(f, sizeof f);
         invcal_unpack(segment->kappa, INVCAL_KAPPA_UNIT, f);
@@ -131,10 +132,10 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     }
 }
 
-/* ---- bias --------------------------------------------------------------------------------------- */
+/* ---- bias ------------------------------------------------------------------------------------ */
 
-/* The row of b = b0 + G up + drift t for an axis: (up, t, 1, -b). Returns 0 if the device turned in that rest
- * or in the one before. */
+/* The row of b = b0 + G up + drift t for an axis: (up, t, 1, -b). Returns 0 if the device turned in
+ * that rest or in the one before. */
 static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
                         invcal_real h[BIAS + 1])
 {
@@ -165,11 +166,11 @@ static void set_slopes(invcal_imu *out, unsigned axis, const invcal_real *a, inv
     }
 }
 
-/* Least squares over all rests. The measured bias of a rest has noise of variance s^2. The fit has less, but
- * misses how the bias wanders apart from up and time, with variance W. Residuals have variance s^2 + W; half the
- * squares of their changes from rest to rest give s^2. Of the variance of the mean of two residuals, s^2/2 + W,
- * s^2/2 is noise. That share of the residual is subtracted from the bias, which is the best linear estimate for
- * the move between two rests. */
+/* Least squares over all rests. The measured bias of a rest has noise of variance s^2. The fit has
+ * less, but misses how the bias wanders apart from up and time, with variance W. Residuals have
+ * variance s^2 + W; half the squares of their changes from rest to rest give s^2. Of the variance
+ * of the mean of two residuals, s^2/2 + W, s^2/2 is noise. That share of the residual is subtracted
+ * from the bias, which is the best linear estimate for the move between two rests. */
 static void fit_bias(invcal_imu_work *w, unsigned axis)
 {
     const unsigned end = w->moves->count;
@@ -211,7 +212,7 @@ static void fit_bias(invcal_imu_work *w, unsigned axis)
     for (unsigned i = w->begin; i < end; i++) {
         w->bias[i][axis] += share * residual[i];
     }
-    w->felt[axis] = invcal_dot3(p, h); /* of the last rest */
+    w->g_bias[axis] = invcal_dot3(p, h); /* of the last rest */
     invcal_invert(a, BIAS);
     set_slopes(w->out, axis, a, square);
 }
@@ -223,16 +224,17 @@ static void find_bias(invcal_imu_work *w)
     }
 }
 
-/* ---- equations ---------------------------------------------------------------------------------- */
+/* ---- equations ------------------------------------------------------------------------------- */
 
-INVCAL_APART static void lengthen(invcal_real v[3], invcal_real times)
+INVCAL_NOINLINE static void scale_by(invcal_real v[3], invcal_real times)
 {
     for (unsigned i = 0; i < 3; i++) {
         v[i] *= times;
     }
 }
 
-/* The right side comes after the unknowns. If there are nine, it overwrites what the accelerometer would add. */
+/* The right side comes after the unknowns. If there are nine, it overwrites what the accelerometer
+ * would add. */
 static void add_row(invcal_imu_work *w, invcal_real h[IMU_ALL + 1], invcal_real y,
                     invcal_real weight)
 {
@@ -255,7 +257,8 @@ static void add_rest(invcal_imu_work *w, const invcal_real up[3], invcal_real ex
 }
 
 /* Adds the angles of a move perpendicular to up. For each axis, with b its perpendicular part,
- * b'y = b'S de + (g1 D(u1) + g0 D(u0)) dp, g1 = C'(u0 x b), g0 = b x a. The three rows have rank two. */
+ * b'y = b'S de + (g1 D(u1) + g0 D(u0)) dp, g1 = C'(u0 x b), g0 = b x a. The three rows have rank
+ * two. */
 static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a[3],
                        const invcal_real up[2][3], const invcal_real y[3], invcal_real weight)
 {
@@ -282,9 +285,9 @@ static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a
     }
 }
 
-/* Adds a move. Its residual is the rotation from a to up0: 3 / (2 + cos) times the sine is the angle up to its
- * fifth power. Its variance is 2 sigma_a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2: the directions of up in both
- * rests, the random walk of the angle, and the bias. */
+/* Adds a move. Its residual is the rotation from a to up0: 3 / (2 + cos) times the sine is the
+ * angle up to its fifth power. Its variance is 2 sigma_a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2: the
+ * directions of up in both rests, the random walk of the angle, and the bias. */
 static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *segment,
                      const invcal_real up[2][3])
 {
@@ -309,7 +312,7 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
         a[i] = invcal_dot3(r.c[i], up[1]);
     }
     invcal_cross(a, up[0], y);
-    lengthen(y, 3 / (2 + invcal_dot3(a, up[0])));
+    scale_by(y, 3 / (2 + invcal_dot3(a, up[0])));
     const invcal_real time_square = r.time * r.time;
     const invcal_real variance =
         2 * w->noise_square + density * (r.time + time_square / 2) + wander * time_square;
@@ -358,7 +361,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
         if (i >= w->begin) {
             invcal_apply(&w->out->accelerometer, raw, up[1]);
             const invcal_real length = INVCAL_SQRT(invcal_dot3(up[1], up[1]));
-            lengthen(up[1], 1 / length);
+            scale_by(up[1], 1 / length);
             if (!(length >= INVCAL_REAL(0.1) && length <= 10)) {
                 return INVCAL_OUT_OF_RANGE;
             }
@@ -366,7 +369,8 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
                 add_rest(w, up[1], length - 1);
             }
             if (i > w->begin && segments > 0 && (w->out->left_out >> i & 1u) == 0) {
-                //@ assert first < INVCAL_MAX_SEGMENTS; // the segments of all moves are in the table
+                /* the segments of all moves are in the table */
+                //@ assert first < INVCAL_MAX_SEGMENTS;
                 add_move(w, i, &m->segment[first], (const invcal_real(*)[3])up);
             }
             memcpy(up[0], up[1], sizeof up[0]);
@@ -379,7 +383,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
     return INVCAL_OK;
 }
 
-/* ---- solution ----------------------------------------------------------------------------------- */
+/* ---- solution -------------------------------------------------------------------------------- */
 
 invcal_status invcal_imu_settings_check(const invcal_imu_settings *s)
 {
@@ -429,8 +433,8 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     return status == INVCAL_OK ? invcal_nominal_check(accelerometer) : status;
 }
 
-/* The unknowns of the accelerometer refer to the readings as calibrated so far, so A = (I + S)^-1 is multiplied
- * from the left; to first order, since another step follows. */
+/* The unknowns of the accelerometer refer to the readings as calibrated so far, so A = (I + S)^-1
+ * is multiplied from the left; to first order, since another step follows. */
 static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
 {
     const invcal_real *p = &w->pass.sum[INVCAL_PACKED(w->n, 0)];
@@ -452,16 +456,16 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
         }
         w->out->accelerometer.offset[i] = p[i];
     }
-    return invcal_behind(&before, &w->out->accelerometer);
+    return invcal_compose(&before, &w->out->accelerometer);
 }
 
-/* Estimates the variance of each kind from its residuals: (4 + squares) / (4 + dof). The expected variance
- * counts as some more of them. Unknowns are shared out to the kinds by their rows. */
+/* Estimates the variance of each kind from its residuals: (4 + squares) / (4 + dof). The expected
+ * variance counts as some more of them. Unknowns are shared out to the kinds by their rows. */
 static void weigh_kinds(invcal_imu_work *w)
 {
     for (unsigned k = 0; k < INVCAL_KINDS; k++) {
         const invcal_real stated =
-            k == INVCAL_OF_MOVES || w->settings->noise > 0 ? STATED_ROWS : LITTLE;
+            k == INVCAL_OF_MOVES || w->settings->noise > 0 ? STATED_ROWS : UNSTATED_ROWS;
         const invcal_real dof =
             invcal_number(w->pass.kind[k] * (w->pass.rows - w->n)) / invcal_number(w->pass.rows);
         if (dof + stated >= 1) {
@@ -470,9 +474,9 @@ static void weigh_kinds(invcal_imu_work *w)
     }
 }
 
-/* Leaves out a move that is far from the others, or else updates the variances. It does so more than once, since
- * wrong weights of one kind disturb the residuals of the other; a step comes between. Returns 0 if there is
- * nothing to change. */
+/* Leaves out a move that is far from the others, or else updates the variances. It does so more
+ * than once, since wrong weights of one kind disturb the residuals of the other; a step comes
+ * between. Returns 0 if there is nothing to change. */
 static int adapt(invcal_imu_work *w)
 {
     const unsigned moves = w->pass.kind[INVCAL_OF_MOVES] / 2;
@@ -493,8 +497,8 @@ static int adapt(invcal_imu_work *w)
     return 1;
 }
 
-/* A Gauss-Newton pass: sums all equations, then takes a step unless the equations change first. Biases are
- * fitted after the first step: their rows need up, and so a calibrated accelerometer. */
+/* A Gauss-Newton pass: sums all equations, then takes a step unless the equations change first.
+ * Biases are fitted after the first step: their rows need up, and so a calibrated accelerometer. */
 static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
 {
     if (w->out->passes == 1) {
@@ -515,8 +519,8 @@ static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
     return status;
 }
 
-/* No error of the sensors explains residuals of 0.1 rad: the two do not turn alike. Where there is too little
- * information, steps never become small. */
+/* No error of the sensors explains residuals of 0.1 rad: the two do not turn alike. Where there is
+ * too little information, steps never become small. */
 static invcal_status iterate(invcal_imu_work *w)
 {
     unsigned most = PASSES;
@@ -569,7 +573,8 @@ static void name_open(invcal_imu_work *w)
     (void)judge_imu(w, HELD_BY_RIDGE / ridge);
 }
 
-/* The offset is the bias of the last rest, without the effect of acceleration if the moves were corrected. */
+/* The offset is the bias of the last rest, without the effect of acceleration if the moves were
+ * corrected. */
 static void deliver(invcal_imu_work *w)
 {
     invcal_imu *out = w->out;
@@ -577,18 +582,19 @@ static void deliver(invcal_imu_work *w)
     const invcal_real *last = w->bias[m->count - 1u];
 
     for (unsigned i = 0; i < 3; i++) {
-        out->gyro.offset[i] = m->bias[i] + last[i] - (out->g_is_used ? w->felt[i] : 0);
+        out->gyro.offset[i] = m->bias[i] + last[i] - (out->g_is_used ? w->g_bias[i] : 0);
     }
     memcpy(out->gyro.matrix, w->out->parameter, sizeof out->gyro.matrix);
-    (void)invcal_behind(&m->nominal, &out->gyro);
+    (void)invcal_compose(&m->nominal, &out->gyro);
     out->move_rms = INVCAL_SQRT(w->pass.residuals);
     out->move_max = INVCAL_SQRT(w->pass.worst_residual);
     out->moves = (uint8_t)(w->pass.kind[INVCAL_OF_MOVES] / 2);
     out->dof = (uint16_t)(w->pass.rows - w->n);
     if (out->open != 0) {
         out->verdict = INVCAL_WEAK;
-    } else if (w->is_stated && (w->variance[INVCAL_OF_MOVES] > MUCH ||
-                                (w->settings->noise > 0 && w->variance[INVCAL_OF_RESTS] > MUCH))) {
+    } else if (w->is_stated &&
+               (w->variance[INVCAL_OF_MOVES] > ROUGH_VARIANCE ||
+                (w->settings->noise > 0 && w->variance[INVCAL_OF_RESTS] > ROUGH_VARIANCE))) {
         out->verdict = INVCAL_ROUGH;
     } else if (out->dof == 0) {
         out->verdict = INVCAL_NO_REDUNDANCY;

@@ -22,7 +22,7 @@ typedef struct {
     unsigned begin;           /* first rest of moves that has a mean */
     unsigned apart;           /* moves left out */
     int is_stated, is_adapted;
-    invcal_real felt[3];                /* bias due to acceleration in the last rest */
+    invcal_real g_bias[3];              /* bias due to acceleration in the last rest */
     invcal_real variance[INVCAL_KINDS]; /* over the expected variance */
     struct {
         unsigned kind[INVCAL_KINDS];              /* rows of each kind */
@@ -55,7 +55,8 @@ invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, un
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out);
 
-/* Sums all equations. Returns INVCAL_OK; INVCAL_OUT_OF_RANGE if a mean is not a reading of the field. */
+/* Sums all equations. Returns INVCAL_OK; INVCAL_OUT_OF_RANGE if a mean is not a reading of the
+ * field. */
 invcal_status invcal_imu_sum(invcal_imu_work *work);
 
 #endif

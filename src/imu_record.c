@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Encodes and decodes the result of both sensors: the table is in gyro.h. The record of the accelerometer is
- * inside, complete with its own CRC, and record.c reads it. Reals are the first members of the structure, in
- * the order of the bytes, so that they are copied as one run.
+ * Encodes and decodes the result of both sensors: the table is in gyro.h. The record of the
+ * accelerometer is inside, complete with its own CRC, and record.c reads it. Reals are the first
+ * members of the structure, in the order of the bytes, so that they are copied as one run.
  */
 #include <stddef.h>
 #include <string.h>
@@ -54,8 +54,8 @@ static invcal_status read_imu(const uint8_t *bytes, uint32_t size, invcal_imu_re
     return is_sensible(r) ? invcal_nominal_check(&r->gyro) : INVCAL_DAMAGED;
 }
 
-/* The record of the accelerometer may be WEAK only for a parameter of its own. If just the gyroscope is weak,
- * the accelerometer is not good either: nothing has checked it. */
+/* The record of the accelerometer may be WEAK only for a parameter of its own. If just the
+ * gyroscope is weak, the accelerometer is not good either: nothing has checked it. */
 void invcal_imu_record_init(invcal_imu_record *record, const invcal_imu *imu)
 {
     invcal_record *a = &record->accelerometer;
@@ -113,7 +113,7 @@ invcal_status invcal_imu_record_decode(const uint8_t *bytes, uint32_t size, invc
     return status;
 }
 
-/* ---- in a memory ------------------------------------------------------------------------------- */
+/* ---- in a memory ----------------------------------------------------------------------------- */
 
 invcal_status invcal_save_imu(const invcal_store *store, const invcal_imu *imu)
 {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Keeps moves and session of both sensors over a reset. The lasting end of the one and the lasting beginning of
- * the other are adjacent in invcal_imu_session, so they are saved as one run of bytes, and are of the same
- * instant.
+ * Keeps moves and session of both sensors over a reset. The lasting end of the one and the lasting
+ * beginning of the other are adjacent in invcal_imu_session, so they are saved as one run of bytes,
+ * and are of the same instant.
  *
- * Bytes put back are checked in full. Where the segments of a move begin is known only from the lengths of all
- * moves before it: one wrong length would lead beyond the table.
+ * Bytes put back are checked in full. Where the segments of a move begin is known only from the
+ * lengths of all moves before it: one wrong length would lead beyond the table.
  */
 #include <stddef.h>
 
@@ -71,7 +71,7 @@ invcal_status invcal_imu_session_resume(invcal_imu_session *both, uint32_t size)
     return status == INVCAL_OK ? invcal_session_resume(&both->session, size - OF_MOVES) : status;
 }
 
-/* ---- in a memory ------------------------------------------------------------------------------- */
+/* ---- in a memory ----------------------------------------------------------------------------- */
 
 invcal_status invcal_save_imu_session(const invcal_store *store, const invcal_imu_session *both)
 {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * The two passes over the positions, and the judgement of the result (mathematics.md, "Residuals",
- * "Uncertainty", "Verdict, and near cones"). The first pass sums exact rows in nominal units, from which p is
- * solved. The second sums rows of the calibrated positions: derivatives with respect to the parameters as
- * reported, each weighted by its noise. Sigma is of the second, because K of the first is wrong by the size of
- * the errors.
+ * "Uncertainty", "Verdict, and near cones"). The first pass sums exact rows in nominal units, from
+ * which p is solved. The second sums rows of the calibrated positions: derivatives with respect to
+ * the parameters as reported, each weighted by its noise. Sigma is of the second, because K of the
+ * first is wrong by the size of the errors.
  *
- * Each step is a function of its own, since prior.c, thermal_fit.c and cell_fit.c take the same steps with
- * other rows.
+ * Each step is a function of its own, since prior.c, thermal_fit.c and cell_fit.c take the same
+ * steps with other rows.
  */
 #include "judge.h"
 
@@ -25,7 +25,7 @@
 #define SILENT INVCAL_REAL(-2.8)     /* below in at most 0.1 %: less than that noise */
 #define OPEN INVCAL_REAL(1e4)        /* quality.condition; above: parameters are left open */
 
-/* ---- residuals ---------------------------------------------------------------------------------- */
+/* ---- residuals ------------------------------------------------------------------------------- */
 
 /* |eta| - 1 of j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2: a root less 1 would cancel. */
 INVCAL_INLINE void invcal_residuals_add(invcal_residuals *residuals, unsigned i,
@@ -58,7 +58,7 @@ INVCAL_INLINE invcal_real invcal_gradient(const invcal_real a[3][3], const invca
     return invcal_dot3(g, g);
 }
 
-/* ---- the passes --------------------------------------------------------------------------------- */
+/* ---- the passes ------------------------------------------------------------------------------ */
 
 /* A calibrated position, weighted by its actual noise. X changes J, except for the sign, by
  * d eta = -A (d delta + dS eta), so dJ = eta d eta = -g (d delta + dS eta). */
@@ -73,7 +73,8 @@ static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[
     invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight);
 }
 
-/* The rows of all that are not left out: exact ones, or, with residuals, of calibrated positions. */
+/* The rows of all that are not left out: exact ones, or, with residuals, of calibrated
+ * positions. */
 static invcal_status pass(const invcal_positions *positions, const invcal_calibration *c,
                           const invcal_real a[3][3], invcal_sums *sums, invcal_residuals *residuals)
 {
@@ -122,8 +123,8 @@ invcal_status invcal_positions_check(const invcal_positions *positions)
                                          : INVCAL_BAD_COUNT;
 }
 
-/* Used for both passes: even if undetermined in nominal units, the readings may look well spread once
- * calibrated by a solution made of rounding errors. */
+/* Used for both passes: even if undetermined in nominal units, the readings may look well spread
+ * once calibrated by a solution made of rounding errors. */
 invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVCAL_PARAMETERS],
                                invcal_real *condition)
 {
@@ -152,7 +153,7 @@ invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVC
                                                                              : INVCAL_UNDETERMINED;
 }
 
-/* ---- judgement ---------------------------------------------------------------------------------- */
+/* ---- judgement ------------------------------------------------------------------------------- */
 
 void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
 {
@@ -162,9 +163,9 @@ void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q
     q->positions = (uint16_t)residuals->count;
 }
 
-/* By how many standard deviations residuals exceed a noise: the root of 2 chi squared is nearly normal
- * about that of 2 dof - 1 (Fisher). 0 if there is nothing to compare. */
-static INVCAL_APART invcal_real excess(invcal_real stated, invcal_real squares, invcal_real dof)
+/* By how many standard deviations residuals exceed a noise: the root of 2 chi squared is nearly
+ * normal about that of 2 dof - 1 (Fisher). 0 if there is nothing to compare. */
+static INVCAL_NOINLINE invcal_real excess(invcal_real stated, invcal_real squares, invcal_real dof)
 {
     const invcal_real known = stated * stated;
 
@@ -188,8 +189,8 @@ void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof
     }
 }
 
-/* A stated noise does not count if the residuals are nearly zero against it. With a prior, weighed by it,
- * the residuals do not matter. */
+/* A stated noise does not count if the residuals are nearly zero against it. With a prior, weighed
+ * by it, the residuals do not matter. */
 void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality *quality)
 {
     const invcal_real dof = invcal_number(quality->dof);
@@ -201,7 +202,7 @@ void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality 
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
                              invcal_quality *q)
 {
-    /* in calibrated units: |A eta| times itself, here the mean square over all directions */
+    /* in calibrated units: |A eta| times that of u, here the mean square over all directions */
     const invcal_real square = q->noise * q->noise * invcal_dot(a[0], a[0], 9) / 3;
     const invcal_real of_noise = invcal_number(q->positions) * square;
     invcal_real most = INVCAL_WEAK_K;
@@ -226,7 +227,7 @@ invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real
     return trace * invcal_dot(inverse, inverse, INVCAL_PACKED_SIZE(n));
 }
 
-/* ---- all in one --------------------------------------------------------------------------------- */
+/* ---- all in one ------------------------------------------------------------------------------ */
 
 /* triad: what calibrates u. */
 static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
@@ -252,10 +253,10 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
     return status != INVCAL_OK && condition > OPEN ? INVCAL_UNDETERMINED : status;
 }
 
-/* Apart: its caller needs stack for more tests. */
-INVCAL_APART invcal_status invcal_positions_calibrate(const invcal_positions *positions,
-                                                      invcal_calibration *out,
-                                                      invcal_quality *quality)
+/* Not inline: its caller needs the stack for more tests. */
+INVCAL_NOINLINE invcal_status invcal_positions_calibrate(const invcal_positions *positions,
+                                                         invcal_calibration *out,
+                                                         invcal_quality *quality)
 {
     invcal_calibration triad;
     const invcal_real(*a)[3] = (const invcal_real(*)[3])triad.matrix;
@@ -271,7 +272,7 @@ INVCAL_APART invcal_status invcal_positions_calibrate(const invcal_positions *po
     }
     if (status == INVCAL_OK) {
         c = triad;
-        status = invcal_behind(positions->nominal, &c);
+        status = invcal_compose(positions->nominal, &c);
     }
     if (status == INVCAL_OK) {
         status = invcal_positions_compare(positions, &c, a, &sums, &residuals);

@@ -24,8 +24,8 @@ static inline int invcal_is_left_out(const invcal_positions *positions, unsigned
 /* INVCAL_BAD_... of the nominal and noise. */
 invcal_status invcal_positions_check(const invcal_positions *positions);
 
-/* First pass: the sums of all that are not left out, up to the first that is not a reading. Returns as
- * invcal_observe. */
+/* First pass: the sums of all that are not left out, up to the first that is not a reading. Returns
+ * as invcal_observe. */
 invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums);
 
 /* The system of nine to L^-1, and to p if there is a row behind them.
@@ -41,7 +41,7 @@ invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVC
 invcal_status invcal_positions_calibrate(const invcal_positions *positions, invcal_calibration *out,
                                          invcal_quality *quality);
 
-/* ---- the steps of a judgement ------------------------------------------------------------------ */
+/* ---- the steps of a judgement ---------------------------------------------------------------- */
 
 #define INVCAL_WEAK_K INVCAL_REAL(100.0)   /* square of 10. Above: usable only within its sigma */
 #define INVCAL_HOPELESS_K INVCAL_REAL(1e6) /* square of 1000, all nine K together. Above: refused */
@@ -77,16 +77,16 @@ static inline void invcal_judge_begin(invcal_quality *q)
 /* rms, max, worst, positions. */
 void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q);
 
-/* g = A eta: noise of u, alike on its axes, moves the length of eta = A (u - delta), A symmetric, by
- * |g| times itself. Returns |g|^2. */
+/* g = A eta: noise of u, the same on all axes, moves the length of eta = A (u - delta), A
+ * symmetric, by |g| times that noise. Returns |g|^2. */
 invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3]);
 
 /* Second pass, with the calibration c of the raw counts: residuals without cancellation, and the
  * information on the nine parameters, each row weighted by its actual noise.
  *
  * a     A of c.
- * sums  as a system: sigma^2 of the parameters is noise^2 times the diagonal of its inverse. The last
- *       element: the weighted squares of the residuals, in terms of noise of u.
+ * sums  as a system: sigma^2 of the parameters is noise^2 times the diagonal of its inverse. The
+ *       last element: the weighted squares of the residuals, in terms of noise of u.
  *
  * Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID if a residual is absurd, or all are. */
 invcal_status invcal_positions_compare(const invcal_positions *positions,
@@ -103,8 +103,9 @@ static inline void invcal_raise(invcal_quality *q, unsigned verdict)
 
 enum { INVCAL_STATED = 4 }; /* residuals that a stated noise counts as */
 
-/* noise and sigma_dof, from the stated noise and dof. The stated noise counts as some residuals, unless the
- * actual ones are clearly larger (at 95 %); if they are too large for noise (at 99.7 %), raises the verdict.
+/* noise and sigma_dof, from the stated noise and dof. The stated noise counts as some residuals,
+ * unless the actual ones are clearly larger (at 95 %); if they are too large for noise (at 99.7 %),
+ * raises the verdict.
  *
  * squares  the sum of the weighted squares of the residuals.
  * dof      their degrees of freedom, q->dof rounded down; below 1 they do not count. */
@@ -130,9 +131,10 @@ static inline int invcal_is_resolved(invcal_real condition)
     return condition * INVCAL_FLOOR < 2;
 }
 
-/* weak, sigma and the verdict, from K(r,r) = k[r] = sigma^2 / noise^2. Weak: K is large, or the information
- * 1 / K is at most ten times the part added by noise in the readings themselves, about noise^2 in each row:
- * then open directions look determined (mathematics.md, "Verdict, and near cones"). */
+/* weak, sigma and the verdict, from K(r,r) = k[r] = sigma^2 / noise^2. Weak: K is large, or the
+ * information 1 / K is at most ten times the part added by noise in the readings themselves, about
+ * noise^2 in each row: then open directions look determined (mathematics.md, "Verdict, and near
+ * cones"). */
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
                              invcal_quality *q);
 

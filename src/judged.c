@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal_calibrate_judged: calibrates, diagnoses, leaves out what contradicts the others, and repeats this
- * until nothing more is found (mathematics_judgement.md, "Choosing between hypotheses"). In the end repeated
- * directions are taken off the degrees of freedom ("What cannot be tested").
+ * invcal_calibrate_judged: calibrates, diagnoses, leaves out what contradicts the others, and
+ * repeats this until nothing more is found (mathematics_judgement.md, "Choosing between
+ * hypotheses"). In the end repeated directions are taken off the degrees of freedom ("What cannot
+ * be tested").
  */
 #include "diagnosis.h"
 #include "outliers.h"
@@ -30,8 +31,9 @@ static int is_visited(const invcal_positions *p, invcal_mask left_out, unsigned 
     return 0;
 }
 
-/* A repeated direction is not a check. One count is worth the gain of the matrix, root mean square over all
- * directions: its square is a third of the sum of the squared elements, hence the three in VISITED. */
+/* A repeated direction is not a check. One count is worth the gain of the matrix, root mean square
+ * over all directions: its square is a third of the sum of the squared elements, hence the three in
+ * VISITED. */
 static void judge_directions(const invcal_positions *p, const invcal_calibration *c,
                              invcal_quality *q)
 {
@@ -47,8 +49,8 @@ static void judge_directions(const invcal_positions *p, const invcal_calibration
     }
 }
 
-/* Group by group, since one may mask the next. If one is so wrong that all together give no ellipsoid, search
- * in nominal units. */
+/* Group by group, since one may mask the next. If one is so wrong that all together give no
+ * ellipsoid, search in nominal units. */
 static invcal_status leave_out_groups(invcal_positions *p, invcal_calibration *c, invcal_quality *q)
 {
     int is_solved = 0;

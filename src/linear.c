@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The paper's own solution, on a stand: J1 (vertical composition) or J2 (scalar composition) of each position
- * with the row h(eta), and X = (H'H)^-1 H'J (mathematics.md, "The paper's two compositions"). J2 is half of the
- * paper's, which lacks a factor 2 in J2 = hX: so one row serves both. Sums and system are those of the exact
- * row, which has the opposite sign: p = -X.
+ * The paper's own solution, on a stand: J1 (vertical composition) or J2 (scalar composition) of
+ * each position with the row h(eta), and X = (H'H)^-1 H'J (mathematics.md, "The paper's two
+ * compositions"). J2 is half of the paper's, which lacks a factor 2 in J2 = hX: so one row serves
+ * both. Sums and system are those of the exact row, which has the opposite sign: p = -X.
  */
 #include <string.h>
 
@@ -17,8 +17,8 @@ void invcal_linear_init(invcal_linear_sums *linear)
     invcal_sums_init(&linear->sums);
 }
 
-/* h(eta), and J1 of the reading u, or J2: that of an exact row. The exact row comes first: it also refuses what
- * is not a reading. */
+/* h(eta), and J1 of the reading u, or J2: that of an exact row. The exact row comes first: it also
+ * refuses what is not a reading. */
 static invcal_status add_along(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                const invcal_real raw[3], const invcal_real eta[3], int is_vertical)
 {
@@ -77,7 +77,7 @@ invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calib
     }
     status = invcal_triad(p, &c);
     if (status == INVCAL_OK) {
-        status = invcal_behind(nominal, &c);
+        status = invcal_compose(nominal, &c);
     }
     if (status == INVCAL_OK) {
         *out = c;

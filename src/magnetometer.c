@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * A magnetometer in motion (mathematics_magnetometer.md). Each sample becomes a row in its cell ("Cells"), and
- * is compared with the solution so far. The cells are solved again at 100 samples and whenever there are five
- * eighths more ("Looks"): the number of solutions grows only with the logarithm of that of the samples.
+ * A magnetometer in motion (mathematics_magnetometer.md). Each sample becomes a row in its cell
+ * ("Cells"), and is compared with the solution so far. The cells are solved again at 100 samples
+ * and whenever there are five eighths more ("Looks"): the number of solutions grows only with the
+ * logarithm of that of the samples.
  *
- * There are two tables of cells, of samples up to the last look and since, because a step shows as a difference
- * between them ("Disturbances"). Both are in the coordinates in which the last solution is about the unit
- * sphere; `work` converts raw counts to them.
+ * There are two tables of cells, of samples up to the last look and since, because a step shows as
+ * a difference between them ("Disturbances"). Both are in the coordinates in which the last
+ * solution is about the unit sphere; `work` converts raw counts to them.
  */
 #include "invcal/magnetometer.h"
 
@@ -20,14 +21,14 @@
 #include "sums.h"
 #include "vector.h"
 
-/* Without a solution, the box of the readings places the cells. The first solution is from samples that were
- * compared with nothing, the second from later samples only. */
+/* Without a solution, the box of the readings places the cells. The first solution is from samples
+ * that were compared with nothing, the second from later samples only. */
 enum { NO_SOLUTION, FIRST_SOLUTION, SECOND_SOLUTION };
 enum { FIRST_LOOK = 100, LARGEST_BLOCK = 4096 };
 #define FULL_COUNT UINT32_C(16777216)
 /* Until there are residuals: eight of a tenth of the field, and the sum of their squares. */
-enum { DIFFER_COUNT = 8 };
-#define DIFFER_SQUARES INVCAL_REAL(0.08)
+enum { INITIAL_COUNT = 8 };
+#define INITIAL_SQUARES INVCAL_REAL(0.08)
 #define CONTRADICTS INVCAL_REAL(25.0) /* square of 5 */
 #define FAR INVCAL_REAL(0.01)
 #define WIDE_GAP INVCAL_REAL(0.6)      /* a cosine: more than 45 degrees */
@@ -56,10 +57,10 @@ static invcal_cell_tables both_tables(const invcal_magnetometer *m)
     return tables;
 }
 
-/* ---- residuals of samples ----------------------------------------------------------------------- */
+/* ---- residuals of samples -------------------------------------------------------------------- */
 
-/* The mean square of the sum of eta r over a block, per sample. That is the mean square of r if samples are
- * independent, and n times that if n in a row have a common error. 0: unknown. */
+/* The mean square of the sum of eta r over a block, per sample. That is the mean square of r if
+ * samples are independent, and n times that if n in a row have a common error. 0: unknown. */
 static invcal_real power_of(const invcal_magnetometer *m)
 {
     return m->blocked >= POWER_SAMPLES ? m->products / (invcal_real)m->blocked : 0;
@@ -73,15 +74,15 @@ static void end_block(invcal_magnetometer *m)
     m->in_block = 0;
 }
 
-/* Compares a sample with the solution so far. Returns 0 if its residual is too large: more than 5 times the
- * root mean square. A block is a sixteenth of the samples so far, so that it soon outlasts errors that
- * neighbours share. */
+/* Compares a sample with the solution so far. Returns 0 if its residual is too large: more than 5
+ * times the root mean square. A block is a sixteenth of the samples so far, so that it soon
+ * outlasts errors that neighbours share. */
 static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETERS])
 {
     const invcal_real r = invcal_dot(m->p, h, INVCAL_PARAMETERS) - INVCAL_REAL(0.5);
-    const invcal_real n = (invcal_real)(m->blocked + m->in_block + DIFFER_COUNT);
+    const invcal_real n = (invcal_real)(m->blocked + m->in_block + INITIAL_COUNT);
 
-    if (!(r * r * n <= CONTRADICTS * (m->squares + DIFFER_SQUARES))) {
+    if (!(r * r * n <= CONTRADICTS * (m->squares + INITIAL_SQUARES))) {
         return 0;
     }
     m->squares += r * r;
@@ -96,7 +97,7 @@ static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETER
     return 1;
 }
 
-/* ---- looks at all samples ----------------------------------------------------------------------- */
+/* ---- looks at all samples -------------------------------------------------------------------- */
 
 /* Moves the centre by shift and makes scale 1. Returns 0 if that is impossible. */
 static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invcal_real scale)
@@ -104,7 +105,7 @@ static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invc
     invcal_calibration c = {{shift[0], shift[1], shift[2]},
                             {{1 / scale, 0, 0}, {0, 1 / scale, 0}, {0, 0, 1 / scale}}};
 
-    if (invcal_behind(&m->work, &c) != INVCAL_OK) {
+    if (invcal_compose(&m->work, &c) != INVCAL_OK) {
         return 0;
     }
     m->work = c;
@@ -146,7 +147,8 @@ static int is_found(const invcal_magnetometer *m, invcal_cell_fit *fit)
            fit->quality.dof >= 2;
 }
 
-/* Returns whether the centre or the scale has moved by more than a hundredth. Less does not change the cells. */
+/* Returns whether the centre or the scale has moved by more than a hundredth. Less does not change
+ * the cells. */
 static int is_far(const invcal_cell_fit *fit)
 {
     const invcal_real *const shift = fit->triad.offset;
@@ -155,8 +157,8 @@ static int is_far(const invcal_cell_fit *fit)
              INVCAL_FABS(invcal_cells_field(fit) - 1) < FAR);
 }
 
-/* Solves table `one` and the late samples, and moves the readings to the unit sphere. Samples are then compared
- * with p. Returns 0 if there is no solution. */
+/* Solves table `one` and the late samples, and moves the readings to the unit sphere. Samples are
+ * then compared with p. Returns 0 if there is no solution. */
 static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
 {
     invcal_cell_fit fit;
@@ -181,9 +183,9 @@ static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
     return 1;
 }
 
-/* Drops the early samples unless the means of their cells agree with the solution: the variance of a mean is
- * power / n, and the mean of n r^2 / power over the cells must not exceed 1. Since the solution has errors too,
- * some are dropped without need. */
+/* Drops the early samples unless the means of their cells agree with the solution: the variance of
+ * a mean is power / n, and the mean of n r^2 / power over the cells must not exceed 1. Since the
+ * solution has errors too, some are dropped without need. */
 static void drop_unlike(invcal_magnetometer *m)
 {
     const invcal_real power = power_of(m);
@@ -201,8 +203,8 @@ static void drop_unlike(invcal_magnetometer *m)
     }
 }
 
-/* The first samples were compared with nothing and may be disturbed. They are compared as soon as later samples
- * cover all sides too. */
+/* The first samples were compared with nothing and may be disturbed. They are compared as soon as
+ * later samples cover all sides too. */
 static void look_at_samples(invcal_magnetometer *m)
 {
     const int is_first = m->stage == NO_SOLUTION;
@@ -228,7 +230,7 @@ static void look_at_samples(invcal_magnetometer *m)
     m->blocked /= 2;
 }
 
-/* ---- samples ------------------------------------------------------------------------------------ */
+/* ---- samples --------------------------------------------------------------------------------- */
 
 /* Returns 0 if it is not a number, or could not be squared. */
 static int widen_box(invcal_magnetometer *m, const invcal_real v[INVCAL_PARAMETERS])
@@ -287,7 +289,7 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
     invcal_cell_direction(worst, along);
 }
 
-/* ---- result ------------------------------------------------------------------------------------- */
+/* ---- result ---------------------------------------------------------------------------------- */
 
 /* Faces and edges have only these angles; with samples in nine cells, none is larger. */
 static uint8_t degrees_of(invcal_real cosine)
@@ -322,8 +324,8 @@ static void fill_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
     }
 }
 
-/* The parameters that an empty cell leaves to the other cells: offset and scale of its axes, and the angle between
- * two. */
+/* The parameters that an empty cell leaves to the other cells: offset and scale of its axes, and
+ * the angle between two. */
 static uint16_t parameters_along(unsigned cell)
 {
     invcal_real along[3];
@@ -381,7 +383,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
         fit.quality.sigma[i] /= invcal_cells_field(&fit);
     }
     judge_motion(m, &f, &fit.tables, &fit.quality);
-    status = invcal_behind(&m->work, &fit.triad);
+    status = invcal_compose(&m->work, &fit.triad);
     if (status == INVCAL_OK) {
         *out = fit.triad;
         *quality = fit.quality;
@@ -392,7 +394,8 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
     return status;
 }
 
-/* The calibration of raw counts, after the inverse of work, calibrates the coordinates of the cells. */
+/* The calibration of raw counts, after the inverse of work, calibrates the coordinates of the
+ * cells. */
 unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
                                   const invcal_calibration *calibration, unsigned k,
                                   invcal_real raw[3])

@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: MIT
  *
- * Finds exchanged or reversed axes of a gyroscope after a solution was refused (mathematics_imu.md, "Verdict").
- * M is an argument of the integration of segments, so each mounting costs one pass over the equations, without
- * an unknown and without a sample.
+ * Finds exchanged or reversed axes of a gyroscope after a solution was refused (mathematics_imu.md,
+ * "Verdict"). M is an argument of the integration of segments, so each mounting costs one pass over
+ * the equations, without an unknown and without a sample.
  */
 #include "imu.h"
 #include "rotation.h"
 #include "vector.h"
 
 #define DEGREES INVCAL_REAL(57.29578)
-#define CLEAR INVCAL_REAL(4.0)   /* min ratio of the squares of the second best way and the best */
+#define CLEAR INVCAL_REAL(4.0)   /* min ratio of the squares of the second best and the best */
 #define NO_TURN INVCAL_REAL(1e4) /* 0.2 degrees, squared, in units of a segment */
 #define STUCK INVCAL_REAL(1e-4)  /* an axis with a smaller share of all squares never turns */
-enum { SIGNS = 8, ORDERS = 6, WAYS = SIGNS * ORDERS, LEAST_TURNS = 2 };
+enum { SIGNS = 8, ORDERS = 6, MOUNTINGS = SIGNS * ORDERS, LEAST_TURNS = 2 };
 
-/* Sets M to way k of 48: row i has one element, at of[i]. Half of them are mirror images, as after a single
- * wrong sign. */
-static void set_way(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axes[3])
+/* Sets M to mounting k of 48: row i has one element, at of[i]. Half of them are mirror images, as
+ * after a single wrong sign. */
+static void set_mounting(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axes[3])
 {
     const unsigned order = k / SIGNS;
     const unsigned first = order / 2;
@@ -53,13 +53,14 @@ static int find_stuck(const invcal_moves *m, int8_t axes[3])
     return is_stuck;
 }
 
-/* The best way, and the sum of squares of the second best. */
+/* The best mounting, and the sum of squares of the second best. */
 typedef struct {
     invcal_real squares, next, unit;
     int8_t axes[3];
-} best_way;
+} best_mounting;
 
-static void compare(best_way *best, const int8_t axes[3], invcal_real unit, invcal_real squares)
+static void compare(best_mounting *best, const int8_t axes[3], invcal_real unit,
+                    invcal_real squares)
 {
     if (squares < best->squares) {
         best->next = best->squares;
@@ -71,12 +72,12 @@ static void compare(best_way *best, const int8_t axes[3], invcal_real unit, invc
     } /* cppcheck-suppress misra-c2012-15.7 ; it is one of many */
 }
 
-static invcal_status try_all(invcal_imu_work *w, best_way *best)
+static invcal_status try_all(invcal_imu_work *w, best_mounting *best)
 {
-    for (unsigned k = 0; k < 2 * WAYS; k++) {
-        const invcal_real unit = k < WAYS ? 1 : DEGREES;
+    for (unsigned k = 0; k < 2 * MOUNTINGS; k++) {
+        const invcal_real unit = k < MOUNTINGS ? 1 : DEGREES;
         int8_t axes[3];
-        set_way(w, k % WAYS, unit, axes);
+        set_mounting(w, k % MOUNTINGS, unit, axes);
         const invcal_status status = invcal_imu_sum(w);
         if (status != INVCAL_OK) {
             return status;
@@ -95,7 +96,7 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
 {
     invcal_imu_work w;
     invcal_imu out;
-    best_way best;
+    best_mounting best;
 
     INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && axes && unit);
     invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, NULL, &out);

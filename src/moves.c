@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Turns a stream of gyroscope samples into segments of moves (mathematics_imu.md, "Segments"). Whether the
- * device was at rest is known only when the detector of the accelerometer reports it, up to seven blocks of
- * 1/8 s later. So the newest segments wait as they are, then each is merged into its move, or added to the
- * bias of a rest and dropped once that is taken.
+ * Turns a stream of gyroscope samples into segments of moves (mathematics_imu.md, "Segments").
+ * Whether the device was at rest is known only when the detector of the accelerometer reports it,
+ * up to seven blocks of 1/8 s later. So the newest segments wait as they are, then each is merged
+ * into its move, or added to the bias of a rest and dropped once that is taken.
  *
- * segment[]: 0 ... first - 1 of complete moves; to fixed - 1 of the current one, merged; to used - 1 still
- * waiting.
+ * segment[]: from 0 those of complete moves; from `first` those of the current one, merged; from
+ * `fixed` to used - 1 those still waiting.
  */
 #include <stddef.h>
 
@@ -14,9 +14,9 @@
 #include "solve.h"
 
 /* mathematics_imu.md, "Segments". */
-#define FULL INVCAL_REAL(0.1218)       /* 20 degrees, squared: of a segment */
-#define PART INVCAL_REAL(0.0110)       /* 6 degrees, squared: of one that is not merged */
-#define LONGEST_MOVE INVCAL_REAL(10.0) /* seconds */
+#define MERGED_LIMIT INVCAL_REAL(0.1218)   /* 20 degrees, squared: of a segment */
+#define UNMERGED_LIMIT INVCAL_REAL(0.0110) /* 6 degrees, squared: of one that is not merged */
+#define LONGEST_MOVE INVCAL_REAL(10.0)     /* seconds */
 
 enum {
     LATE = 8,            /* blocks that are not merged: a rest is TAKEN 7 blocks after its end */
@@ -29,10 +29,10 @@ enum {
     SPOILT = INT16_MIN /* v[0] of an unusable segment; kappa[0] is the reason */
 };
 
-/* ---- rotations ---------------------------------------------------------------------------------- */
+/* ---- rotations ------------------------------------------------------------------------------- */
 
-/* The rotation rho, then th, as one rotation vector: Baker-Campbell-Hausdorff to fourth order, accurate to
- * 1e-6 for the 20 degrees of a segment. */
+/* The rotation rho, then th, as one rotation vector: Baker-Campbell-Hausdorff to fourth order,
+ * accurate to 1e-6 for the 20 degrees of a segment. */
 static INVCAL_OFTEN void turn(invcal_real rho[3], const invcal_real th[3])
 {
     const invcal_real k = INVCAL_REAL(0.5) + invcal_dot3(rho, th) / 24;
@@ -52,7 +52,7 @@ static INVCAL_OFTEN void turn(invcal_real rho[3], const invcal_real th[3])
     }
 }
 
-/* ---- segments ----------------------------------------------------------------------------------- */
+/* ---- segments -------------------------------------------------------------------------------- */
 
 /* Rounds x. Returns 0 if it is too large. */
 static int pack(invcal_real x, int16_t *out)
@@ -67,7 +67,8 @@ static int pack(invcal_real x, int16_t *out)
     return 0;
 }
 
-/* Packs v and the coning kappa = rho - v: from these two the segment can be integrated again with another M.
+/* Packs v and the coning kappa = rho - v: from these two the segment can be integrated again with
+ * another M.
  * Returns 0 if either is too large. */
 static int pack_segment(const invcal_real rho[3], const invcal_real v[3], invcal_segment *out)
 {
@@ -80,7 +81,7 @@ static int pack_segment(const invcal_real rho[3], const invcal_real v[3], invcal
     return fits;
 }
 
-INVCAL_APART void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
+INVCAL_NOINLINE void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
 {
     for (unsigned i = 0; i < 3; i++) {
         out[i] += (invcal_real)packed[i] * unit;
@@ -99,7 +100,7 @@ static int merge(invcal_segment *a, const invcal_segment *b)
     invcal_unpack(a->v, INVCAL_V_UNIT, of[2]);
     invcal_unpack(b->v, INVCAL_V_UNIT, of[1]);
     invcal_unpack(b->v, INVCAL_V_UNIT, of[2]);
-    if (invcal_dot3(of[2], of[2]) > FULL || samples > MOST_SAMPLES) {
+    if (invcal_dot3(of[2], of[2]) > MERGED_LIMIT || samples > MOST_SAMPLES) {
         return 0;
     }
     invcal_unpack(a->kappa, INVCAL_KAPPA_UNIT, of[0]);
@@ -114,7 +115,7 @@ static int merge(invcal_segment *a, const invcal_segment *b)
 }
 
 /* Removes segments from..to - 1. */
-static void take_out(invcal_moves *m, unsigned from, unsigned to)
+static void remove_segments(invcal_moves *m, unsigned from, unsigned to)
 {
     /* at most INVCAL_MAX_SEGMENTS steps */
     while (to < m->used && to < INVCAL_MAX_SEGMENTS && /* uncovered: a guard for the proof */
@@ -130,21 +131,22 @@ static void take_out(invcal_moves *m, unsigned from, unsigned to)
     m->used = (uint16_t)from;
 }
 
-static void find_fault(invcal_moves *m, unsigned status)
+static void set_fault(invcal_moves *m, unsigned status)
 {
     if (m->fault == INVCAL_OK) {
         m->fault = (uint8_t)status;
     }
 }
 
-/* Closes the current segment. Its rounding error is carried to the next. If the table is full, the oldest segment
- * that is not merged is lost, and with it the moves to which that one and this one belong. */
-INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
+/* Closes the current segment. Its rounding error is carried to the next. If the table is full, the
+ * oldest segment that is not merged is lost, and with it the moves to which that one and this one
+ * belong. */
+INVCAL_NOINLINE static void close_segment(invcal_moves *m, unsigned mark)
 {
     if (m->used >= INVCAL_MAX_SEGMENTS && m->fixed < INVCAL_MAX_SEGMENTS) {
         m->marks = (uint8_t)(m->marks - (m->segment[m->fixed].time & 1u));
-        take_out(m, m->fixed, m->fixed + 1u);
-        find_fault(m, INVCAL_NO_SPACE);
+        remove_segments(m, m->fixed, m->fixed + 1u);
+        set_fault(m, INVCAL_NO_SPACE);
         m->spoilt = INVCAL_NO_SPACE;
     }
     if (m->used >= INVCAL_MAX_SEGMENTS) { /* resumed from stored bytes */
@@ -172,10 +174,10 @@ INVCAL_APART static void close_segment(invcal_moves *m, unsigned mark)
     m->spoilt = INVCAL_OK;
 }
 
-/* ---- rests and moves ---------------------------------------------------------------------------- */
+/* ---- rests and moves ------------------------------------------------------------------------- */
 
 /* The device is not at rest. */
-INVCAL_APART static void forget_rest(invcal_moves *m)
+INVCAL_NOINLINE static void forget_rest(invcal_moves *m)
 {
     m->cut = NOWHERE;
     m->still_samples = 0;
@@ -205,8 +207,8 @@ static void add_still(invcal_moves *m, const invcal_segment *s)
     }
 }
 
-/* Decides about the oldest segment that is not merged. It is kept even if it belongs to a rest, since the rest may
- * yet be refused. */
+/* Decides about the oldest segment that is not merged. It is kept even if it belongs to a rest,
+ * since the rest may yet be refused. */
 static void settle(invcal_moves *m, int is_rest)
 {
     invcal_segment *s = &m->segment[m->fixed];
@@ -215,7 +217,7 @@ static void settle(invcal_moves *m, int is_rest)
     m->samples += s->time / 2u;
     const unsigned reason = find_reason(m);
     if (!is_rest || s->v[0] == SPOILT) {
-        find_fault(m, reason);
+        set_fault(m, reason);
     }
     if (is_rest) {
         add_still(m, s);
@@ -223,7 +225,7 @@ static void settle(invcal_moves *m, int is_rest)
         forget_rest(m);
     }
     if (reason != INVCAL_OK || (m->fixed > m->first && m->fixed != m->cut && merge(s - 1, s))) {
-        take_out(m, m->fixed, m->fixed + 1u);
+        remove_segments(m, m->fixed, m->fixed + 1u);
     } else {
         m->fixed++;
     }
@@ -238,9 +240,9 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
     }
 }
 
-/* From now on the bias of the first rest is subtracted from v. The newest blocks still contain it. They are at
- * rest, so they can be dropped. */
-static void subtract(invcal_moves *m)
+/* From now on the bias of the first rest is subtracted from v. The newest blocks still contain it.
+ * They are at rest, so they can be dropped. */
+static void subtract_bias(invcal_moves *m)
 {
     const invcal_real pace = m->rate / (invcal_real)m->still_samples;
 
@@ -257,7 +259,7 @@ static void drop_oldest(invcal_moves *m)
 {
     const unsigned segments = m->rest[1].move > 0 ? (unsigned)m->rest[1].move : 0;
 
-    take_out(m, 0, segments);
+    remove_segments(m, 0, segments);
     m->fixed = (uint16_t)(m->fixed - segments);
     m->first = m->fixed;
     m->count--;
@@ -290,12 +292,12 @@ static void keep_move(invcal_moves *m)
     int16_t bias[3];
 
     const int has_turned = measure_bias(m, bias);
-    find_fault(m, segments == 0              ? INVCAL_MOVE_GAP
-                  : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
-                  : has_turned               ? INVCAL_REST_DRIFT
-                                             : INVCAL_OK);
+    set_fault(m, segments == 0              ? INVCAL_MOVE_GAP
+                 : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
+                 : has_turned               ? INVCAL_REST_DRIFT
+                                            : INVCAL_OK);
     const unsigned kept = m->fault == INVCAL_OK ? segments : 0;
-    take_out(m, m->first + kept, m->fixed);
+    remove_segments(m, m->first + kept, m->fixed);
     m->first = (uint16_t)(m->first + kept);
     m->fixed = m->first;
     const int move = m->fault == INVCAL_OK ? (int)segments : -(int)m->fault;
@@ -321,7 +323,7 @@ void invcal_moves_restart(invcal_moves *m)
     m->fault = m->count > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
 }
 
-/* ---- public functions --------------------------------------------------------------------------- */
+/* ---- public functions ------------------------------------------------------------------------ */
 
 invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *nominal,
                                 invcal_real rate)
@@ -370,7 +372,7 @@ void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3])
     }
     turn(moves->rho, th);
     moves->missing++;
-    if (!(invcal_dot3(moves->v, moves->v) < PART) || moves->missing == MOST_SAMPLES) {
+    if (!(invcal_dot3(moves->v, moves->v) < UNMERGED_LIMIT) || moves->missing == MOST_SAMPLES) {
         close_segment(moves, 0);
     }
 }
@@ -396,7 +398,7 @@ void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_
     const int has_rest = event == INVCAL_READY || event == INVCAL_TAKEN;
     settle_until(moves, has_rest ? ((rests->time - rests->end) >> bits) + CUT_OFF : LATE, resting);
     if (event == INVCAL_READY && moves->count == 0 && moves->still_samples > 0) {
-        subtract(moves);
+        subtract_bias(moves);
     }
     if (event == INVCAL_TAKEN) {
         keep_move(moves);

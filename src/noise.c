@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * The noise model of an Allan deviation, and the dwell for a target sigma (mathematics_programs.md,
- * "How long to stay"). adev^2 is linear in N^2, B^2, K^2, so least squares finds them. None may be negative:
- * with three kinds there are only seven sets, so all are tried, and no method for inequalities is needed.
+ * "How long to stay"). adev^2 is linear in N^2, B^2, K^2, so least squares finds them. None may be
+ * negative: with three kinds there are only seven sets, so all are tried, and no method for
+ * inequalities is needed.
  */
 #include "invcal/allan.h"
 #include "sums.h"
@@ -11,13 +12,13 @@ enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
 
 /* Those of the fit: mathematics_programs.md, "How long to stay". */
 #define FLICKER INVCAL_REAL(0.44127120030530317) /* 2 ln 2 / pi */
-#define ABOVE INVCAL_REAL(0.1025)                /* 1.05^2 - 1 */
+#define FLOOR_MARGIN INVCAL_REAL(0.1025)         /* 1.05^2 - 1 */
 #define EDF_MIN 5                                /* with fewer, chance has too long a tail */
-#define TRUST INVCAL_REAL(0.0025)                /* variance of the model itself, relative: 5 % */
+#define MODEL_VARIANCE INVCAL_REAL(0.0025)       /* variance of the model itself, relative: 5 % */
 #define ROUNDS 8                                 /* of reweighting: within 0.3 % of convergence */
 #define VISIBLE (INVCAL_REAL(1.0) / 3)           /* relative standard deviation of a term */
-#define SHARED 2 /* factor on that of slow noise, which correlates neighbouring tau */
-#define POOR 2   /* misfit; above: not by chance */
+#define CORRELATED 2 /* factor on that of slow noise, which correlates neighbouring tau */
+#define POOR_FIT 2   /* misfit; above: not by chance */
 
 /* adev^2(tau) = N^2 / tau + (2 ln 2 / pi) B^2 + K^2 tau / 3: the factors of the squares. */
 static void shares(invcal_real tau, invcal_real of[KINDS])
@@ -78,7 +79,7 @@ static void collect(const invcal_allan *a, curve *c)
         const invcal_real ratio = p.adev / c->first.adev;
         c->tau[c->count] = (invcal_real)p.m / (invcal_real)c->first.m;
         c->variance[c->count] = ratio * ratio;
-        c->weight[c->count] = 1 / (2 / p.edf + TRUST);
+        c->weight[c->count] = 1 / (2 / p.edf + MODEL_VARIANCE);
         c->count++;
     }
 }
@@ -127,8 +128,8 @@ static void leave_out(const equations *e, unsigned kinds, invcal_real *a)
     }
 }
 
-/* The solution for one set of kinds becomes the best model so far, if it is determined, no square is
- * negative, and its residual sum of squares is below `min` by more than rounding. */
+/* The solution for one set of kinds becomes the best model so far, if it is determined, no square
+ * is negative, and its residual sum of squares is below `min` by more than rounding. */
 static void try_set(const equations *e, unsigned kinds, invcal_real *min, mixture *best)
 {
     const invcal_real rounding = 8 * INVCAL_EPSILON * e->a[INVCAL_PACKED(KINDS, KINDS)];
@@ -151,7 +152,8 @@ static void try_set(const equations *e, unsigned kinds, invcal_real *min, mixtur
     for (unsigned i = 0; i < KINDS; i++) {
         const invcal_real sigma = INVCAL_SQRT(invcal_variance(a, KINDS, i));
         best->square[i] = x[i] * e->unit[i];
-        best->relative[i] = x[i] > 0 ? (i == INVCAL_NOISE_WHITE ? 1 : SHARED) * sigma / x[i] : 0;
+        best->relative[i] =
+            x[i] > 0 ? (i == INVCAL_NOISE_WHITE ? 1 : CORRELATED) * sigma / x[i] : 0;
     }
 }
 
@@ -200,8 +202,8 @@ static invcal_real misfit(const curve *c, const mixture *x)
     return INVCAL_SQRT(sum / (invcal_real)c->count);
 }
 
-/* Drops insignificant kinds, one by one, as long as the others explain the curve. The fit without one begins at
- * the weights of the fit with it. */
+/* Drops insignificant kinds, one by one, as long as the others explain the curve. The fit without
+ * one begins at the weights of the fit with it. */
 static void fit_visible(const curve *c, mixture *x)
 {
     mixture fewer;
@@ -212,7 +214,7 @@ static void fit_visible(const curve *c, mixture *x)
         fewer = *x;
         fit_model(c, x->kinds & ~(1u << i), &fewer);
         const invcal_real after = misfit(c, &fewer);
-        if (after > POOR && after > 2 * misfit(c, x)) {
+        if (after > POOR_FIT && after > 2 * misfit(c, x)) {
             return;
         }
         *x = fewer;
@@ -268,9 +270,9 @@ invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau)
     return INVCAL_SQRT(sum);
 }
 
-/* Where a / T + b + c T = 1, in units of the wanted variance: the smaller root of c T^2 - (1 - b) T + a, or, if
- * there is none, the minimum: sqrt(a / c), or without random walk 5 % above the floor. The root is in the form
- * that does not cancel, and allows c = 0. */
+/* Where a / T + b + c T = 1, in units of the target variance: the smaller root of
+ * c T^2 - (1 - b) T + a, or, if there is none, the minimum: sqrt(a / c), or without random walk 5 %
+ * above the floor. The root is in the form that does not cancel, and allows c = 0. */
 static invcal_real time_of(const invcal_noise *noise, invcal_real sigma)
 {
     invcal_real term[KINDS];
@@ -288,7 +290,7 @@ static invcal_real time_of(const invcal_noise *noise, invcal_real sigma)
     if (left > 0 && square >= 0) {
         return 2 * a / (left + INVCAL_SQRT(square));
     }
-    return c > 0 ? INVCAL_SQRT(a / c) : a / (ABOVE * b);
+    return c > 0 ? INVCAL_SQRT(a / c) : a / (FLOOR_MARGIN * b);
 }
 
 invcal_status invcal_noise_dwell(const invcal_noise *noise, invcal_real sigma, invcal_dwell *out)

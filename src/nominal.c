@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * Accepts or refuses a calibration as nominal. Every solver checks its result in the same way (invcal_behind),
- * so each result may be stored, or be the nominal of the next calibration.
+ * Accepts or refuses a calibration as nominal. Every solver checks its result in the same way
+ * (invcal_compose), so each result may be stored, or be the nominal of the next calibration.
  */
 #include "solve.h"
 #include "vector.h"
 
-/* Within these limits a product of three scales (1e-30 ... 1e30) and the square of a zero (1e36) stay in the
- * range of float. */
+/* Within these limits a product of three scales (1e-30 ... 1e30) and the square of a zero (1e36)
+ * stay in the range of float. */
 #define SMALLEST INVCAL_REAL(1e-10)     /* over field per count; the largest is its inverse */
 #define FARTHEST_ZERO INVCAL_REAL(1e18) /* zero, over field */
 
-/* Singular to rounding is a determinant that its rows do not show. */
+/* Singular to within rounding: the determinant is below 16 epsilon times the product of the lengths
+ * of the rows. */
 invcal_status invcal_nominal_check(const invcal_calibration *nominal)
 {
     invcal_real cofactor[3][3];

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Searches for positions that contradict the others, in groups of up to three (mathematics_judgement.md,
- * "Outliers"). To leave one out is to add an unknown, its error: one more row below the Cholesky factor instead
- * of another solution ("One fit for all of them"). All single ones and pairs are tried, and triples that
- * contain a promising pair.
+ * Searches for positions that contradict the others, in groups of up to three
+ * (mathematics_judgement.md, "Outliers"). To leave one out is to add an unknown, its error: one
+ * more row below the Cholesky factor instead of another solution ("One fit for all of them"). All
+ * single ones and pairs are tried, and triples that contain a promising pair.
  *
- * Then the largest group that is not by chance wins, if no other group of its size is nearly as good
- * ("Chance").
+ * Then the largest group that chance does not explain wins, if no other of its size is nearly as
+ * good ("Chance").
  */
 #include "outliers.h"
 
@@ -43,9 +43,10 @@ static invcal_mask bit(unsigned i)
     return (invcal_mask)((invcal_mask)1 << i);
 }
 
-/* ---- the best group of each size ------------------------------------------------------------ */
+/* ---- the best group of each size ------------------------------------------------------------- */
 
-/* Leaving position k out is the same as adding an unknown, with a column that is 1 there and 0 elsewhere. */
+/* Leaving position k out is the same as adding an unknown, with a column that is 1 there and 0
+ * elsewhere. */
 typedef struct {
     invcal_mask out;     /* those left out so far */
     invcal_real squares; /* of the others */
@@ -68,9 +69,9 @@ static void enter(contest *c, invcal_mask out, invcal_real squares)
     }
 }
 
-/* Position k as member d: the group enters the contest of its size. Returns 1 if a member may follow: after
- * one always; after two if they leave at most 1 - 9.5 / n of the squares. 99 of 100 clear groups of three
- * have such a pair, but only one in fifteen pairs of a good set is one. */
+/* Position k as member d: the group enters the contest of its size. Returns 1 if a member may
+ * follow: after one always; after two if they leave at most 1 - 9.5 / n of the squares. 99 of 100
+ * clear groups of three have such a pair, but only one in fifteen pairs of a good set is one. */
 static INVCAL_OFTEN int visit(search *s, left_over *over, invcal_column group[INVCAL_MORE],
                               unsigned d, unsigned k)
 {
@@ -93,7 +94,7 @@ static INVCAL_OFTEN int visit(search *s, left_over *over, invcal_column group[IN
 }
 
 /* All groups of one and two, and those of three with a promising pair. */
-static INVCAL_APART void search_groups(search *s, unsigned size)
+static INVCAL_NOINLINE void search_groups(search *s, unsigned size)
 {
     const unsigned count = s->fit->positions.count;
     left_over over[INVCAL_GROUP + 1];
@@ -116,10 +117,10 @@ static INVCAL_APART void search_groups(search *s, unsigned size)
     }
 }
 
-/* ---- how many of them ----------------------------------------------------------------------- */
+/* ---- how many of them ------------------------------------------------------------------------ */
 
-/* Is leaving out k significantly better than any fewer, given the number of choices? If the noise is
- * stated, the residuals alone must confirm it: a systematic error is not noise. */
+/* Is leaving out k significantly better than any fewer, given the number of choices? If the noise
+ * is stated, the residuals alone must confirm it: a systematic error is not noise. */
 static int beats_fewer(const search *s, unsigned k, invcal_real *chance)
 {
     const contest *c = s->contests;
@@ -171,7 +172,7 @@ static void clear_group(const search *s, unsigned size, invcal_group *found)
 void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
 {
     const invcal_mask before = fit->positions.left_out;
-    const contest nobody = {before, before, fit->squares, fit->squares};
+    const contest initial = {before, before, fit->squares, fit->squares};
     unsigned size = invcal_fit_spare(fit, INVCAL_SPARE);
     search s;
 
@@ -184,7 +185,7 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
     s.fit = fit;
     s.promising = fit->squares * (1 - PROMISING / invcal_number(fit->sums.count));
     for (unsigned k = 0; k <= INVCAL_GROUP; k++) {
-        s.contests[k] = nobody;
+        s.contests[k] = initial;
     }
     search_groups(&s, size);
     clear_group(&s, size, found);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Positions of the paper's programs, Table 1, and start angles as in Table 2 (mathematics_programs.md,
- * "Programs"). Angles stay in degrees up to the last step: they are wrapped before they are rounded, and
- * multiples of 90 give exact components.
+ * Positions of the paper's programs, Table 1, and start angles as in Table 2
+ * (mathematics_programs.md, "Programs"). Angles stay in degrees up to the last step: they are
+ * wrapped before they are rounded, and multiples of 90 give exact components.
  */
 #include "invcal/plan.h"
 
@@ -52,8 +52,8 @@ static invcal_real angle(invcal_real start, unsigned k, unsigned per_group)
     return wrap((from - half) + (step - half));
 }
 
-/* The rows of eta are eta(alpha, beta) = (sin alpha sin beta, cos alpha, sin alpha cos beta) with the constant
- * angle of each group put in. */
+/* The rows of eta are eta(alpha, beta) = (sin alpha sin beta, cos alpha, sin alpha cos beta) with
+ * the constant angle of each group put in. */
 invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
                                       invcal_plan_position *out)
 {

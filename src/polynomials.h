@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: a calibration of temperature between its evaluation and its fit.
+ * Internal: what the evaluation and the fit of a calibration over temperature share.
  */
 #ifndef INVCAL_POLYNOMIALS_H
 #define INVCAL_POLYNOMIALS_H
@@ -18,13 +18,13 @@ static inline invcal_real invcal_thermal_scaled(const invcal_thermal *thermal,
     return (temperature - thermal->reference) / thermal->span;
 }
 
-/* The calibration of u at any t: A = (I + S)^-1. INVCAL_NOT_ELLIPSOID if a semi-axis
- * is beyond ten times that of a perfect triad. */
+/* The calibration of u at any t: A = (I + S)^-1. INVCAL_NOT_ELLIPSOID if a semi-axis is more than
+ * ten times that of a perfect triad. */
 invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
                                    invcal_calibration *triad);
 
-/* t of a temperature, or of the end of the range seen if it is outside. INVCAL_BAD_TEMPERATURE if it
- * is not finite. */
+/* t of a temperature, or of the end of the range seen if it is outside. INVCAL_BAD_TEMPERATURE if
+ * it is not finite. */
 invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
                                   invcal_real *t, invcal_thermal_place *place);
 

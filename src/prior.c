@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Calibration with a prior, and by six faces, which is a prior on the angles (mathematics.md, "Prior"). Each
- * known parameter is one more row, noise / sigma p(r) = 0, which only adds to the diagonal of H'H.
+ * Calibration with a prior, and by six faces, which is a prior on the angles (mathematics.md,
+ * "Prior"). Each known parameter is one more row, noise / sigma p(r) = 0, which only adds to the
+ * diagonal of H'H.
  *
- * The weight of these rows needs the noise of the positions, and the residuals may show more than was stated.
- * So everything is solved twice, the second time with the noise of the first.
+ * The weight of these rows needs the noise of the positions, and the residuals may show more than
+ * was stated. So everything is solved twice, the second time with the noise found by the first.
  */
 #include <string.h>
 
@@ -14,22 +15,22 @@
 
 enum { SYSTEM = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1) };
 
-/* What is known beforehand: parameter r is 0 with standard deviation sigma[r]; 0: nothing. And the result
- * with the positions. */
+/* What is known beforehand: parameter r is 0 with standard deviation sigma[r]; 0: nothing. And the
+ * result with the positions. */
 typedef struct {
     const invcal_real *sigma;
     invcal_real widest;   /* of them */
     unsigned count;       /* of those that are stated */
-    invcal_real stated;   /* noise, */
-    invcal_real noise;    /* the one used for the weights, */
-    invcal_real resolved; /* and the min that resolves what the positions leave open */
+    invcal_real stated;   /* noise, as passed */
+    invcal_real noise;    /* used for the weights */
+    invcal_real resolved; /* min noise that resolves what the positions leave open */
     invcal_calibration c;
     invcal_quality q;
     uint8_t of_noise; /* verdict on the residuals alone */
     uint16_t from_prior;
 } update;
 
-static invcal_status know(const invcal_positions *positions, update *prior)
+static invcal_status check_prior(const invcal_positions *positions, update *prior)
 {
     const invcal_real *sigma = prior->sigma;
 
@@ -58,8 +59,9 @@ static invcal_real row_of(const update *prior, unsigned r)
     return ratio * ratio;
 }
 
-/* Positions and prior to L. If the positions alone leave parameters open, the noise is raised until the
- * prior just exceeds rounding of the largest sums: with less, rounding errors would count as data. */
+/* Positions and prior to L. If the positions alone leave parameters open, the noise is raised until
+ * the prior just exceeds rounding of the largest sums: with less, rounding errors would count as
+ * data. */
 static invcal_status factor_with(const invcal_real *of_positions, update *prior,
                                  invcal_real l[SYSTEM])
 {
@@ -98,9 +100,9 @@ static invcal_status solve_with(const invcal_positions *positions, update *prior
     return invcal_ellipsoid(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], l, triad);
 }
 
-/* Of the second pass. Of a parameter, 1 - K(r,r) noise^2 / sigma^2 is what the data had to determine: only that
- * costs degrees of freedom, and below 1/2 it is from the prior. Its sigma is at most that of the prior, except
- * for rounding. */
+/* Of the second pass. Of a parameter, 1 - K(r,r) noise^2 / sigma^2 is what the data had to
+ * determine: only that costs degrees of freedom, and below 1/2 it is from the prior. Its sigma is
+ * at most that of the prior, except for rounding. */
 static invcal_status judge_with(const invcal_real *information, update *prior,
                                 invcal_real l[SYSTEM], const invcal_real a[3][3])
 {
@@ -152,7 +154,7 @@ static invcal_status calibrate(const invcal_positions *positions, update *prior)
     invcal_status status = solve_with(positions, prior, &sums, l, &triad);
     if (status == INVCAL_OK) {
         prior->c = triad;
-        status = invcal_behind(positions->nominal, &prior->c);
+        status = invcal_compose(positions->nominal, &prior->c);
     }
     if (status == INVCAL_OK) {
         status = invcal_positions_compare(positions, &prior->c, a, &sums, &residuals);
@@ -162,20 +164,21 @@ static invcal_status calibrate(const invcal_positions *positions, update *prior)
     }
     invcal_judge_residuals(&residuals, &prior->q);
     status = judge_with(sums.sum, prior, l, a);
-    if (status == INVCAL_OK) { /* and with the noise that is there */
+    if (status == INVCAL_OK) { /* again, with the noise found */
         status = judge_with(sums.sum, prior, l, a);
     }
     return status;
 }
 
 /* If the data are noisier than stated, the prior has more weight: solve again. */
-static invcal_status learn(const invcal_positions *positions, const invcal_real *sigma, update *u)
+static invcal_status calibrate_twice(const invcal_positions *positions, const invcal_real *sigma,
+                                     update *u)
 {
     invcal_zero(u, sizeof *u);
     u->sigma = sigma;
     u->stated = positions->noise;
     u->noise = positions->noise;
-    invcal_status status = know(positions, u);
+    invcal_status status = check_prior(positions, u);
     if (status == INVCAL_OK) {
         status = calibrate(positions, u);
     }
@@ -195,7 +198,7 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
     update u;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && prior && out && quality && from_prior);
-    const invcal_status status = learn(&positions, prior, &u);
+    const invcal_status status = calibrate_twice(&positions, prior, &u);
     if (status == INVCAL_OK) {
         *out = u.c;
         *quality = u.q;
@@ -216,7 +219,8 @@ invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
     update u;
 
     INVCAL_ASSERT((raw || count == 0) && nominal && out && quality && held);
-    const invcal_status status = gamma < 1 ? learn(&positions, prior, &u) : INVCAL_BAD_PRIOR;
+    const invcal_status status =
+        gamma < 1 ? calibrate_twice(&positions, prior, &u) : INVCAL_BAD_PRIOR;
     if (status == INVCAL_OK) {
         const unsigned weak = u.q.weak;
         *held = (uint16_t)(u.from_prior | (weak & angles));
@@ -231,8 +235,8 @@ invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
     return status;
 }
 
-/* A stated sigma needs no Student's t, and neither does gravity: so it joins that, with the mean squares of h
- * as in invcal_accuracy. */
+/* A stated sigma needs no Student's t, and neither does gravity: so it joins that, with the mean
+ * squares of h as in invcal_accuracy. */
 invcal_real invcal_accuracy_held(const invcal_quality *quality, uint16_t held, invcal_real gravity)
 {
     static const invcal_real share[3] = {INVCAL_REAL(1.0) / 3, INVCAL_REAL(0.2),

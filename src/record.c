@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Encodes and decodes the record of a calibration: the table is in store.h. Reals are the first members of the
- * structure, in the order of the bytes, so that they are copied as one run. Every encoded record is decoded
- * again: rounding to float may have made it singular or infinite.
+ * Encodes and decodes the record of a calibration: the table is in store.h. Reals are the first
+ * members of the structure, in the order of the bytes, so that they are copied as one run. Every
+ * encoded record is decoded again: rounding to float may have made it singular or infinite.
  */
 #include "invcal/store.h"
 
@@ -112,7 +112,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     return status;
 }
 
-/* ---- in a memory ------------------------------------------------------------------------------- */
+/* ---- in a memory ----------------------------------------------------------------------------- */
 
 /* The bytes of a record from invcal_record_init, without making one. */
 invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Records of version 1, of release 0.1.0: its matrices are in the unit of the field; delta, dk, gamma and
- * sigma_offset come before sigma; and weak was the third verdict and the last.
+ * Records of version 1, of release 0.1.0: its matrices are in the unit of the field; delta, dk,
+ * gamma and sigma_offset come before sigma; and weak was the third verdict and the last.
  */
 #include <string.h>
 

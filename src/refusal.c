@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Why a calibration was refused: which reading is none of this field, or which parameters are open
- * (mathematics.md, "Verdict, and near cones"). Computed again from the positions, so that the solution need not
- * carry it along.
+ * Why a calibration was refused: which position is not a reading of this field, or which parameters
+ * are open (mathematics.md, "Verdict, and near cones"). Computed again from the positions, so that
+ * the solution need not carry it along.
  */
 #include <stddef.h>
 
@@ -24,7 +24,8 @@ unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
     return i;
 }
 
-/* ridge K(r,r) is the share of the ridge in what is known of parameter r: 1 if the positions say nothing. */
+/* ridge K(r,r) is the share of the ridge in what is known of parameter r: 1 if the positions
+ * contribute nothing. */
 uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
                              const invcal_calibration *nominal)
 {

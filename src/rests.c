@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Finds rests in a stream of raw samples (mathematics.md, "From samples to positions"), in integers. Per
- * sample: add_small or add_any. Per block of about 1/8 s: decide, which measures its variance and mean, judges
- * them against the noise and place of the rest, and lets the rest agree or disagree; then its event, if any, is
- * announced.
+ * Finds rests in a stream of raw samples (mathematics.md, "From samples to positions"), in
+ * integers. Per sample: add_small or add_any. Per block of about 1/8 s: decide, which measures its
+ * variance and mean, judges them against the noise and place of the rest, and lets the rest agree
+ * or disagree; then its event, if any, is announced.
  *
- * Block means count from `origin`, in 1/1024 count: so they fit 32 bits wherever in the range of int32 the rest
- * is.
+ * Block means count from `origin`, in 1/1024 count: so they fit 32 bits wherever in the range of
+ * int32 the rest is.
  */
 #include "invcal/expert.h"
 
@@ -17,7 +17,8 @@
 /* Every constant is a time, a ratio or a probability; none has a unit of the sensor.
  *
  * Distances and noise are squared, and summed over the three axes, throughout. They are compared as
- * levels, logarithms to base 2: a factor becomes a difference, and 16 bits hold the range of int32. */
+ * levels, logarithms to base 2: a factor becomes a difference, and 16 bits hold the range of
+ * int32. */
 #define OCTAVE 128            /* a factor of 2 */
 #define ONE (32 * OCTAVE)     /* the level of 1 count^2 */
 #define NONE 0                /* not known yet: less than any level */
@@ -44,7 +45,7 @@ enum {
     FALL = 41,              /* 1 / 0.8 */
     FAR_BELOW = 4 * OCTAVE, /* motion before it: no noise is that uneven */
     QUIET = 297,            /* 5 times the level: chance is 2e-4 for 9 degrees of freedom */
-    HARD = 331,             /* 6 times the limit: motion, not a hand's unrest */
+    HARD = 331,             /* 6 times the limit: motion, not hand tremor */
     ALIKE = 203,            /* max ratio of block variances at one noise level: 3 */
     HIDDEN = -2 * OCTAVE,   /* readings that toggle between two counts vary by up to 1/4 count^2
                                on each axis: they hide a smaller noise */
@@ -74,7 +75,8 @@ enum {
 #define SHORTEST UINT32_C(163578)   /* seconds that make a position, 1/2^18: 0.624 */
 #define HOUR (UINT32_C(3600) * 125) /* in 1/125 s */
 
-/* The last event of the rest, besides the reasons for REFUSED: READY; none; TAKEN by the newest block. */
+/* The last event of the rest, besides the reasons for REFUSED: READY; none; TAKEN by the newest
+ * block. */
 enum { HELD = INVCAL_OK, SETTLING = INVCAL_STATUS_COUNT, LEFT = INVCAL_STATUS_COUNT + 1 };
 
 /* Bits of flags, and of `seen`, which is the newest block's. */
@@ -86,17 +88,17 @@ enum {
     ALL_CHANGED = 7 * CHANGED
 };
 
-/* If the compiler optimises for size, all samples are added the slow way, which takes three times as long;
- * and COMPACT functions are not inlined. */
+/* If the compiler optimises for size, all samples are added the slow way, which takes three times
+ * as long; and COMPACT functions are not inlined. */
 #ifdef __OPTIMIZE_SIZE__
 #define QUICK 0
-#define COMPACT INVCAL_APART
+#define COMPACT INVCAL_NOINLINE
 #else
 #define QUICK 1
 #define COMPACT
 #endif
 
-/* ---- numbers ------------------------------------------------------------------------------ */
+/* ---- numbers --------------------------------------------------------------------------------- */
 
 static int larger(int a, int b)
 {
@@ -108,7 +110,7 @@ static uint32_t smaller(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* From a number modulo 2^32 to a signed one. */
+/* A number modulo 2^32 as a signed one. */
 static int32_t as_signed(uint32_t x)
 {
     return x <= INT32_MAX ? (int32_t)x : -(int32_t)~x - 1;
@@ -144,7 +146,8 @@ static unsigned top_of(uint32_t x)
 #endif
 }
 
-/* To base 2, in octaves; linear between powers of two, so up to 6 % below. 0 counts as 1/2. */
+/* The logarithm to base 2, OCTAVE for a factor of 2; linear between powers of two, so up to 6 %
+ * low. 0 counts as 1/2. */
 static int octaves(uint32_t x)
 {
     const unsigned top = top_of(x);
@@ -198,15 +201,15 @@ COMPACT static int distance_from_place(const invcal_rests *s)
     return length_of(d) + 2 * (int)FINE * OCTAVE;
 }
 
-/* Of the first rest, or of a position. */
-INVCAL_APART static void mark_place(invcal_rests *s)
+/* Takes the rest as the place of the last position, or of the first rest. */
+INVCAL_NOINLINE static void mark_place(invcal_rests *s)
 {
     for (unsigned a = 0; a < 3; a++) {
         s->axis[a].place = s->axis[a].origin;
     }
 }
 
-/* ---- a block ------------------------------------------------------------------------------ */
+/* ---- a block --------------------------------------------------------------------------------- */
 
 /* After motion 0.5 s of quiet blocks are skipped: half the min of a position, rounded up, and the
  * one that may have begun in motion. */
@@ -216,7 +219,7 @@ static void skip(invcal_rests *s)
 }
 
 /* There is no rest: look for the next one. */
-INVCAL_APART static void clear_rest(invcal_rests *s)
+INVCAL_NOINLINE static void clear_rest(invcal_rests *s)
 {
     s->blocks = 0;
     s->pended = 0;
@@ -226,21 +229,21 @@ INVCAL_APART static void clear_rest(invcal_rests *s)
     skip(s);
 }
 
-/* Its samples. */
+/* The samples of a block. */
 static uint16_t samples_of(const invcal_rests *s)
 {
     return (uint16_t)(1u << s->bits);
 }
 
-/* The next sample begins another. */
+/* Drops the block: the next sample begins another. */
 static void drop(invcal_rests *s)
 {
     s->missing = 0;
     s->span = 0;
 }
 
-/* Differences are to the first sample. The fast sum is for a first sample far from the rails, with the
- * quantum known. */
+/* Differences are to the first sample. The fast sum is for a first sample far from the rails, with
+ * the quantum known. */
 static void begin(invcal_rests *s, const int32_t raw[3])
 {
     if (s->stage == LEFT) {
@@ -260,8 +263,9 @@ static void begin(invcal_rests *s, const int32_t raw[3])
     }
 }
 
-/* Any sample: the first of a block, one far from it or near a rail, or one that may reduce the quantum. */
-INVCAL_APART static void add_any(invcal_rests *s, const int32_t raw[3])
+/* Any sample: the first of a block, one far from it or near a rail, or one that may reduce the
+ * quantum. */
+INVCAL_NOINLINE static void add_any(invcal_rests *s, const int32_t raw[3])
 {
     if (s->missing == 0) {
         begin(s, raw);
@@ -306,8 +310,9 @@ static int add_small(invcal_rests *s, const int32_t raw[3])
     return 1;
 }
 
-/* The block's mean, from its first sample, and instead of the squares its variance, 1/2^20 counts^2,
- * without n / (n - 1). Integers, so nothing cancels, and it is never below 0: Cauchy and Schwarz. */
+/* The block's mean, from its first sample, and instead of the squares its variance, 1/2^20
+ * counts^2, without n / (n - 1). Integers, so nothing cancels, and it is never below 0: Cauchy and
+ * Schwarz. */
 static void measure(invcal_rests *s)
 {
     const unsigned up = 2 * FINE - s->bits; /* 10 to 18 */
@@ -325,9 +330,9 @@ static void measure(invcal_rests *s)
     s->square = ((uint64_t)(high << up | low >> (32 - up)) << 32 | low << up) - square;
 }
 
-/* ---- learning from the stream ------------------------------------------------------------- */
+/* ---- learning from the stream ---------------------------------------------------------------- */
 
-/* That of 1/2 count until it is known. */
+/* The level of the quantum; that of 1/2 count until it is known. */
 static int quantum_level(const invcal_rests *s)
 {
     return 2 * octaves(s->quantum) + ONE;
@@ -348,9 +353,10 @@ COMPACT static int follow(int level, int x)
     return larger(x, level - FALL);
 }
 
-/* A block is compared with the noise so far, at least that hidden by the quantum, and a quiet one updates
- * it. A block with far less noise, so that there was motion before, sets the level and restarts the rest;
- * but once there are enough blocks for a position, a single one changes little. */
+/* A block is compared with the noise so far, at least that hidden by the quantum, and a quiet one
+ * updates it. A block with far less noise, so that there was motion before, sets the level and
+ * restarts the rest; but once there are enough blocks for a position, a single one changes
+ * little. */
 static void learn_noise(invcal_rests *s, int level, int hidden)
 {
     int noise = larger(s->noise, hidden);
@@ -362,9 +368,9 @@ static void learn_noise(invcal_rests *s, int level, int hidden)
     s->noise = (int16_t)(level <= noise + QUIET ? follow(noise, level) : noise);
 }
 
-/* A fan is switched on, a table instead of a hand: blocks in a row, not quiet, but of similar
- * variance, and closer to where they are expected (without a rest, where the previous block was)
- * than their noise. Then that is the new noise. */
+/* A fan is switched on, or the device moves from a hand to a table: blocks in a row, not quiet, but
+ * of similar variance, and closer to where they are expected (without a rest, where the previous
+ * block was) than their noise. Then that is the new noise. */
 static void learn_new_noise(invcal_rests *s, int level, int jump)
 {
     const int d = level - s->other;
@@ -382,10 +388,10 @@ static void learn_new_noise(invcal_rests *s, int level, int jump)
     }
 }
 
-/* ---- the trend of a rest ------------------------------------------------------------------ */
+/* ---- the trend of a rest --------------------------------------------------------------------- */
 
-/* The mean from origin, which without a rest moves to it, in whole counts. Returns the distance of the
- * block from the trend of the rest, which may drift slowly. */
+/* Measures the mean from origin; without a rest, origin moves to it, in whole counts. Returns the
+ * distance of the block from the trend of the rest, which may drift slowly. */
 static int locate(invcal_rests *s)
 {
     int32_t d[3];
@@ -408,7 +414,7 @@ static int locate(invcal_rests *s)
     return larger(jump, length_of(d));
 }
 
-/* With those held back. */
+/* The blocks of the rest, with those held back. */
 static uint32_t blocks_of(const invcal_rests *s)
 {
     return (uint32_t)s->blocks + s->pended;
@@ -417,8 +423,8 @@ static uint32_t blocks_of(const invcal_rests *s)
 /* The rest has one more block: the oldest one held back is safe now, since no motion followed it.
  *
  * Brown's double exponential smoothing: an exponential mean, and the exponential mean of that. On a
- * slope the first lags, the second lags again: that lag gives the slope. The first blocks have nearly
- * equal weights. */
+ * slope the first lags, the second lags again: that lag gives the slope. The first blocks have
+ * nearly equal weights. */
 COMPACT static void add_block(invcal_rests *s)
 {
     const unsigned fade = (unsigned)smaller(top_of(2 * blocks_of(s) + 1), FADE);
@@ -443,13 +449,14 @@ COMPACT static void add_block(invcal_rests *s)
     }
 }
 
-/* Does the rest drift? The slope must be significant against noise and a hand's wander, and fast, for
- * the noise and for the reach: a sensor that warms up is slower.
+/* Does the rest drift? The slope must be significant against noise and a hand's wander, and fast,
+ * for the noise and for the reach: a sensor that warms up is slower.
  *
  * On a slope of one per block the lag is g: 15 in the end, and a quarter of the number of blocks,
- * within 20 %, until then. If block means scatter by v, the variance of the slope b is v / (5.5 g^3),
- * within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) above b^2 g^3 = 8 / 5.5 v. The
- * wander includes the slope, up to 8 b^2 before the trend is known: so an eighth of it counts as v. */
+ * within 20 %, until then. If block means scatter by v, the variance of the slope b is
+ * v / (5.5 g^3), within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) above
+ * b^2 g^3 = 8 / 5.5 v. The wander includes the slope, up to 8 b^2 before the trend is known: so an
+ * eighth of it counts as v. */
 static int is_drifting(const invcal_rests *s)
 {
     const int g = octaves(smaller(blocks_of(s), 60)) - 2 * OCTAVE;
@@ -461,7 +468,7 @@ static int is_drifting(const invcal_rests *s)
            speed > larger(s->noise + NOISE_PER_SECOND, s->reach + REACH_PER_SECOND);
 }
 
-/* ---- events of a rest --------------------------------------------------------------------- */
+/* ---- events of a rest ------------------------------------------------------------------------ */
 
 /* Has nothing ever changed, or one axis not, although the others are too noisy for that? */
 static int is_stuck(const invcal_rests *s)
@@ -471,7 +478,7 @@ static int is_stuck(const invcal_rests *s)
 }
 
 /* What is wrong with it? */
-INVCAL_APART static invcal_status fault(const invcal_rests *s)
+INVCAL_NOINLINE static invcal_status fault(const invcal_rests *s)
 {
     if (s->blocks >= s->least) {
         if (s->drift > 0 && s->stage != HELD) {
@@ -493,26 +500,26 @@ INVCAL_APART static invcal_status fault(const invcal_rests *s)
     return (s->flags & LOST) != 0 ? INVCAL_REST_GAP : INVCAL_REST_SHORT;
 }
 
-static invcal_event say(invcal_rests *s, invcal_status why, invcal_event event)
+static invcal_event report(invcal_rests *s, invcal_status why, invcal_event event)
 {
     s->reason = (uint8_t)why;
     return event;
 }
 
 /* The rest is over. A very short one is not reported. */
-INVCAL_APART static invcal_event finish(invcal_rests *s)
+INVCAL_NOINLINE static invcal_event finish(invcal_rests *s)
 {
     const invcal_status why = fault(s);
     const int is_nothing = s->blocks < s->least / 4 || s->stage == (uint8_t)why; /* nothing twice */
 
     if (why != INVCAL_OK) {
         clear_rest(s);
-        return is_nothing ? INVCAL_MOVING : say(s, why, INVCAL_REFUSED);
+        return is_nothing ? INVCAL_MOVING : report(s, why, INVCAL_REFUSED);
     }
     mark_place(s);
     s->taken = 1;
     s->stage = LEFT;
-    return say(s, why, INVCAL_TAKEN);
+    return report(s, why, INVCAL_TAKEN);
 }
 
 /* Drift and shortness are not reported yet: the rest may settle, or become long enough. */
@@ -530,21 +537,21 @@ static invcal_event announce(invcal_rests *s)
     }
     if (s->drift == DRIFTING) {
         clear_rest(s);
-        return say(s, INVCAL_REST_DRIFT, INVCAL_REFUSED);
+        return report(s, INVCAL_REST_DRIFT, INVCAL_REFUSED);
     }
     const invcal_status why = fault(s);
     if (!is_news(s, why)) {
         return INVCAL_SETTLING;
     }
     s->stage = (uint8_t)why;
-    return say(s, why, why == INVCAL_OK ? INVCAL_READY : INVCAL_REFUSED);
+    return report(s, why, why == INVCAL_OK ? INVCAL_READY : INVCAL_REFUSED);
 }
 
-/* ---- decisions ---------------------------------------------------------------------------- */
+/* ---- decisions ------------------------------------------------------------------------------- */
 
-/* A knock passes, motion does not; another place is quiet, but elsewhere. After a shock blocks are not
- * trusted at once, nor after any motion as long as there is no position. */
-INVCAL_APART static invcal_event disagree(invcal_rests *s, int is_quiet, int excess)
+/* A knock passes, motion does not; another place is quiet, but elsewhere. After a shock blocks are
+ * not trusted at once, nor after any motion as long as there is no position. */
+INVCAL_NOINLINE static invcal_event disagree(invcal_rests *s, int is_quiet, int excess)
 {
     if (excess > HARD || (!is_quiet && s->blocks < s->least)) {
         skip(s);
@@ -568,8 +575,8 @@ static invcal_event agree(invcal_rests *s)
     return announce(s);
 }
 
-/* No noise, although there was some before; or the same number on three axes, as from no triad: the
- * sensor is not being read. */
+/* No noise, although there was some before; or the same number on all three axes, which no triad
+ * delivers: the sensor is not being read. */
 static int is_dead(const invcal_rests *s, int quantum)
 {
     return s->square == 0 && (s->noise > quantum || (s->axis[0].first == s->axis[1].first &&
@@ -587,7 +594,8 @@ static void look_for(invcal_rests *s)
     s->reach = (int16_t)larger(s->reach, distance_from_place(s));
 }
 
-/* The block is alive. Returns by how much it exceeds the limits of the rest, and whether it is quiet. */
+/* The block is alive. Returns by how much it exceeds the limits of the rest, and whether it is
+ * quiet. */
 static int judge(invcal_rests *s, int quantum, int *is_quiet)
 {
     const int level = larger(level_of(s->square), quantum + HIDDEN);
@@ -608,7 +616,7 @@ static int judge(invcal_rests *s, int quantum, int *is_quiet)
     return larger(excess, jump - limit);
 }
 
-/* Has that just become long enough to report, and was not reported yet? */
+/* Has it been dead long enough to report, and was this not reported yet? */
 static int is_frozen(invcal_rests *s)
 {
     s->run++;
@@ -616,7 +624,7 @@ static int is_frozen(invcal_rests *s)
 }
 
 /* A block is full. Is it quiet, and where it is expected? */
-INVCAL_APART static invcal_event decide(invcal_rests *s)
+INVCAL_NOINLINE static invcal_event decide(invcal_rests *s)
 {
     const int quantum = quantum_level(s);
     int is_quiet = 0;
@@ -632,20 +640,20 @@ INVCAL_APART static invcal_event decide(invcal_rests *s)
         if (!is_dead(s, quantum)) {
             excess = judge(s, quantum, &is_quiet);
         } else if (is_frozen(s)) {
-            return say(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
+            return report(s, INVCAL_REST_FROZEN, INVCAL_REFUSED);
         } /* cppcheck-suppress misra-c2012-15.7 ; it disagrees */
     }
     return excess <= 0 ? agree(s) : disagree(s, is_quiet, excess);
 }
 
-/* ---- sums and means ----------------------------------------------------------------------- */
+/* ---- sums and means -------------------------------------------------------------------------- */
 
 static int is_readable(const invcal_rests *s)
 {
     return s->stage == HELD || s->stage == LEFT;
 }
 
-/* Of the raw samples. */
+/* The sum of the raw samples. */
 static int64_t sum_of(const invcal_rests *s, unsigned a)
 {
     const int64_t off = (int64_t)s->rest.total[a];
@@ -655,13 +663,13 @@ static int64_t sum_of(const invcal_rests *s, unsigned a)
     return off + (int64_t)s->axis[a].origin * (int32_t)((uint32_t)s->blocks << s->bits);
 }
 
-/* The compiler's conversion of 64 bits is many times as large. */
+/* The compiler's own conversion of 64 bits takes many times the code. */
 static invcal_real as_real(uint64_t x)
 {
     return (invcal_real)(uint32_t)(x >> 32) * INVCAL_REAL(4294967296.0) + (invcal_real)(uint32_t)x;
 }
 
-/* ---- public functions --------------------------------------------------------------------- */
+/* ---- public functions ------------------------------------------------------------------------ */
 
 invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
 {

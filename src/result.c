@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Other forms of a calibration: parameters against nominal, the triangular frame, sigma in counts
- * (mathematics.md, "From p to the calibration"). All follow from the calibration and its nominal, matrix = A N:
- * the solution does not compute them, and only those that are called are linked.
+ * (mathematics.md, "From p to the calibration"). All follow from the calibration and its nominal,
+ * matrix = A N: the solution does not compute them, and only those that are called are linked.
  */
 #include "solve.h"
 #include "vector.h"

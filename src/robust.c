@@ -7,7 +7,7 @@
 #include "vector.h"
 
 /* In nominal units, in which no position is too wrong to be tested. Returns the suspected ones. */
-static INVCAL_APART invcal_mask leave_out_outliers(invcal_positions *positions)
+static INVCAL_NOINLINE invcal_mask leave_out_outliers(invcal_positions *positions)
 {
     invcal_group g;
     invcal_fit fit;

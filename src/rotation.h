@@ -15,7 +15,8 @@
 #define INVCAL_LEAST_RATE INVCAL_REAL(8.0) /* samples per second */
 #define INVCAL_MOST_RATE INVCAL_REAL(8000.0)
 
-/* Distinguishes kept bytes of another layout, number type or byte order: version, moves, type, segments. */
+/* Distinguishes kept bytes of another layout, number type or byte order: version, moves, type,
+ * segments. */
 #define INVCAL_MOVES_LAYOUT                                                                        \
     (UINT32_C(0x61000000) + INVCAL_MAX_MOVES * UINT32_C(0x40000) +                                 \
      (uint32_t)sizeof(invcal_real) * 0x1000u + INVCAL_MAX_SEGMENTS)

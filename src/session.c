@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The whole procedure as one state: rests from samples (rests.c), their means in a table, the next direction
- * (guidance.c), and the calibration (judged.c). Positions are kept one by one, not as sums, since the judgement
- * needs each of them again. Feeding a sample never solves, so its cost is bounded.
+ * The whole procedure as one state: rests from samples (rests.c), their means in a table, the next
+ * direction (guidance.c), and the calibration (judged.c). Positions are kept one by one, not as
+ * sums, since the judgement needs each of them again. Feeding a sample never solves, so its cost is
+ * bounded.
  */
 #include <stddef.h>
 #include <string.h>
@@ -22,11 +23,11 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 #define HEAD ((uint32_t)offsetof(invcal_session, mean))
 #define LAYOUT (UINT32_C(0x5E040000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
 
-/* ---- settings --------------------------------------------------------------------------------- */
+/* ---- settings -------------------------------------------------------------------------------- */
 
 /* Called before any other write to the session; writes only on success. */
-INVCAL_APART static invcal_status begin_stream(invcal_session *session,
-                                               const invcal_calibration *nominal, unsigned rate)
+INVCAL_NOINLINE static invcal_status begin_stream(invcal_session *session,
+                                                  const invcal_calibration *nominal, unsigned rate)
 {
     invcal_status status = invcal_nominal_check(nominal);
     if (status == INVCAL_OK) {
@@ -100,7 +101,7 @@ void invcal_session_hold(invcal_session *session, uint32_t milliseconds)
     invcal_rests_hold(&session->rests, milliseconds);
 }
 
-/* ---- after a reset ----------------------------------------------------------------------------- */
+/* ---- after a reset --------------------------------------------------------------------------- */
 
 uint32_t invcal_session_size(const invcal_session *session)
 {
@@ -130,10 +131,10 @@ invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
     return status;
 }
 
-/* ---- samples ---------------------------------------------------------------------------------- */
+/* ---- samples --------------------------------------------------------------------------------- */
 
 /* The reading of the rest that is READY or was just TAKEN. */
-INVCAL_APART static invcal_status read_rest(const invcal_session *session, invcal_row *row)
+INVCAL_NOINLINE static invcal_status read_rest(const invcal_session *session, invcal_row *row)
 {
     return invcal_rests_mean(&session->rests, row->h)
                ? invcal_observe(&session->nominal, row->h, row)
@@ -157,7 +158,7 @@ static void keep(invcal_session *session)
 }
 
 /* A rest that is not a reading of this field is refused at once, and again when it ends. */
-INVCAL_APART static invcal_event digest(invcal_session *session, invcal_event event)
+INVCAL_NOINLINE static invcal_event digest(invcal_session *session, invcal_event event)
 {
     session->last = (uint8_t)event;
     if (event == INVCAL_REFUSED) {
@@ -195,7 +196,7 @@ invcal_event invcal_session_finish(invcal_session *session)
     return digest(session, invcal_rests_finish(&session->rests));
 }
 
-/* ---- instructions ----------------------------------------------------------------------------- */
+/* ---- instructions ---------------------------------------------------------------------------- */
 
 unsigned invcal_session_progress(const invcal_session *session)
 {
@@ -220,8 +221,8 @@ const char *invcal_session_why(const invcal_session *session)
     return invcal_refusal_text(invcal_session_reason(session));
 }
 
-/* The last position: 0 if there is none. */
-INVCAL_APART static int read_last(const invcal_session *session, invcal_row *row)
+/* Reads the last position. Returns 0 if there is none. */
+INVCAL_NOINLINE static int read_last(const invcal_session *session, invcal_row *row)
 {
     if (session->count == 0) {
         return 0;
@@ -243,7 +244,7 @@ void invcal_session_next(const invcal_session *session, invcal_real up[3])
     } else if (!read_last(session, &row)) {
         invcal_zero(&row, sizeof row);
     } /* cppcheck-suppress misra-c2012-15.7 ; the row is that of the last position */
-    invcal_next_beside(&sums, row.h, up);
+    invcal_next_of_sums(&sums, row.h, up);
 }
 
 const char *invcal_session_next_words(const invcal_session *session, char words[INVCAL_WORDS])
@@ -266,7 +267,7 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
     return is_known && invcal_dot3(row.h, up) >= CLOSE * INVCAL_SQRT(invcal_dot3(row.h, row.h));
 }
 
-/* ---- the result ------------------------------------------------------------------------------- */
+/* ---- the result ------------------------------------------------------------------------------ */
 
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality)

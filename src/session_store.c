@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A session in a memory. Not in session.c, so that a device without such a memory does not link store.c.
+ * A session in a memory. Not in session.c, so that a device without such a memory does not link
+ * store.c.
  */
 #include "invcal/store.h"
 

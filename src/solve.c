@@ -3,8 +3,9 @@
  * From p to the calibration in closed form (mathematics.md, "From p to the calibration"), from
  * X = (delta, dk, gamma) to the same, and the 3x3 algebra that other modules share.
  *
- * invcal_ellipsoid and invcal_triad accept only the semi-axes and the centre of a triad. So Newton's iteration
- * for the frame ends within a known number of steps, and no caller has to check again.
+ * invcal_ellipsoid and invcal_triad accept only the semi-axes and the centre of a triad. So
+ * Newton's iteration for the frame ends within a known number of steps, and no caller has to check
+ * again.
  */
 #include "solve.h"
 
@@ -14,7 +15,8 @@
 #include "invcal/expert.h"
 #include "vector.h"
 
-/* Of ten: no semi-axis is shorter than 1/10 of nominal, or of another one; the centre is within 10. */
+/* Of ten: no semi-axis is shorter than 1/10 of nominal, or of another one; the centre is within
+ * 10. */
 #define LONGEST INVCAL_REAL(10.0)
 #define SQUARE INVCAL_REAL(100.0)
 enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
@@ -48,9 +50,9 @@ void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
     }
 }
 
-/* a = S U' with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from a itself, and S = a U,
- * row by row. A singular value s becomes (s + 1/s) / 2, at least 1, and then each step more than halves its
- * distance from 1, and near 1 squares it. */
+/* a = S U' with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from a itself,
+ * and S = a U, row by row. A singular value s becomes (s + 1/s) / 2, at least 1, and then each step
+ * more than halves its distance from 1, and near 1 squares it. */
 void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
 {
     invcal_real(*u)[3] = (invcal_real(*)[3])work;       /* U' */
@@ -93,9 +95,9 @@ static void make_triangular(const invcal_real *l, invcal_real root, invcal_real 
  *     v = (p0 p1 p2),  Q = I + [2p3 p6 p7; p6 2p4 p8; p7 p8 2p5]
  *     delta = -Q^-1 v,  k = 1 + delta Q delta = 1 + v Q^-1 v,  A A = Q / k
  *
- * With v below Q and then -1, one Cholesky gives all: Q = L L', A A = L L' / k. If zero lies outside
- * the ellipsoid, Q and k are negative, and -Q, -k serve as well. A is then made symmetric: that root turns
- * the axes least. */
+ * With v below Q and then -1, one Cholesky gives all: Q = L L', A A = L L' / k. If zero lies
+ * outside the ellipsoid, Q and k are negative, and -Q, -k serve as well. A is then made symmetric:
+ * that root turns the axes least. */
 invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
                                invcal_real work[INVCAL_WORK], invcal_calibration *out)
 {
@@ -147,7 +149,8 @@ invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibr
 }
 
 /* A (u - delta) with u = N (raw - zero): matrix = A N, offset = zero + N^-1 delta. */
-static INVCAL_APART void put_behind(const invcal_calibration *nominal, invcal_calibration *c)
+static INVCAL_NOINLINE void compose_unchecked(const invcal_calibration *nominal,
+                                              invcal_calibration *c)
 {
     const invcal_real delta[3] = {c->offset[0], c->offset[1], c->offset[2]};
     const invcal_real(*n)[3] = nominal->matrix;
@@ -168,9 +171,9 @@ static INVCAL_APART void put_behind(const invcal_calibration *nominal, invcal_ca
 }
 
 /* A calibration that is not a valid nominal cannot be stored either. */
-invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibration *c)
 {
-    put_behind(nominal, c);
+    compose_unchecked(nominal, c);
     return invcal_nominal_check(c);
 }
 
@@ -191,7 +194,7 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
         status = invcal_ellipsoid(&a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], a, &c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(nominal, &c);
+        status = invcal_compose(nominal, &c);
     }
     if (status == INVCAL_OK) {
         *out = c; /* which may be nominal */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Texts of statuses, parameters and verdicts. Each list is in the order of its enumeration in invcal.h; the
- * statuses of refused rests, from the middle of theirs, are a list of their own, which a session links without
- * the others.
+ * Texts of statuses, parameters and verdicts. Each list is in the order of its enumeration in
+ * invcal.h; the statuses of refused rests, from the middle of theirs, are a list of their own,
+ * which a session links without the others.
  */
 #include "status.h"
 
@@ -41,7 +41,6 @@ const char *invcal_status_text(invcal_status status)
                                 "the sample rate is out of range\0"
                                 "low is not below high\0"
                                 "the noise is out of range\0"
-                                "the weight is invalid\0"
                                 "the prior is invalid\0"
                                 "the field is not a length\0"
                                 "the count is out of range\0"

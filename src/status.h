@@ -7,12 +7,12 @@
 
 #include "invcal/invcal.h"
 
-/* The nth of texts in a row, each with its end mark: no table of pointers, which would need
+/* The nth of texts in a row, each terminated by zero: no table of pointers, which would need
  * relocation and so writable memory. */
 const char *invcal_text(const char *texts, unsigned n);
 
-/* Of INVCAL_OUT_OF_RANGE ... INVCAL_REST_SAME; "" for INVCAL_OK; any other gives that of a reading far from
- * the field. */
+/* Of INVCAL_OUT_OF_RANGE ... INVCAL_REST_SAME; "" for INVCAL_OK; any other status gives the
+ * sentence for a reading far from the field. */
 const char *invcal_refusal_text(invcal_status status);
 
 #endif

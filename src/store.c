@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Two slots, of which one always has sound bytes: the format and the promise are in store.h. The state of a
- * slot is read from its bytes alone, by look(), and nothing is remembered between calls: so a power cut,
- * whenever it comes, leaves nothing to repair. Each step of a save is read back before the next.
+ * Two slots, of which one always has sound bytes: the format and the guarantee are in store.h. The
+ * state of a slot is read from its bytes alone, by look(), and nothing is remembered between calls:
+ * so a power cut, whenever it comes, leaves nothing to repair. Each step of a save is read back
+ * before the next.
  */
 #include "invcal/store.h"
 
@@ -64,8 +65,8 @@ static int program_chunk(const work *w, unsigned at, unsigned count)
     return w->store->program(w->store->context, w->slot, at, w->chunk, count);
 }
 
-/* Any bit will do: they are programmed only after everything else was read back. For the same reason
- * an unreadable granule counts as a blank one. */
+/* Any bit will do: they are programmed only after everything else was read back. For the same
+ * reason an unreadable granule counts as a blank one. */
 static state confirmation(work *w, unsigned end)
 {
     const unsigned count = granularity_of(w);
@@ -148,7 +149,7 @@ static invcal_status survey(work *w, const invcal_store *store)
     return INVCAL_OK;
 }
 
-/* Reads it back: some memories ignore commands. */
+/* Erases the slot, and reads it back: some memories ignore commands. */
 static int clear(work *w)
 {
     return w->store->erase(w->store->context, w->slot) == 0 && look(w) == EMPTY;

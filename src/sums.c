@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The paper's H'H and H'J, one exact row at a time (mathematics.md, "The exact row", "Normal equations").
- * Elements are products of at most four of x, y, z, so 14 of the 45 repeat others: they are filled in only when
- * the system is solved.
+ * The paper's H'H and H'J, one exact row at a time (mathematics.md, "The exact row", "Normal
+ * equations"). Elements are products of at most four of x, y, z, so 14 of the 45 repeat others:
+ * they are filled in only when the system is solved.
  */
 #include "sums.h"
 
@@ -28,8 +28,8 @@ void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_re
     invcal_rank_one_inline(a, v, n, weight);
 }
 
-/* Elements of H'H are products of two, three or four of x, y, z; 31 of 45 are distinct: each in the first
- * column repeats the earlier one in the second. */
+/* Elements of H'H are products of two, three or four of x, y, z; 31 of 45 are distinct: each in the
+ * first column repeats the earlier one in the second. */
 enum { REPEATED = 14 };
 /* cppcheck-suppress misra-c2012-8.9 ; where speed is asked for, two functions use it */
 static const uint8_t again[REPEATED][2] = {
@@ -106,7 +106,7 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
     return status;
 }
 
-/* J comes after the row. */
+/* Only H'H has repeats; H'J and J'J come after it. */
 void invcal_sums_system(invcal_sums *sums)
 {
     INVCAL_UNROLL

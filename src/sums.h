@@ -12,8 +12,8 @@
  *
  *     (g_x x, g_y y, g_z z, (g_x y + g_y x) / 2, (g_x z + g_z x) / 2, (g_y z + g_z y) / 2)
  *
- * the derivative of J by the parameters, except for the sign, if g = A eta (mathematics.md, "Uncertainty").
- * eta = (x y z) may be g itself: then the row is that of the paper. */
+ * the derivative of J by the parameters, except for the sign, if g = A eta (mathematics.md,
+ * "Uncertainty"). eta = (x y z) may be g itself: then the row is that of the paper. */
 void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS]);
 
 static inline void invcal_products_inline(const invcal_real eta[3],
@@ -52,8 +52,8 @@ static inline invcal_real invcal_square_of(const invcal_real h[INVCAL_PARAMETERS
     return h[INVCAL_DK_X] + h[INVCAL_DK_Y] + h[INVCAL_DK_Z];
 }
 
-/* J = (|u|^2 - 1)/2 and h(u), exact for errors of any size (mathematics.md, "The exact row"). A length outside
- * 0.1 ... 10 is not a reading of this field, and neither is a NaN. */
+/* J = (|u|^2 - 1)/2 and h(u), exact for errors of any size (mathematics.md, "The exact row"). A
+ * length outside 0.1 ... 10 is not a reading of this field, and neither is a NaN. */
 static inline invcal_status invcal_observe_inline(const invcal_calibration *nominal,
                                                   const invcal_real raw[3], invcal_row *row)
 {
@@ -83,7 +83,7 @@ static INVCAL_IN_HEADER invcal_real invcal_leverage_inline(const invcal_real *in
     return sum;
 }
 
-/* These are for frequent callers: inline if optimised for speed. */
+/* For frequent callers: inline if optimised for speed. */
 #ifdef INVCAL_FAST
 #define invcal_products_often invcal_products_inline
 #define invcal_observe_often invcal_observe_inline

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Least squares for any number of unknowns: A p = -b in one packed triangle, by Cholesky (mathematics.md,
- * "Normal equations"). invcal_factor makes L, with y of the right side as one more row; invcal_back_substitute
- * turns y into p; invcal_invert makes L^-1, from which variances and leverages are sums of squares that cannot
- * become negative.
+ * Least squares for any number of unknowns: A p = -b in one packed triangle, by Cholesky
+ * (mathematics.md, "Normal equations"). invcal_factor makes L, with y of the right side as one more
+ * row; invcal_back_substitute turns y into p; invcal_invert makes L^-1, from which variances and
+ * leverages are sums of squares that cannot become negative.
  */
 #include "invcal/expert.h"
 
@@ -112,8 +112,9 @@ void invcal_back_substitute(invcal_real *l, unsigned n)
     back_substitute(l, n);
 }
 
-/* In place, row by row: L^-1(r,c) = -sum L(r,k) L^-1(k,c) / L(r,r) over k = c ... r - 1. The rows above are
- * inverted already, and in ascending order of c each L(r,c) is read for the last time when it is replaced. */
+/* In place, row by row: L^-1(r,c) = -sum L(r,k) L^-1(k,c) / L(r,r) over k = c ... r - 1. The rows
+ * above are inverted already, and in ascending order of c each L(r,c) is read for the last time
+ * when it is replaced. */
 static INVCAL_INLINE void invert(invcal_real *l, unsigned n)
 {
     invcal_real *row = l;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Tests for one kind of systematic error (mathematics_judgement.md, "Systematic errors"): three columns, one
- * for each axis, are added to the nine of a fit ("One fit for all of them"). How much of them the nine leave
- * shows whether the positions could reveal the error at all ("What cannot be tested").
+ * Tests for one kind of systematic error (mathematics_judgement.md, "Systematic errors"): three
+ * columns, one for each axis, are added to the nine of a fit ("One fit for all of them"). How much
+ * of them the nine leave shows whether the positions could reveal the error at all ("What cannot be
+ * tested").
  */
 #include "systematic.h"
 
@@ -13,8 +14,9 @@
 
 #define TURNED INVCAL_REAL(1e-3) /* over field: min change of a turned axis */
 
-/* The error of an axis with component x of the field, which was elsewhere before. Nonlinearity without the
- * offset of 3/5 and the scale error of 6/7 that absorb part of it, over all directions. */
+/* The error of an axis with component x of the field, which was elsewhere before. Nonlinearity
+ * without the offset of 3/5 and the scale error of 6/7 that absorb part of it, over all
+ * directions. */
 static invcal_real error_of(unsigned kind, invcal_real x, invcal_real before, invcal_real tau)
 {
     if (kind == INVCAL_DRIFT) {
@@ -29,8 +31,8 @@ static invcal_real error_of(unsigned kind, invcal_real x, invcal_real before, in
     return x - before > TURNED ? INVCAL_REAL(0.5) : before - x > TURNED ? -INVCAL_REAL(0.5) : 0;
 }
 
-/* An error e of an axis moves J by eta e. A position left out still counts as the one before the next:
- * hysteresis depends on how the axis was turned, whether or not that reading is used. */
+/* An error e of an axis moves J by eta e. A position left out still counts as the one before the
+ * next: hysteresis depends on how the axis was turned, whether or not that reading is used. */
 static void sum_columns(const invcal_fit *fit, unsigned kind, unsigned step,
                         invcal_column columns[INVCAL_MORE])
 {

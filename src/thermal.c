@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The calibration at a temperature: X(t) is a polynomial, and A = (I + S)^-1 follows from it in closed form
- * (mathematics.md, "Temperature"). A itself is not interpolated: it is X that is linear in temperature.
+ * The calibration at a temperature: X(t) is a polynomial, and A = (I + S)^-1 follows from it in
+ * closed form (mathematics.md, "Temperature"). A itself is not interpolated: it is X that is linear
+ * in temperature.
  */
 #include "polynomials.h"
 
@@ -60,7 +61,7 @@ invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real tempe
         status = invcal_thermal_triad(thermal, t, &c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(&thermal->nominal, &c);
+        status = invcal_compose(&thermal->nominal, &c);
     }
     if (status == INVCAL_OK) {
         *calibration = c;

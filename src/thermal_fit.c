@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Fits polynomials of temperature to positions (mathematics.md, "Temperature"). The exact row is widened to
- * h (x) (1 t t^2), and one system of 9 (degree + 1) unknowns solves for all coefficients of p. But X, not p, is
- * a polynomial: so p becomes X at the ends of the range, the readings are calibrated by that, and a second
- * solve is for the remainder, whose square is negligible. Exactly two: nothing has to converge.
+ * Fits polynomials of temperature to positions (mathematics.md, "Temperature"). The exact row is
+ * widened to h (x) (1 t t^2), and one system of 9 (degree + 1) unknowns solves for all coefficients
+ * of p. But X, not p, is a polynomial: so p becomes X at the ends of the range, the readings are
+ * calibrated by that, and a second solve is for the remainder, whose square is negligible. Exactly
+ * two: nothing has to converge.
  *
- * Order: the system; the solution, which falls back to a lower degree if slopes are open; the judgement, with
- * the steps of judge.c, at several temperatures; all in one.
+ * Order: the system; the solution, which falls back to a lower degree if slopes are open; the
+ * judgement, with the steps of judge.c, at several temperatures; all in one.
  */
 #include <stddef.h>
 #include <string.h>
@@ -64,7 +65,7 @@ invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope)
     return noise >= 0 && slope >= 0 && invcal_is_finite(limit) ? limit : 0;
 }
 
-/* ---- the system --------------------------------------------------------------------------------- */
+/* ---- the system ------------------------------------------------------------------------------ */
 
 /* The row (h, t h, t^2 h, j), and its products with itself. */
 static void add_at(job *j, unsigned n, const invcal_row *row, invcal_real weight, invcal_real t)
@@ -79,8 +80,8 @@ static void add_at(job *j, unsigned n, const invcal_row *row, invcal_real weight
     invcal_rank_one(j->a, wide, n + 1, weight);
 }
 
-/* All positions, with the current calibration: their equations, or, to judge, derivatives as in judge.c. Both
- * are weighted by the actual noise, 1 / |g|^2. */
+/* All positions, with the current calibration: their equations, or, to judge, derivatives as in
+ * judge.c. Both are weighted by the actual noise, 1 / |g|^2. */
 static invcal_status gather(job *j, unsigned n)
 {
     const invcal_thermal_positions *p = j->positions;
@@ -112,8 +113,8 @@ static invcal_status gather(job *j, unsigned n)
     return j->is_judged ? invcal_residuals_end(&j->residuals) : INVCAL_OK;
 }
 
-/* A coefficient known with a standard deviation is one more row, (noise / sigma) x = 0: it is 0 at the
- * base, and p is -x against the current calibration. */
+/* A coefficient known with a standard deviation is one more row, (noise / sigma) x = 0: it is 0 at
+ * the base, and p is -x against the current calibration. */
 static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
 {
     const invcal_real *now = &j->now.x[0][0];
@@ -155,9 +156,10 @@ static invcal_status solve_to(job *j, unsigned n)
     return status;
 }
 
-/* ---- the solution --------------------------------------------------------------------------------- */
+/* ---- the solution ---------------------------------------------------------------------------- */
 
-/* Number of coefficients, from this one on, that neither a prior nor, once solved, the positions hold. */
+/* Number of coefficients, from this one on, that neither a prior nor, once solved, the positions
+ * hold. */
 static unsigned count_open(const job *j, unsigned from, unsigned n, int is_solved)
 {
     unsigned count = 0;
@@ -190,7 +192,7 @@ static invcal_thermal_fallback try_degree(job *j, unsigned degree, invcal_status
     if (*status != INVCAL_UNDETERMINED) {
         return INVCAL_THERMAL_AS_ASKED;
     }
-    j->noise = noise; /* not raised in vain */
+    j->noise = noise; /* as before the attempt */
     return INVCAL_THERMAL_OPEN;
 }
 
@@ -225,7 +227,7 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
         status = invcal_thermal_triad(&j->now, t, &first);
     }
     if (status == INVCAL_OK) {
-        status = invcal_behind(&first, &c);
+        status = invcal_compose(&first, &c);
     }
     if (status != INVCAL_OK) {
         return status;
@@ -284,7 +286,7 @@ static invcal_status improve(job *j, unsigned degree)
         return status;
     }
     //@ split now->fitted;
-    const int is_new = now->fitted >= now->degree; /* else slopes are kept, and where they hold */
+    const int is_new = now->fitted >= now->degree; /* else slopes and their range are kept */
     now->min = is_new || j->min < now->min ? j->min : now->min;
     now->max = is_new || j->max > now->max ? j->max : now->max;
     now->degree = is_new ? now->fitted : now->degree;
@@ -294,7 +296,7 @@ static invcal_status improve(job *j, unsigned degree)
                : status;
 }
 
-/* ---- the judgement -------------------------------------------------------------------------------- */
+/* ---- the judgement --------------------------------------------------------------------------- */
 
 /* The noise of the data, and L^-1 with it. A coefficient supplied by a prior is not an unknown. */
 static invcal_status weigh(job *j)
@@ -366,8 +368,8 @@ static invcal_status judge_at(job *j, invcal_real temperature)
     return INVCAL_OK;
 }
 
-/* At several temperatures: weak at one is weak. Without slopes over a range that needs them everything is
- * weak, since slopes pass for other errors, and the residuals may not show it. */
+/* At several temperatures: weak at one is weak. Without slopes over a range that needs them
+ * everything is weak, since slopes pass for other errors, and the residuals may not show it. */
 static invcal_status judge_range(job *j, const invcal_real *temperature, unsigned count,
                                  invcal_quality *quality)
 {
@@ -388,7 +390,7 @@ static invcal_status judge_range(job *j, const invcal_real *temperature, unsigne
     return status;
 }
 
-/* ---- all in one ----------------------------------------------------------------------------------- */
+/* ---- all in one ------------------------------------------------------------------------------ */
 
 static invcal_status find_range(const invcal_real *temperature, unsigned count, invcal_real *min,
                                 invcal_real *max)
@@ -405,7 +407,7 @@ static invcal_status find_range(const invcal_real *temperature, unsigned count, 
 }
 
 /* What is known beforehand, over the span. */
-static invcal_status hold(job *j, const invcal_thermal_prior *prior)
+static invcal_status set_prior(job *j, const invcal_thermal_prior *prior)
 {
     invcal_real power = 1;
 
@@ -445,11 +447,11 @@ static invcal_status set_up(job *j, const invcal_thermal_positions *positions,
                                 !(INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST))) {
         return INVCAL_BAD_TEMPERATURE;
     }
-    return status == INVCAL_OK && prior != NULL ? hold(j, prior) : status;
+    return status == INVCAL_OK && prior != NULL ? set_prior(j, prior) : status;
 }
 
-/* Exactly two solves, and their quality. If the data are noisier than stated, a prior has more weight:
- * again with their noise. Readings that pass the first pass may be absurd after it. */
+/* Exactly two solves, and their quality. If the data are noisier than stated, a prior has more
+ * weight: again with their noise. Readings that pass the first pass may be absurd after it. */
 static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_quality *quality)
 {
     j->now.fallback = INVCAL_THERMAL_AS_ASKED;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Encodes and decodes a calibration of temperature: the record of that at the reference (record.c), complete
- * with its own CRC, then the polynomials. The two must agree. Only lengths are compared, since the frame of the
- * record may have been turned.
+ * Encodes and decodes a calibration over temperature: the record of the one at the reference
+ * (record.c), complete with its own CRC, then the polynomials. The two must agree. Only lengths are
+ * compared, since the frame of the record may have been turned.
  */
 #include <stddef.h>
 
@@ -13,7 +13,7 @@
 
 #define AGREED INVCAL_REAL(1e-4) /* over field: max difference of two calibrations */
 
-enum { RECORD_AT = 4, BEHIND_RECORD = RECORD_AT + INVCAL_RECORD_SIZE, REALS_BEHIND = 4 };
+enum { RECORD_AT = 4, AFTER_RECORD = RECORD_AT + INVCAL_RECORD_SIZE, REALS_AFTER = 4 };
 enum { BEFORE_X = 16 }; /* reals */
 
 /* The reals come first in the structure, too, and in the same order. */
@@ -26,7 +26,8 @@ static unsigned count_reals(unsigned degree)
     return BEFORE_X + (degree + 1) * INVCAL_PARAMETERS;
 }
 
-/* Element (j, k) of M'M: with the offset it gives all lengths, for any rotation of the calibration. */
+/* Element (j, k) of M'M: with the offset it gives all lengths, for any rotation of the
+ * calibration. */
 static invcal_real gram(const invcal_calibration *c, unsigned j, unsigned k)
 {
     return c->matrix[0][j] * c->matrix[0][k] + c->matrix[1][j] * c->matrix[1][k] +
@@ -74,21 +75,20 @@ invcal_status invcal_thermal_check_length(const uint8_t *bytes, unsigned at)
 {
     const unsigned length = invcal_get_u16(bytes + 2);
 
-    if (length <= at ||
-        length != at + REALS_BEHIND + 4 * count_reals(bytes[at]) + INVCAL_CRC_SIZE) {
+    if (length <= at || length != at + REALS_AFTER + 4 * count_reals(bytes[at]) + INVCAL_CRC_SIZE) {
         return INVCAL_DAMAGED;
     }
     return bytes[at] <= INVCAL_THERMAL_DEGREE ? INVCAL_OK : INVCAL_OTHER_VERSION;
 }
 
-invcal_status invcal_thermal_read(const uint8_t *behind, invcal_thermal_record *r)
+invcal_status invcal_thermal_read(const uint8_t *tail, invcal_thermal_record *r)
 {
     invcal_zero(&r->thermal, sizeof r->thermal);
-    r->thermal.degree = behind[0];
-    r->thermal.fitted = behind[1];
-    r->thermal.fallback = behind[2];
-    r->is_triangular = behind[3];
-    return invcal_get_reals(behind + REALS_BEHIND, &r->thermal, count_reals(behind[0]))
+    r->thermal.degree = tail[0];
+    r->thermal.fitted = tail[1];
+    r->thermal.fallback = tail[2];
+    r->is_triangular = tail[3];
+    return invcal_get_reals(tail + REALS_AFTER, &r->thermal, count_reals(tail[0]))
                ? INVCAL_OK
                : INVCAL_NOT_FINITE;
 }
@@ -98,13 +98,13 @@ static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_th
 {
     invcal_status status = invcal_unseal(bytes, size, INVCAL_THERMAL_KIND);
     if (status == INVCAL_OK) {
-        status = invcal_thermal_check_length(bytes, BEHIND_RECORD);
+        status = invcal_thermal_check_length(bytes, AFTER_RECORD);
     }
     if (status == INVCAL_OK) {
         status = invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE, &r->record);
     }
     if (status == INVCAL_OK) {
-        status = invcal_thermal_read(bytes + BEHIND_RECORD, r);
+        status = invcal_thermal_read(bytes + AFTER_RECORD, r);
     }
     return status == INVCAL_OK ? invcal_thermal_check(r) : status;
 }
@@ -141,7 +141,7 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
         return status;
     }
     const unsigned length = INVCAL_THERMAL_RECORD_BYTES(t->degree);
-    uint8_t *at = invcal_put_two(bytes + BEHIND_RECORD, t->degree | (unsigned)t->fitted << 8,
+    uint8_t *at = invcal_put_two(bytes + AFTER_RECORD, t->degree | (unsigned)t->fitted << 8,
                                  t->fallback | (unsigned)record->is_triangular << 8);
     (void)invcal_put_reals(at, t, count_reals(t->degree));
     invcal_seal(bytes, INVCAL_THERMAL_KIND, length);

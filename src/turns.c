@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * Plans turns of a gyroscope: what turns made or planned determine, and which one adds most
- * (mathematics_imu.md, "What a program determines"). Equations are those of imu.c. For a steady turn about one
- * axis the integral S has a closed form, so a turn can be judged before it is made. All sums are over the
- * variance of a position mean.
+ * (mathematics_imu.md, "What a program determines"). Equations are those of imu.c. For a steady
+ * turn about one axis the integral S has a closed form, so a turn can be judged before it is made.
+ * All sums are over the variance of a position mean.
  */
 #include <stddef.h>
 #include <string.h>
@@ -41,7 +41,7 @@ typedef struct {
     invcal_real up[3]; /* after it */
 } turn_rows;
 
-/* ---- directions and angles ---------------------------------------------------------------------- */
+/* ---- directions and angles ------------------------------------------------------------------- */
 
 static void scale(invcal_real v[3], invcal_real times)
 {
@@ -50,8 +50,9 @@ static void scale(invcal_real v[3], invcal_real times)
     }
 }
 
-/* The angle, 0 to 180 degrees, by two corrections of a guess. The error of the guess has a small sine x, and
- * x + x^3/6 is the angle up to its fifth power: 19 degrees become 0.02, and these become 0. */
+/* The angle, 0 to 180 degrees, by two corrections of a guess. The error of the guess has a small
+ * sine x, and x + x^3/6 is the angle up to its fifth power: 19 degrees become 0.02, and these
+ * become 0. */
 static invcal_real angle_of(invcal_real cosine, invcal_real sine)
 {
     invcal_real degrees = QUARTER * (1 - cosine);
@@ -92,8 +93,8 @@ invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3],
 
 invcal_status invcal_tour(unsigned i, invcal_turn *out)
 {
-    /* faces: x up and down, y up and down, z up and down. Each of the twelve edges between them once,
-     * and back; then full turns about x and y, and, after a quarter turn, about z */
+    /* faces: x up and down, y up and down, z up and down. Each of the twelve edges between them
+     * once, and back; then full turns about x and y, and, after a quarter turn, about z */
     static const uint8_t tour[INVCAL_TOUR_FULL + 1] = {4, 0, 2, 4, 1, 2, 5, 0, 3,
                                                        5, 1, 3, 4, 4, 4, 2, 2};
     invcal_real from[3] = {0, 0, 0};
@@ -117,10 +118,10 @@ invcal_status invcal_tour(unsigned i, invcal_turn *out)
     return INVCAL_OK;
 }
 
-/* ---- the information in a turn ------------------------------------------------------------------ */
+/* ---- the information in a turn --------------------------------------------------------------- */
 
-/* The variance of each of the two angles of a turn, over that of a position mean: as in add_move of imu.c, with
- * a time in proportion to the angle, but at least that of a quarter turn. */
+/* The variance of each of the two angles of a turn, over that of a position mean: as in add_move of
+ * imu.c, with a time in proportion to the angle, but at least that of a quarter turn. */
 static invcal_real variance_of(const invcal_turns *turns, invcal_real degrees)
 {
     const invcal_real quarters = INVCAL_FABS(degrees) / QUARTER;
@@ -130,8 +131,8 @@ static invcal_real variance_of(const invcal_turns *turns, invcal_real degrees)
 }
 
 /* C' v, with C the rotation about n: cos v + (1 - cos) (n'v) n - sin n x v. */
-static void way_back(const invcal_real n[3], invcal_real cosine, invcal_real sine,
-                     const invcal_real v[3], invcal_real out[3])
+static void rotate_back(const invcal_real n[3], invcal_real cosine, invcal_real sine,
+                        const invcal_real v[3], invcal_real out[3])
 {
     invcal_real across[3];
     const invcal_real along = (1 - cosine) * invcal_dot3(n, v);
@@ -166,8 +167,8 @@ static void make_rest_row(invcal_real h[TURNS_ALL], const invcal_real up[3])
 
 /* The rows of imu.c for a turn exactly about one axis n: then S = J th n', with
  * J th = sin + (th - sin) n n' + (1 - cos) [n x]. */
-INVCAL_APART static void make_turn_rows(const invcal_turns *turns, const invcal_turn *turn,
-                                        turn_rows *out)
+INVCAL_NOINLINE static void make_turn_rows(const invcal_turns *turns, const invcal_turn *turn,
+                                           turn_rows *out)
 {
     const invcal_real *n = turn->axis;
     const invcal_real angle = turn->degrees * RADIANS;
@@ -178,7 +179,7 @@ INVCAL_APART static void make_turn_rows(const invcal_turns *turns, const invcal_
     invcal_real g[INVCAL_PARAMETERS];
 
     invcal_circle(turn->degrees, &cosine, &sine);
-    way_back(n, cosine, sine, turns->up, out->up);
+    rotate_back(n, cosine, sine, turns->up, out->up);
     find_across(turns->up, across);
     for (unsigned k = 0; k < 2; k++) {
         const invcal_real *b = across[k];
@@ -192,7 +193,7 @@ INVCAL_APART static void make_turn_rows(const invcal_turns *turns, const invcal_
             }
         }
         invcal_cross(turns->up, b, g);
-        way_back(n, cosine, sine, g, &h[TURNS_GYRO]);
+        rotate_back(n, cosine, sine, g, &h[TURNS_GYRO]);
         invcal_products(out->up, &h[TURNS_GYRO]);
         scale(g, -1);
         invcal_products(turns->up, g);
@@ -234,7 +235,7 @@ invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
     return status;
 }
 
-/* ---- beginnings --------------------------------------------------------------------------------- */
+/* ---- beginnings ------------------------------------------------------------------------------ */
 
 static void begin_turns(invcal_turns *turns, const invcal_imu_settings *s)
 {
@@ -303,7 +304,7 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
     return status;
 }
 
-/* ---- merit and sigma ---------------------------------------------------------------------------- */
+/* ---- merit and sigma ------------------------------------------------------------------------- */
 
 /* Turns the sums, plus a vague prior of each parameter, into L^-1. */
 static invcal_status invert_sums(invcal_real *a, unsigned n, invcal_real vague, invcal_real floor)
@@ -318,7 +319,8 @@ static invcal_status invert_sums(invcal_real *a, unsigned n, invcal_real vague, 
     return status;
 }
 
-/* det(A + H'H) / det A = det(I + Y Y'), Y' = L^-1 H': three rows need a 3x3 determinant only. rows is lost. */
+/* det(A + H'H) / det A = det(I + Y Y'), Y' = L^-1 H': three rows need a 3x3 determinant only. rows
+ * is lost. */
 static invcal_real merit_of(const invcal_real *inverse, unsigned n, turn_rows *rows)
 {
     invcal_real gram[INVCAL_PACKED_SIZE(TURN_ROWS)];

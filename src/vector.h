@@ -10,8 +10,8 @@
 
 #include "invcal/invcal.h"
 
-/* Short loops of known length are unrolled if the compiler optimises for speed, none if it optimises
- * for size. */
+/* Short loops of known length are unrolled if the compiler optimises for speed, none if it
+ * optimises for size. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
 #define INVCAL_FAST
 #define INVCAL_UNROLL _Pragma("GCC unroll 64")
@@ -23,19 +23,19 @@
 #define INVCAL_UNROLL
 #define INVCAL_UNROLL_ROWS
 #define INVCAL_INLINE
-#define INVCAL_OFTEN INVCAL_APART
+#define INVCAL_OFTEN INVCAL_NOINLINE
 #define INVCAL_IN_HEADER inline
 #endif
 
-/* Not inline: for a function whose frame should not lie under its caller's other callees, or that takes
- * less code as a call. */
+/* Not inline: for a function whose frame should not lie under its caller's other callees, or that
+ * takes less code as a call. */
 #ifdef __GNUC__
-#define INVCAL_APART __attribute__((noinline))
+#define INVCAL_NOINLINE __attribute__((noinline))
 #else
-#define INVCAL_APART
+#define INVCAL_NOINLINE
 #endif
 
-/* Zeros. Not by memset if optimised for size: newlib's takes 160 bytes. */
+/* Sets bytes to 0. Not by memset if optimised for size: newlib's takes 160 bytes. */
 void invcal_zero_bytes(void *object, size_t size);
 #if defined(INVCAL_FAST) || defined(__FRAMAC__)
 #define invcal_zero(object, size) ((void)memset(object, 0, size))
@@ -45,7 +45,7 @@ void invcal_zero_bytes(void *object, size_t size);
 
 #define INVCAL_NORMAL INVCAL_REAL(1.959964) /* sigma to 95 %, if the noise is known */
 
-/* Of a count below 2^31: signed, as raw counts are, so that one conversion serves all. */
+/* Converts a count below 2^31: as signed, as raw counts are, so that one conversion serves all. */
 static inline invcal_real invcal_number(unsigned n)
 {
     return (invcal_real)(int32_t)n;
@@ -62,7 +62,7 @@ static inline int invcal_is_positive(invcal_real x)
     return x > 0 && x <= INVCAL_REAL_MAX;
 }
 
-/* a b of n >= 1 elements, inline if optimised for speed. */
+/* The dot product of n >= 1 elements, inline if optimised for speed. */
 #ifdef INVCAL_FAST
 static INVCAL_INLINE invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {
@@ -96,7 +96,7 @@ static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real 
     return invcal_dot(a, b, 3);
 }
 
-/* Are all three? Times 0, a number that is not finite gives NaN, and so does the sum. */
+/* Are all three finite? Times 0, a number that is not finite gives NaN, and so does the sum. */
 static inline int invcal_are_finite(const invcal_real v[3])
 {
     return v[0] * 0 + v[1] * 0 + v[2] * 0 >= 0;

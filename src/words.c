@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * A direction in words, computed in integers: no printf, no acos. The axis closest to up is named first; each
- * other one that is more than 6 degrees above or below the horizon is named as rising, with its sign.
+ * A direction in words, computed in integers: no printf, no acos. The axis closest to up is named
+ * first; each other one that is more than 6 degrees above or below the horizon is named as rising,
+ * with its sign.
  */
 #include "invcal/invcal.h"
 #include "vector.h"
@@ -24,8 +25,8 @@ static unsigned tilt(unsigned less)
     return n + 1;
 }
 
-/* Writes text number n: before the first, second, third axis; after the third, second, first. # is the
- * tilt, as a multiple of 5 degrees. */
+/* Writes text number n: before the first, second, third axis; after the third, second, first. # is
+ * the tilt, as a multiple of 5 degrees. */
 static char *put(char *at, unsigned n, unsigned fives)
 {
     static const char texts[] = "\0 up, tilt # deg, \0 and \0 rise\0 rises\0 up\0";

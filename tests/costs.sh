@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# What README.md and the manual say of costs, from what `make bench` and `make size` have measured in folder $1: to
-# 1 %, as the linker's order moves single instructions. Says which line differs; ends with `N passed, N failed`.
-# UPDATE=1: writes them again.
+# What README.md, the manual and the headers say of costs, from what `make bench` and `make size` have measured in
+# folder $1: the pages to 1 %, as the linker's order moves single instructions, the headers as promises.awk says.
+# Says which line differs; ends with `N passed, N failed`. UPDATE=1: writes the pages again.
 build=$1
 cd "$(dirname "$0")/.." || exit 1
 page=port/manual/targets.md
@@ -83,6 +83,40 @@ head='Cortex-M4F, '
 expect "$head" "$head$(figure m4f flash.product)"
 expect '| invcal, the core |' \
     "| invcal, the core | 9 | $(figure m4f 18_positions_and_solve) | $(figure m4f flash.core) | $(figure m4f memory.core) | 0 |"
+
+# Functions of the headers, and what `make bench` calls their instructions.
+cat > "$build/promised" << 'END'
+invcal_apply apply
+invcal_calibrate 18_positions_and_everything
+invcal_calibrate_judged judged_18_positions
+invcal_calibrate_six_faces six_faces
+invcal_session_feed feed_1000_Hz
+invcal_session_next next_orientation
+invcal_session_solve session_solve
+invcal_full_vector_add full_vector_add
+invcal_full_vector_solve full_vector_solve
+invcal_frame_add frame_add
+invcal_frame_solve frame_solve
+invcal_moves_feed gyro_feed
+invcal_imu_solve imu_pass
+invcal_turns_add turns_add
+invcal_turns_next turns_next
+invcal_turns_sigma turns_sigma
+invcal_magnetometer_feed magnetometer_sample
+invcal_magnetometer_solve magnetometer_solve
+invcal_dip_add dip_add
+invcal_dip_solve dip_solve
+invcal_thermal_at thermal_at
+invcal_thermal_calibrate 36_positions_thermal
+END
+awk -f tests/size/promises.awk "$build/promised" "$build/bench/m4f.figures" "$build/size/cortex-m-m4f/measured" \
+    include/invcal/*.h > "$build/promises"
+read -r kept _ broken _ << END
+$(tail -n 1 "$build/promises")
+END
+sed '$d' "$build/promises"
+passed=$((passed + kept))
+failed=$((failed + broken))
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

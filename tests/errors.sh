@@ -68,6 +68,13 @@ type thermal.h invcal_thermal_fallback invcal_thermal_fallback_text
 type thermal.h invcal_thermal_place
 type allan.h invcal_dwell_end
 
+# A status that nothing gives would only mislead.
+while read -r name; do
+    grep -rqw "$name" src port/host || echo "$name"
+done < "$out/invcal_status.names" > "$out/unused"
+! grep . "$out/unused"
+result $? "the library or the tool gives every invcal_status"
+
 # Whatever else the page names is there, and so is every exit code.
 grep -oE '\b(INVCAL|invcal)_[A-Za-z_]+' "$page" | sort -u > "$out/named"
 cat include/invcal/*.h | grep -oE '\b(INVCAL|invcal)_[A-Za-z_]+' | sort -u > "$out/known"

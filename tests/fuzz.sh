@@ -4,7 +4,7 @@
 # sh tests/fuzz.sh BUILD SECONDS [NAME...]
 # Runs the fuzzers tests/fuzz/NAME.c, or all of them, for so many seconds each, two at a time, from
 # the seeds in tests/fuzz/seeds/NAME. Prints a line for each, and at the end `N passed, N failed`.
-# A fuzzer passes if it has found nothing and tried as many inputs as its file says. What it has
+# A fuzzer passes if it has found nothing and tried them as fast as its file says. What it has
 # found stands in BUILD/fuzz/NAME/found-*; what it has learned, in BUILD/fuzz/NAME/corpus, is the
 # beginning of the next run only with KEEP=1. DOUBLE=1: the library's fuzzers in double.
 out=$1/fuzz${DOUBLE:+-double}
@@ -18,7 +18,7 @@ esac
 cd "$(dirname "$0")/.." || exit 1
 mkdir -p "$out"
 # shellcheck disable=SC2046 # names without blanks
-[ $# -gt 0 ] || set -- $(grep -l 'fuzz: at least' tests/fuzz/*.c | sed 's|.*/||; s|\.c$||')
+[ $# -gt 0 ] || set -- $(grep -l 'fuzz: more than' tests/fuzz/*.c | sed 's|.*/||; s|\.c$||')
 
 if ! make -s -j2 -f tests/fuzz/fuzz.mk OUT="$out" NAMES="$*" DOUBLE="${DOUBLE:-0}" > "$out/make.log" 2>&1; then
     cat "$out/make.log"

@@ -76,7 +76,7 @@ plant nan src/sums.h 's/(square >= \(.*\) && square <= \(.*\)) {/(!(square < \1 
     'float-sums: .* [1-9][0-9]* failed' unit sums
 plant constant port/host/fit/gravity.c 's/9\.7803253359/9.7803253459/' \
     'tool-gravity: .* [1-9][0-9]* failed' unit gravity
-plant event src/rests.c 's/say(s, INVCAL_REST_FROZEN/say(s, INVCAL_REST_SHORT/' \
+plant event src/rests.c 's/report(s, INVCAL_REST_FROZEN/report(s, INVCAL_REST_SHORT/' \
     'float-(faults|rests): .* [1-9][0-9]* failed' unit 'faults|rests'
 plant mirrored src/full_vector.c 's/work) > LEAST_DET)) {/work) > -9)) {/' \
     'float-full_vector: .* [1-9][0-9]* failed' unit full_vector
@@ -84,7 +84,7 @@ plant dropped src/magnetometer.c 's/if (!(excess <= 0))/if (excess <= 0)/' \
     'float-magnetometer: .* [1-9][0-9]* failed' unit 'float-magnetometer'
 plant dip src/dip.c 's/(dip->count - DIP_UNKNOWNS)/(dip->count + DIP_UNKNOWNS)/' \
     'float-dip: .* [1-9][0-9]* failed' unit 'float-dip'
-plant waved port/host/read/waved.c 's/v\[2\] \* v\[2\]) - 1;/v[2] * v[2]) - 1.1;/' \
+plant waved port/host/read/magnetometer_log.c 's/v\[2\] \* v\[2\]) - 1;/v[2] * v[2]) - 1.1;/' \
     'magnetometer: by how much samples differ: FAIL' unit '^magnetometer$'
 plant move src/moves.c 's/(rho\[i\] - th\[i\]) \/ 12/(th[i] - rho[i]) \/ 12/' \
     'float-moves: .* [1-9][0-9]* failed' unit 'float-moves$'
@@ -193,6 +193,8 @@ plant time src/sums.h 's/^        const invcal_real weighted = /        for (vol
     'FAIL' m4f bench
 plant costs port/manual/targets.md 's/^\(| a sample of one axis into .allan\.h. | [0-9,]* | [0-9]*\)/\11/' \
     'targets.md should say' sh tests/costs.sh "$build"
+plant promise include/invcal/invcal.h 's/Stack: about 1[0-9]0 bytes/Stack: about 100 bytes/' \
+    'invcal_session_feed: stack: the header says 100' sh tests/costs.sh "$build"
 plant bits src/sums.h 's/weight \* v\[r\]/& * (sizeof(void *) == 4 ? 1 + INVCAL_EPSILON : 1)/' \
     'differs' m4f targets
 plant firmware port/cortex-m/firmware/main.c '/^static int digest/,/^}/s/event != INVCAL_TAKEN/event != INVCAL_READY/' \

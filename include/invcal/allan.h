@@ -19,21 +19,21 @@
  *     adev^2 = < (x(i) - 2 x(i - m) + x(i - 2m))^2 > / (2 m^2),      x the running total,
  *
  * half the mean square step from the mean of m samples to that of the next m (NIST SP 1065, section
- * 5.2.4: the overlapping estimator). Memory is fixed: windows begin at every 2^t-th sample, with the
- * smallest t for which m <= 2^t INVCAL_ALLAN_OVERLAP. So those of INVCAL_ALLAN_OVERLAP samples or less
- * begin at every sample, and longer octaves overlap INVCAL_ALLAN_OVERLAP times: 4 times give 93 % of
- * the max degrees of freedom for white noise.
+ * 5.2.4: the overlapping estimator). Memory is fixed: windows begin at every 2^t-th sample, with
+ * the smallest t for which m <= 2^t INVCAL_ALLAN_OVERLAP. So those of INVCAL_ALLAN_OVERLAP samples
+ * or less begin at every sample, and longer octaves overlap INVCAL_ALLAN_OVERLAP times: 4 times
+ * give 93 % of the max degrees of freedom for white noise.
  *
  * Sums are exact integers; only invcal_allan_get rounds. The length of a stream is not limited:
  *
- *     a square sum   holds 2^(128 - 2b) m^-2 differences of readings that change by b bits: 2^48 of
- *                    24 bits at m = 65536. An overflow is detected, and reported as INVCAL_NO_SPACE;
- *     count          of differences ends at 2^32 - 1, 49 days at 1 kHz. A tau then stays as it is;
- *     2^32 samples   act as a gap.
+ *     squares        their sum holds 2^(128 - 2b) m^-2 differences of readings that change by b
+ *                    bits: 2^48 of 24 bits at m = 65536. An overflow is detected: INVCAL_NO_SPACE;
+ *     differences    their count ends at 2^32 - 1, 49 days at 1 kHz: that tau then stays as it is;
+ *     samples        2^32 of them act as a gap.
  *
- * Feed samples at rest only. A filter in the sensor makes averaging times up to its time constant look
- * better than they are: begin the list above it. If noise is below one count, the short ones show
- * rounding (slope -1 instead of -1/2).
+ * Feed samples at rest only. A filter in the sensor makes averaging times up to its time constant
+ * look better than they are: begin the list above it. If noise is below one count, the short ones
+ * show rounding (slope -1 instead of -1/2).
  */
 #ifndef INVCAL_ALLAN_H
 #define INVCAL_ALLAN_H
@@ -44,7 +44,7 @@
 extern "C" {
 #endif
 
-/* ---- build options, in plain digits: see invcal.h --------------------------------------------- */
+/* ---- build options, in plain digits: see invcal.h -------------------------------------------- */
 
 /* Max averaging times; each takes 24 + 16 INVCAL_ALLAN_OVERLAP bytes of an axis. */
 #ifndef INVCAL_ALLAN_TAUS
@@ -72,7 +72,7 @@ extern "C" {
 #define invcal_allan_init INVCAL_ALLAN_CHOSEN(invcal_allan_init)
 #define invcal_allan_begin INVCAL_ALLAN_CHOSEN(invcal_allan_begin)
 
-/* ---- samples in, Allan deviations out ----------------------------------------------------------- */
+/* ---- samples in, Allan deviations out -------------------------------------------------------- */
 
 #define INVCAL_ALLAN_LONGEST (UINT32_C(1) << 30) /* samples: differences then fit 63 bits */
 
@@ -98,22 +98,22 @@ void invcal_allan_init(invcal_allan *allan);
 
 /* Begins a stream with averaging times of your own.
  *
- * m      in samples, ascending, 1 ... INVCAL_ALLAN_LONGEST. One above INVCAL_ALLAN_OVERLAP must be a
- *        multiple of its 2^t: INVCAL_ALLAN_OVERLAP / 2 to INVCAL_ALLAN_OVERLAP of them.
+ * m      in samples, ascending, 1 ... INVCAL_ALLAN_LONGEST. One above INVCAL_ALLAN_OVERLAP must be
+ *        a multiple of its 2^t: INVCAL_ALLAN_OVERLAP / 2 to INVCAL_ALLAN_OVERLAP of them.
  * count  how many, 1 ... INVCAL_ALLAN_TAUS.
  *
  * Returns INVCAL_OK; INVCAL_BAD_TAU for any other list. */
 invcal_status invcal_allan_begin(invcal_allan *allan, const uint32_t *m, unsigned count);
 
 /* Uses adjacent windows from now on (NIST SP 1065, 5.2.2), to compare with published figures;
- * overlapping ones give more degrees of freedom. Divides 32 bits for each difference. */
+ * overlapping ones give more degrees of freedom. Costs a 32-bit division for each difference. */
 void invcal_allan_apart(invcal_allan *allan);
 
 /* Feeds one sample, of any value.
  *
  * Cost: a 64-bit difference, its square and a 128-bit addition for each averaging time up to
- * INVCAL_ALLAN_OVERLAP; at every 2^t-th sample another one for each that has this t. For 16 octaves:
- * 4 on average, 16 at most; 350 and 1300 instructions on a Cortex-M4, 800 and 2900 on a
+ * INVCAL_ALLAN_OVERLAP; at every 2^t-th sample another one for each that has this t. For 16
+ * octaves: 4 on average, 16 at most; 350 and 1300 instructions on a Cortex-M4, 800 and 2900 on a
  * Cortex-M0+, 5700 and 17000 cycles on an ATmega. */
 void invcal_allan_push(invcal_allan *allan, int32_t raw);
 
@@ -138,19 +138,19 @@ typedef struct {
  *
  *     edf = (3 (n - 1) / (2 m') - 2 (n - 2) / n) 4 m'^2 / (4 m'^2 + 5),    m' = m / 2^t
  *
- * Within 3 % of the exact figure for edf > 10, 10 % below. For flicker noise it is 1.2 times smaller,
- * for a random walk 1.5 times. Gaps cost differences, and so edf.
+ * Within 3 % of the exact figure for edf > 10, 10 % below. For flicker noise it is 1.2 times
+ * smaller, for a random walk 1.5 times. Gaps cost differences, and so edf.
  *
  * Returns INVCAL_OK; INVCAL_BAD_TAU if there is no such index; INVCAL_TOO_FEW if fewer than two
  * windows are full; INVCAL_NO_SPACE if the squares do not fit 128 bits. */
 invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal_allan_point *out);
 
-/* ---- the noise model -------------------------------------------------------------------------
+/* ---- the noise model ----------------------------------------------------------------------------
  *
  *     adev^2(tau) = N^2 / tau + (2 ln 2 / pi) B^2 + K^2 tau / 3         (IEEE Std 952, annex C)
  *
- * tau in s, N in counts/sqrt(Hz), B in counts, K in counts sqrt(Hz). Divided by the counts per g and
- * times 1e6, they are ug/sqrt(Hz), ug, ug sqrt(Hz); N in m/s^2/sqrt(Hz) times 60 is a velocity
+ * tau in s, N in counts/sqrt(Hz), B in counts, K in counts sqrt(Hz). Divided by the counts per g
+ * and times 1e6, they are ug/sqrt(Hz), ug, ug sqrt(Hz); N in m/s^2/sqrt(Hz) times 60 is a velocity
  * random walk in m/s/sqrt(h). One-sided densities: 2 N^2 white, B^2 / (pi f) flicker. */
 enum {
     INVCAL_NOISE_WHITE,       /* N: slope -1/2 */
@@ -176,16 +176,16 @@ typedef struct {
  *
  * rate  samples per second.
  *
- * Least squares of adev^2 over the model, each with a relative variance of 2 / edf, plus (5 %)^2 for
- * the model itself. Takes the best of the seven sets of kinds without a negative coefficient; then
- * drops kinds below 3 sigma, one by one, unless nothing else explains the curve. relative assumes
- * independent averaging times; for B and K, which correlate them, it is doubled. Simulated records
- * scatter by 0.3 to 1.1 of it.
+ * Least squares of adev^2 over the model, each with a relative variance of 2 / edf, plus (5 %)^2
+ * for the model itself. Takes the best of the seven sets of kinds without a negative coefficient;
+ * then drops kinds below 3 sigma, one by one, unless nothing else explains the curve. relative
+ * assumes independent averaging times; for B and K, which correlate them, it is doubled. Simulated
+ * records scatter by 0.3 to 1.1 of it.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RATE unless rate is positive, and the results fit the number type;
  * INVCAL_TOO_FEW if no kind is visible: go on sampling, 20 samples show white noise. Constant
  * readings show none.
- * Cost: 50,000 instructions for 16 octaves. Stack: about 650 bytes. */
+ * Cost: 50,000 instructions for 16 octaves. Stack: about 600 bytes. */
 invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_noise *noise);
 
 /* adev(tau) of the model, counts; tau > 0 in s, else NaN or infinity. */

@@ -4,8 +4,8 @@
  *
  *     raw samples -> rests -> row -> sums -> solve -> judge
  *
- * Only what you call is linked. invcal.h states the rules and units. A program and a library with different
- * build options do not link.
+ * Only what you call is linked. invcal.h states the rules and units. A program and a library with
+ * different build options do not link.
  */
 #ifndef INVCAL_EXPERT_H
 #define INVCAL_EXPERT_H
@@ -22,7 +22,7 @@ extern "C" {
 #define invcal_calibrate_six_faces INVCAL_CHOSEN(invcal_calibrate_six_faces, INVCAL_MAX_POSITIONS)
 #define invcal_background_init INVCAL_CHOSEN(invcal_background_init, INVCAL_MAX_POSITIONS)
 
-/* ---- one position, one equation ----------------------------------------------------------------
+/* ---- one position, one equation -----------------------------------------------------------------
  *
  * Every equation reads J + h p = 0 with the row of the paper
  *
@@ -44,13 +44,13 @@ typedef struct {
 invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_real raw[3],
                              invcal_row *row);
 
-/* ---- the normal equations, position by position ------------------------------------------------
+/* ---- the normal equations, position by position -------------------------------------------------
  *
  * The sums H'H, H'J, J'J of all rows: their size does not depend on the number of positions, and
  * their order matters only to rounding. Every element of h h' is a product of two, three or four
  * of x, y, z; 31 of the 45 are distinct. */
 
-/* Index of (r, c), c <= r, of a symmetric matrix of n rows, stored as lower triangle by rows. */
+/* Index of (r, c), c <= r, in a symmetric matrix, stored as its lower triangle by rows. */
 #define INVCAL_PACKED(r, c) ((r) * ((r) + 1u) / 2u + (c))
 /* Number of elements. */
 #define INVCAL_PACKED_SIZE(n) ((n) * ((n) + 1u) / 2u)
@@ -89,7 +89,7 @@ void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real w
  * No iteration that could fail to converge.
  *
  * sums     are overwritten: copy them if more positions will follow.
- * nominal  the one they were added with; may be out.
+ * nominal  the one they were added with; may equal out.
  *
  * Does not judge: INVCAL_OK means solvable, invcal_calibrate says how good. A system determined by
  * little more than rounding may pass as solvable.
@@ -97,20 +97,19 @@ void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real w
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        fewer than nine positions;
  *   INVCAL_UNDETERMINED   the positions leave parameters open;
- *   INVCAL_NOT_ELLIPSOID  the readings do not lie on an ellipsoid, or on none of a triad: see
+ *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid, or on one that no triad has: see
  *                         invcal_calibrate;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
  * Cost: 2,900 instructions. Stack: about 180 bytes. */
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
                            invcal_calibration *out);
 
-/* ---- the system of equations -------------------------------------------------------------------
+/* ---- the system of equations --------------------------------------------------------------------
  *
  * A symmetric system of n unknowns, A p = -b, in one packed triangle. Row n, if present, is b'
  * and the constant: factoring it with A does the forward substitution. */
 
-/* A pivot below this, over the largest element of the diagonal, cannot be told from rounding
- * error. */
+/* A pivot below this, over the largest element of the diagonal, may be a rounding error. */
 #define INVCAL_FLOOR (INVCAL_DOUBLE ? INVCAL_REAL(1e-8) : 16 * INVCAL_EPSILON)
 
 /* Turns the sums into the system: fills in every element of H'H. */
@@ -129,7 +128,8 @@ invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
  *        INVCAL_FLOOR. Relative to the largest, since a test against the pivot's own element
  *        accepts matrices that are singular to rounding.
  *
- * Returns INVCAL_OK; INVCAL_UNDETERMINED if a pivot is too small, negative or NaN: a is overwritten.
+ * Returns INVCAL_OK; INVCAL_UNDETERMINED if a pivot is too small, negative or NaN: a is
+ * overwritten.
  * Cost: n^3/6 multiply-adds, n square roots. */
 invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor);
 
@@ -142,11 +142,11 @@ void invcal_invert(invcal_real *l, unsigned n);
 /* A^-1(r,r) from L^-1. */
 invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r);
 
-/* The leverage h K h' of a row, from L^-1 of the nine parameters: what it adds to the rows in the sums. h becomes
- * y = L^-1 h; the result is its squared length. */
+/* The leverage h K h' of a row, from L^-1 of the nine parameters: what it adds to the rows in the
+ * sums. h becomes y = L^-1 h; the result is its squared length. */
 invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PARAMETERS]);
 
-/* ---- rounding errors ---------------------------------------------------------------------------
+/* ---- rounding errors ----------------------------------------------------------------------------
  *
  * Against the exact solution of the same readings, for 9 to 64 positions, errors up to 20 % and a
  * quality.condition up to 10^6:
@@ -155,12 +155,12 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
  *     |sigma / exact - 1|    <= INVCAL_LOSS_SIGMA  INVCAL_EPSILON condition
  *     |length - exact|       <= INVCAL_LOSS_LENGTH INVCAL_EPSILON sqrt(condition)
  *
- * the last for the positions that were solved, over field, and so for the residuals. Sums and Cholesky
- * solve exactly some equations H'H p = -H'J whose elements are wrong by a few epsilon of the largest one.
- * (H'H)^-1 turns that into epsilon condition in p, and H (H'H)^-1 into epsilon sqrt(condition) in the
- * lengths (Higham, Accuracy and Stability of Numerical Algorithms, 10.1 and 20.4). The
- * theory's factors grow with the number of positions; these are measured (make numerics: 30,000
- * random sets, 50 digits).
+ * the last for the positions that were solved, over field, and so for the residuals. Sums and
+ * Cholesky solve exactly some equations H'H p = -H'J whose elements are wrong by a few epsilon of
+ * the largest one. (H'H)^-1 turns that into epsilon condition in p, and H (H'H)^-1 into epsilon
+ * sqrt(condition) in the lengths (Higham, Accuracy and Stability of Numerical Algorithms, 10.1 and
+ * 20.4). The theory's factors grow with the number of positions; these are measured (make numerics:
+ * 30,000 random sets, 50 digits).
  *
  * sigma does not include it: in float the rounding error exceeds sigma if a position mean is better
  * than about INVCAL_EPSILON sqrt(condition) of the field. Solve such positions a second time, with
@@ -172,31 +172,32 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
 #define INVCAL_LOSS_LENGTH INVCAL_REAL(4.0) /* as above */
 #define INVCAL_LOSS_AGAIN INVCAL_REAL(4.0)  /* as above */
 
-/* ---- causes of a refusal -------------------------------------------------------------------- */
+/* ---- causes of a refusal --------------------------------------------------------------------- */
 
-/* Which parameters the positions leave open: INVCAL_TOO_FEW, INVCAL_UNDETERMINED. Adds a small ridge
- * to H'H: if it contributes more than a tenth of a parameter's information, the data do not determine that
- * parameter. This is a hint, never a verdict: noise can make an open parameter look determined.
+/* Which parameters the positions leave open, after INVCAL_TOO_FEW or INVCAL_UNDETERMINED. Adds a
+ * small ridge to H'H: if it contributes more than a tenth of a parameter's information, the data do
+ * not determine that parameter. This is a hint, never a verdict: noise can make an open parameter
+ * look determined.
  *
- * raw      3 count numbers, as for invcal_calibrate. Skips those that are not readings.
+ * raw      3 * count numbers, as for invcal_calibrate. Skips those that are not readings.
  * count    any; no positions leave all nine open.
  * nominal  the one of the refusal.
  *
- * Returns bit r for parameter r; 0: none. Cost: 7,700 instructions for 18 positions. Stack: about
- * 460 bytes. */
+ * Returns bit r for parameter r; 0: none. Cost: 7,000 instructions for 18 positions. Stack: about
+ * 400 bytes. */
 uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
                              const invcal_calibration *nominal);
 
-/* Which position is not a reading of this field: INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE.
+/* Which position is not a reading of this field, after INVCAL_NOT_FINITE or INVCAL_OUT_OF_RANGE.
  *
  * raw, count, nominal  those of the refusal.
  *
- * Returns the first one, from 0; count if all are readings. Cost: 76 instructions for each.
- * Stack: about 80 bytes. */
+ * Returns the first one, from 0; count if all are readings. Cost: 76 instructions for each
+ * reading. Stack: about 110 bytes. */
 unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
                             const invcal_calibration *nominal);
 
-/* ---- other forms of the result -------------------------------------------------------------- */
+/* ---- other forms of the result --------------------------------------------------------------- */
 
 /* X = (delta, dk, gamma): the errors of the sensor against nominal. The sensor reads
  * u = (I + S) eta + delta, and A = (I + S)^-1 corrects it.
@@ -206,82 +207,84 @@ unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
  * nominal      the one it was solved with.
  * x            delta over field, dk (1), gamma (rad): accurate to a few INVCAL_EPSILON.
  *
- * Checks nothing: a bad calibration gives NaN. Cost: 350 instructions. Stack: about 150 bytes. */
+ * Checks nothing: a bad calibration gives NaN. Cost: 320 instructions. Stack: about 190 bytes. */
 void invcal_deviation(const invcal_calibration *calibration, const invcal_calibration *nominal,
                       invcal_real x[INVCAL_PARAMETERS]);
 
 /* Lengths do not determine how the calibrated frame is turned against the case. The symmetric
  * correction is closest to the axes of nominal; this turns it into the upper triangular one, as in
- * imu_tk: only the x sensor responds to a field along the calibrated x axis. Offsets, lengths and sigma
- * stay the same.
+ * imu_tk: only the x sensor responds to a field along the calibrated x axis. Offsets, lengths and
+ * sigma stay the same.
  *
  * calibration  as for invcal_deviation. Stays unchanged if it is not a calibration.
  * nominal      the one it was solved with. If its matrix is diagonal, the new one is exactly 0
  *              below the diagonal.
  *
- * Cost: 660 instructions. Stack: about 180 bytes. */
+ * Cost: 620 instructions. Stack: about 200 bytes. */
 void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibration *nominal);
 
 /* The standard deviation of the offset in raw counts: quality.sigma of delta through the inverse of
- * nominal. If the matrix of nominal is not diagonal, the three deltas count as independent: accurate
- * to a few percent, since well spread positions make them so.
+ * nominal. If the matrix of nominal is not diagonal, the three deltas count as independent:
+ * accurate to a few percent, since well spread positions make them so.
  *
  * sigma  of the three raw axes, counts.
  *
- * Cost: 230 instructions. Stack: about 110 bytes. */
+ * Cost: 190 instructions. Stack: about 80 bytes. */
 void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration *nominal,
                          invcal_real sigma[3]);
 
-/* Weighs a stated noise against the residuals (mathematics.md, "Uncertainty"), for equations of your
- * own. The stated noise counts as four residuals, unless the residuals are clearly larger (at 95 %) or
- * nearly zero; then they alone count. Residuals too large for noise (at 99.7 %) raise the verdict to
- * rough.
+/* Weighs a stated noise against the residuals (mathematics.md, "Uncertainty"), for equations of
+ * your own. The stated noise counts as four residuals, unless the residuals are clearly larger (at
+ * 95 %) or nearly zero; then they alone count. Residuals too large for noise (at 99.7 %) raise the
+ * verdict to rough.
  *
  * stated   standard deviation of a position mean on each axis, over field; 0: not known.
- * squares  the sum of the squares of the residuals, each over the noise of its row for a noise of 1.
- * quality  dof and verdict: read; noise, sigma_dof and verdict: set. noise is 1, the whole field, if
- *          there is neither a residual nor a stated noise.
+ * squares  the sum of the squared residuals, each over its standard deviation at a noise of 1.
+ * quality  reads dof and verdict; sets noise, sigma_dof and verdict. noise is 1, the whole field,
+ *          if there is neither a residual nor a stated noise.
  *
- * Cost: 100 instructions. Stack: about 60 bytes. */
+ * Cost: 90 instructions. Stack: about 10 bytes. */
 void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality *quality);
 
 /* Is `found` the better of two calibrations? For a device that recalibrates now and then.
  *
  * Returns 1 if its verdict is no worse, and the sum of the squares of its nine 95 % intervals,
- * invcal_coverage of sigma_dof times sigma, is smaller, so that a sigma that happens to be small does
- * not decide. 0 otherwise, also if they are equal. Cost: 160 instructions. Stack: about 60 bytes. */
+ * invcal_coverage of sigma_dof times sigma, is smaller, so that a sigma that happens to be small
+ * does not decide. 0 otherwise, also if they are equal. Cost: 120 instructions. Stack: about 40
+ * bytes. */
 int invcal_improves(const invcal_quality *found, const invcal_quality *present);
 
-/* ---- without some of the positions -------------------------------------------------------------- */
+/* ---- without some of the positions ----------------------------------------------------------- */
 
-/* invcal_calibrate_judged without the search for systematic errors, all of which stay unchecked, and
- * without counting directions: the verdict is good if no remaining position contradicts the others. Takes half
- * the flash, for a device like an ATmega328P.
+/* invcal_calibrate_judged without the search for systematic errors, all of which stay unchecked,
+ * and without counting directions: the verdict is good if no remaining position contradicts the
+ * others. Takes half the flash, for a device like an ATmega328P.
  *
- * out  may be nominal.
+ * out  may equal nominal.
  *
- * Everything else as for invcal_calibrate_judged. Cost: 110,000 instructions for 18 positions. */
+ * Everything else as for invcal_calibrate_judged. Cost: 90,000 instructions for 18 good
+ * positions. */
 invcal_status invcal_calibrate_robust(const invcal_real *raw, unsigned count,
                                       const invcal_calibration *nominal, invcal_real noise,
                                       invcal_calibration *out, invcal_quality *quality);
 
 /* invcal_calibrate without some of the positions.
  *
- * left_out  bit i: position i does not count, whatever it reads. For the first INVCAL_MAX_POSITIONS;
- *           all later ones count. quality.left_out repeats it; quality.worst is an index into raw,
- *           which includes those left out.
+ * left_out  bit i: position i does not count, whatever it reads. For the first
+ *           INVCAL_MAX_POSITIONS; all later ones count. quality.left_out repeats it; quality.worst
+ *           is an index into raw, which includes those left out.
  *
  * Everything else as for invcal_calibrate. */
 invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
                                        const invcal_calibration *nominal, invcal_real noise,
                                        invcal_calibration *out, invcal_quality *quality);
 
-/* ---- what is known beforehand ------------------------------------------------------------------
+/* ---- what is known beforehand -------------------------------------------------------------------
  *
- * Parameter r is 0 with standard deviation sigma(r): one more row, noise / sigma(r) X(r) = 0,
- * which makes the solution a Bayesian update (mathematics.md, "Prior"). A parameter that the
- * positions leave open keeps its nominal value, with the sigma of the prior. Use it for a device that
- * can only be tilted, or to renew the offsets of an earlier calibration with three positions. */
+ * Parameter r is 0 with standard deviation sigma(r): one more row, noise / sigma(r) X(r) = 0, which
+ * makes the solution a Bayesian update (mathematics.md, "Prior"). A parameter that the positions
+ * leave open keeps its nominal value, with the sigma of the prior. Use it for a device that can
+ * only be tilted, or to renew the offsets of an earlier calibration with three positions. */
 
 /* invcal_calibrate with a prior.
  *
@@ -293,15 +296,16 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
  *             resolves next to the prior, in float sqrt(count) / 2000 of the widest prior: with
  *             less, rounding errors would count as data.
  * prior       standard deviation of each parameter's deviation from nominal, over field, 1 or rad,
- *             up to about 0.2 (above that, p is no longer -X); 0: not known. Not all are 0.
- * quality     sigma never exceeds the prior. dof counts data only, rounded down: a parameter supplied
- *             by the prior uses up no position. noise may have been raised. condition includes the
- *             rows of the prior; it may be infinite if priors differ very much in width.
+ *             up to about 0.2 (above that, p is no longer -X); 0: not known. Not all may be 0.
+ * quality     sigma never exceeds the prior. dof counts data only, rounded down: a parameter
+ *             supplied by the prior costs no position. noise may have been raised. condition
+ *             includes the rows of the prior; it may be infinite if the widths of priors differ
+ *             very much.
  * from_prior  bit r: parameter r is determined by the prior more than by the data.
  *
  * Returns as invcal_calibrate; INVCAL_BAD_PRIOR if a number is negative or not finite, or all are
  * 0. INVCAL_UNDETERMINED refers to parameters without a prior.
- * Cost: 45,000 instructions for 18 positions. Stack: about 1,070 bytes. */
+ * Cost: 47,000 instructions for 18 positions. Stack: about 950 bytes. */
 invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count,
                                           const invcal_calibration *nominal, invcal_real noise,
                                           const invcal_real prior[INVCAL_PARAMETERS],
@@ -310,35 +314,36 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
 
 /* ---- six faces ----------------------------------------------------------------------------------
  *
- * The usual procedure, each axis once up and once down, determines offsets and scales, but none of the
- * three angles: on a face the product of two readings is nearly 0. The angles are taken from the data
- * sheet: 0, with a standard deviation of g. The error left in a calibrated length is
+ * The usual procedure, each axis once up and once down, determines offsets and scales, but none of
+ * the three angles: on a face the product of two readings is nearly 0. The angles are taken from
+ * the data sheet: 0, with a standard deviation of g. The error left in a calibrated length is
  * gamma_xy xy + gamma_xz xz + gamma_zy zy:
  *
- *     with a face up          0                      on an edge, midway between two axes   g / 2
- *     on a corner, the most   g / sqrt(3)            over all directions, rms              g / sqrt(5)
+ *     with a face up          0              on an edge, midway between two axes   g / 2
+ *     on a corner, the most   g / sqrt(3)    over all directions, rms              g / sqrt(5)
  *
- * so 1 % costs 4.5 mg rms, or 8.8 mg at 95 %. Six more positions midway between two axes determine the
- * angles: pass all twelve to invcal_calibrate. */
+ * so 1 % costs 4.5 mg rms, or 8.8 mg at 95 %. Six more positions midway between two axes determine
+ * the angles: pass all twelve to invcal_calibrate. */
 #define INVCAL_CROSS_AXIS INVCAL_REAL(0.01) /* g for a data sheet's 1 % (0.57 degrees) */
 
 /* invcal_calibrate for six positions or more, the angles held at those of nominal.
  *
- * raw      3 count numbers, as for invcal_calibrate; of a session its mean and count.
- * noise    standard deviation of a position mean on each axis, over field, above 0 and below 1. With
- *          six positions nothing checks it: sigma of offsets and scales is noise / sqrt(2).
+ * raw      3 * count numbers, as for invcal_calibrate; from a session, its mean and count.
+ * noise    standard deviation of a position mean on each axis, over field, above 0 and below 1.
+ *          With six positions nothing checks it: sigma of offsets and scales is noise / sqrt(2).
  * gamma    standard deviation of each angle, rad, up to about 0.2: INVCAL_CROSS_AXIS.
- * quality  of offsets and scales: verdict and weak do not cover the angles. INVCAL_NO_REDUNDANCY with
- *          six positions. sigma of the angles is gamma, or less if positions off the faces reduce it.
- * held     bit r: parameter r is not measured; that is each angle that the positions leave open. Its
- *          95 % interval is 1.96 sigma, without Student's t: gamma is stated, not estimated.
+ * quality  of offsets and scales: verdict and weak do not cover the angles. INVCAL_NO_REDUNDANCY
+ *          with six positions. sigma of the angles is gamma, or less if positions off the faces
+ *          reduce it.
+ * held     bit r: parameter r is not measured: each angle that the positions leave open. Its 95 %
+ *          interval is 1.96 sigma, without Student's t: gamma is stated, not estimated.
  *
- * An actual angle of gamma shifts a scale by gamma^2 / 8 (12 ppm at 1 %), and no offset, if the faces
- * are along gravity; sigma includes a tilt.
+ * An actual angle of gamma shifts a scale by gamma^2 / 8 (12 ppm at 1 %), and no offset, if the
+ * faces are along gravity; sigma includes a tilt.
  *
  * Returns as invcal_calibrate; INVCAL_TOO_FEW for fewer than six; INVCAL_UNDETERMINED if they leave
  * offsets or scales open; INVCAL_BAD_PRIOR unless gamma is above 0 and below 1.
- * Cost: 30,000 instructions for six positions. Stack: about 980 bytes. */
+ * Cost: 30,000 instructions for six positions. Stack: about 990 bytes. */
 invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
                                          const invcal_calibration *nominal, invcal_real noise,
                                          invcal_real gamma, invcal_calibration *out,
@@ -346,13 +351,13 @@ invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
 
 /* invcal_accuracy of a calibration with some parameters from a prior.
  *
- * held  bit r: sigma of parameter r is stated, not estimated; of invcal_calibrate_six_faces, or
+ * held  bit r: sigma of parameter r is stated, not estimated; from invcal_calibrate_six_faces, or
  *       from_prior of invcal_calibrate_with_prior.
  *
  * Stack: about 140 bytes. */
 invcal_real invcal_accuracy_held(const invcal_quality *quality, uint16_t held, invcal_real gravity);
 
-/* ---- known directions: a stand -----------------------------------------------------------------
+/* ---- known directions: a stand ------------------------------------------------------------------
  *
  * With the direction eta known, the paper's compositions are linear in X = (delta, dk, gamma), here
  * as J + h(eta) p = 0 with p = -X:
@@ -361,15 +366,15 @@ invcal_real invcal_accuracy_held(const invcal_quality *quality, uint16_t held, i
  *     J2 = (|u|^2 - 1)/2        the scalar composition: leaves an error of second order in X,
  *                               1e-4 at errors of 1 %, 1e-2 at errors of 10 %
  *
- * An error d of the direction does not affect lengths at all, which is why invcal_calibrate needs no
- * directions. In J1 its effect is -|d|^2/2 + eta S d, S the matrix of dk and gamma / 2. The second
- * part is at most s |d|, s half the spread of the eigenvalues of S:
+ * An error d of the direction does not affect lengths at all, which is why invcal_calibrate needs
+ * no directions. In J1 its effect is -|d|^2/2 + eta S d, S the matrix of dk and gamma / 2. The
+ * second part is at most s |d|, s half the spread of the eigenvalues of S:
  *
  *     d          lengths   J1, s = 0.02     full vector
  *     1 mrad     0         5e-7 + 2e-5      1e-3
  *     10 mrad    0         5e-5 + 2e-4      1e-2
  *
- * In exact rows p has another meaning; hence these sums are a type of their own. */
+ * In exact rows p has another meaning, so these sums have a type of their own. */
 typedef struct {
     invcal_sums sums; /* of h(eta) and J */
 } invcal_linear_sums;
@@ -384,12 +389,12 @@ void invcal_linear_init(invcal_linear_sums *linear);
  * eta      the up direction in the frame of the unit, unit length within 1e-4.
  *
  * Returns INVCAL_OK; INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE as invcal_observe;
- * INVCAL_BAD_DIRECTION. Cost: 370 instructions. Stack: about 130 bytes. */
+ * INVCAL_BAD_DIRECTION. Cost: 330 instructions. Stack: about 130 bytes. */
 invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
                                          const invcal_calibration *nominal,
                                          const invcal_real raw[3], const invcal_real eta[3]);
 
-/* The same by J2. Do not mix them in the same sums. */
+/* The same by J2. Do not mix the two in the same sums. */
 invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
                                        const invcal_calibration *nominal, const invcal_real raw[3],
                                        const invcal_real eta[3]);
@@ -397,7 +402,7 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
 /* Solves the sums: A = (I + S)^-1.
  *
  * linear   the sums; are overwritten.
- * nominal  the one they were added with; may be out.
+ * nominal  the one they were added with; may equal out.
  * out      the calibration.
  * x        the nine parameters, in the order of the paper.
  *
@@ -408,7 +413,7 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
  *   INVCAL_UNDETERMINED   the directions leave parameters open;
  *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
- * Cost: 2,300 instructions. Stack: about 220 bytes. */
+ * Cost: 1,700 instructions. Stack: about 200 bytes. */
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                   invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS]);
 
@@ -417,10 +422,10 @@ invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calib
  *
  *     u = M eta + delta,    M = (I + S) R
  *
- * with R the mounting: a direction eta of the stand's frame is R eta in the frame of the unit. That is
- * linear in the twelve elements of M and delta, and the three axes share one 4x4 system; I + S and R
- * are the polar decomposition of M. An angle error d counts to first order here (see the table above):
- * so take the parameters from the lengths, and only the mounting from here. */
+ * with R the mounting: a direction eta of the stand's frame is R eta in the frame of the unit. That
+ * is linear in the twelve elements of M and delta, and the three axes share one 4x4 system; I + S
+ * and R are the polar decomposition of M. An angle error d counts to first order here (see the
+ * table above): so take the parameters from the lengths, and only the mounting from here. */
 typedef struct {
     /* The triangle of (eta 1 u)'(eta 1 u) over all positions. */
     invcal_real sum[INVCAL_PACKED_SIZE(7)];
@@ -443,66 +448,67 @@ invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_cali
 /* Solves the sums, for errors of any size.
  *
  * full      the sums; are overwritten.
- * nominal   the one they were added with; may be out.
+ * nominal   the one they were added with; may equal out.
  * out       the calibration, in the frame of the stand: calibrated readings are eta in that frame.
  * x         the nine parameters, in the frame of the unit and the order of the paper.
- * mounting  R. With the paper's N positions on each of three great circles, and noise s on every axis,
- *           the standard deviation of its three angles is s / sqrt(2 N).
+ * mounting  R. With the paper's N positions on each of three great circles, and noise s on every
+ *           axis, the standard deviation of its three angles is s / sqrt(2 N).
  *
  * Does not judge.
  *
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        fewer than four positions;
  *   INVCAL_UNDETERMINED   the ends of the directions lie in a plane, as those of a circle do;
- *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10; or the
- *                         directions are mirrored: an angle has the wrong sign;
+ *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10; or
+ *                         the directions are mirrored: an angle has the wrong sign;
  *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
  * Cost: 2,900 instructions. Stack: about 290 bytes. */
 invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_calibration *nominal,
                                        invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS],
                                        invcal_real mounting[3][3]);
 
-/* ---- where to turn next ------------------------------------------------------------------------
+/* ---- where to turn next -------------------------------------------------------------------------
  *
  * Of 26 directions - the 6 faces, 12 edges and 8 corners of a cube - the next is the one with the
- * largest h K h', K = (H'H)^-1 of the positions so far: it multiplies det H'H by
- * 1 + h K h', more than any other (greedy D-optimal design). With a small ridge on H'H, K exists from the
- * first position on. Nine such positions determine everything, sqrt(K(r,r)) at most 3.01; eighteen come
+ * largest h K h', K = (H'H)^-1 of the positions so far: it multiplies det H'H by 1 + h K h', more
+ * than any other (greedy D-optimal design). With a small ridge on H'H, K exists from the first
+ * position on. Nine such positions determine everything, sqrt(K(r,r)) at most 3.01; eighteen come
  * within 0.3 of the largest possible log det H'H. Hand errors of 10 degrees cost little. From 14
- * positions on, their order lets a drift be detected: fitting it as well would increase sigma 1.16 times. */
+ * positions on, their order lets a drift be detected: fitting it as well would increase sigma 1.16
+ * times. */
 
 /* The direction to take next.
  *
  * raw, count  the positions so far; none at the beginning. Skips those that are not readings.
  *
- * Of directions with about the same information it takes the closest to the last position: the opposite one
- * counts 1.6 % less. It takes none within 26 degrees of the last position. */
+ * Of directions with about the same information it takes the closest to the last position: the
+ * opposite one counts 1.6 % less. It takes none within 26 degrees of the last position. */
 void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                  invcal_real up[3]);
 
 /* sqrt(K(r,r)) of the positions so far: sigma of parameter r over that of a position mean.
  *
  * up  null, or a direction to include as if taken, to see what it will improve. The ridge limits
- *     open parameters to about 100. */
+ *     that of open parameters to about 100. */
 void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
                      const invcal_real *up, invcal_real root[INVCAL_PARAMETERS]);
 
-/* ---- rests -------------------------------------------------------------------------------------
+/* ---- rests --------------------------------------------------------------------------------------
  *
  * The user turns the device, holds it, and turns it again. The detector finds the rests (static
- * intervals: stretches in which only noise changes the readings) in the stream of raw samples, trims
- * the motion at their ends, and sums the samples between exactly. There is nothing to tune: no
- * threshold in counts or m/s^2, no quiet time at the beginning. It learns from the stream:
+ * intervals: stretches in which only noise changes the readings) in the stream of raw samples,
+ * trims the motion at their ends, and sums the samples between exactly. There is nothing to tune:
+ * no threshold in counts or m/s^2, no quiet time at the beginning. It learns from the stream:
  *
  *     noise    variance inside a block of about 1/8 s, a low quantile of all quiet blocks
- *     wander   squared distance of a block mean from the trend, also a low quantile: a hand's unrest
+ *     wander   squared distance of a block mean from the trend, also a low quantile: hand tremor
  *     quantum  the smallest change of a reading
  *     reach    how far readings have moved from the last rest: the scale of "another orientation"
  *
  * A block is quiet if its variance is that of the noise, and belongs to the rest if its mean is
- * where the rest expects it. Blocks of 0.6 s, after trimming, make a position; holding longer makes
- * it better. The slope over the last two seconds detects a slow turn, which a threshold on a variance
- * cannot: 0.3 degrees/s (up to 1 mg of noise, 100 Hz or more) never passes for a rest.
+ * where the rest expects it. After trimming, 0.6 s of blocks make a position; holding longer makes
+ * it better. The slope over the last two seconds detects a slow turn, which a threshold on a
+ * variance cannot: 0.3 degrees/s (up to 1 mg of noise, 100 Hz or more) never passes for a rest.
  *
  * All three axes are treated alike and together, and the decisions do not depend on unit, offset or
  * order of the axes. All arithmetic is in integers. Raw counts may be any int32. Noise may reach
@@ -513,8 +519,8 @@ void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibr
  * A rest needs 2 seconds (from 32 Hz on; 5 at 10 Hz). About 0.5 s are trimmed at its beginning,
  * 0.3 s at its end.
  *
- * Begin a stream at rest, if you can: its beginning counts as noise until something quieter follows, and if
- * the device moves at several g, the first second may look like a rest.
+ * Begin a stream at rest, if you can: its beginning counts as noise until something quieter
+ * follows, and if the device moves at several g, the first second may look like a rest.
  */
 #define INVCAL_RATE_MIN 8    /* samples per second */
 #define INVCAL_RATE_MAX 8000 /* the same */
@@ -546,19 +552,19 @@ invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
  * refused. If the current rest is READY but shorter, it is no longer READY; READY is returned again
  * later.
  *
- * milliseconds  clamped to 600 (the min for a position) ... 3,600,000. */
+ * milliseconds  clamped to 600 (the minimum for a position) ... 3,600,000. */
 void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds);
 
 /* Feeds one sample, of any value.
  *
- * Returns what happened. A position is returned 0.6 to 1 s after motion began.
+ * Returns what happened. INVCAL_TAKEN comes 0.6 to 1 s after motion began.
  *
- * At 1 kHz a sample costs 56 instructions on a Cortex-M4F, decisions included, or 143 if the compiler
- * optimises for size, which omits the fast path for samples close to each other. */
+ * At 1 kHz a sample costs 56 instructions on a Cortex-M4F, decisions included, or 143 if the
+ * compiler optimises for size, which omits the fast path for samples close to each other. */
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3]);
 
-/* Call it where samples were lost; a new block begins. The rest goes on if the next samples agree
- * with it; otherwise it ends as by motion. */
+/* Call it where samples were lost: a new block begins. The rest goes on if the next samples agree
+ * with it; otherwise it ends as if by motion. */
 void invcal_rests_gap(invcal_rests *rests);
 
 /* Ends the stream: closes the current rest, if any, as motion would.
@@ -568,23 +574,23 @@ void invcal_rests_gap(invcal_rests *rests);
 invcal_event invcal_rests_finish(invcal_rests *rests);
 
 /* Progress of the current position, percent of the time to hold: 0 in motion, 100 from READY on. It
- * does not fall during a rest, unless the rest is refused for drift and restarts, or the time to hold
- * is raised. */
+ * does not fall during a rest, unless the rest is refused for drift and restarts, or the time to
+ * hold is raised. */
 unsigned invcal_rests_progress(const invcal_rests *rests);
 
 /* Why the last rest was REFUSED: an INVCAL_REST_ of invcal_status. INVCAL_OK after READY or TAKEN,
  * and before the first. */
 invcal_status invcal_rests_reason(const invcal_rests *rests);
 
-/* The rest that is READY, as measured so far without the newest quarter of a second; or the one just
- * TAKEN, until the next sample. Returns 1; 0, out untouched, if there is neither. */
+/* The rest that is READY, as measured so far without the newest quarter of a second; or the one
+ * just TAKEN, until the next sample. Returns 1; 0, out untouched, if there is neither. */
 int invcal_rests_get(const invcal_rests *rests, invcal_rest *out);
 
-/* The mean of its samples only: computed from differences, so the size of the sum costs no precision.
- * Within 1 ulp of the largest reading; returns as invcal_rests_get. */
+/* Only the mean of its samples: computed from differences, so the size of the sum costs no
+ * precision. Within 1 ulp of the largest reading; returns as invcal_rests_get. */
 int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3]);
 
-/* ---- in the background -------------------------------------------------------------------------
+/* ---- in the background --------------------------------------------------------------------------
  *
  * The same for a device that is never calibrated on purpose: feed it samples for days. A rest in a
  * well covered direction is refused (INVCAL_REFUSED, INVCAL_REST_SAME); the table keeps the most

@@ -2,23 +2,23 @@
  *
  * invcal/frame.h: turns the calibrated axes to those of the case.
  *
- * Lengths leave one rotation open: how the calibrated axes sit in the case. Rests in known orientations
- * of the case determine it: two or more of its faces on a table. Each gives a direction c of the case
- * that pointed up, and the calibrated reading a of the same direction:
+ * Lengths leave one rotation open: how the calibrated axes sit in the case. Rests in known
+ * orientations of the case determine it: two or more of its faces on a table. Each gives a
+ * direction c of the case that pointed up, and the calibrated reading a of the same direction:
  *
  *     c = R a,    R minimises  sum |c - R a|^2                       (Wahba's problem)
  *
- * The table limits this, not the sensor: half a degree of tilt makes 6 to 9 mrad. So put down each face
- * twice, turned by half a turn on the table in between: the tilt cancels to first order, and `scatter`,
- * the error of the directions, shows the tilt.
+ * The table limits this, not the sensor: half a degree of tilt makes 6 to 9 mrad. So put down each
+ * face twice, turned by half a turn on the table in between: the tilt cancels to first order, and
+ * `scatter`, the error of the directions, shows the tilt.
  *
  *     invcal_frame frame;
  *     invcal_real r[3][3];
  *     invcal_frame_init(&frame);
- *     ... for each rest: invcal_frame_add(&frame, &calibration, mean, up);     up: {0, 0, 1}, {1, 0, 0}, ...
- *     if (invcal_frame_solve(&frame, r, NULL) == INVCAL_OK) {
- *         invcal_frame_turn(r, &calibration);        accelerometer, gyroscope, magnetometer alike
- *     }
+ *     for each rest:
+ *         invcal_frame_add(&frame, &calibration, mean, up);     up: {0, 0, 1}, {1, 0, 0} ...
+ *     if (invcal_frame_solve(&frame, r, NULL) == INVCAL_OK)
+ *         invcal_frame_turn(r, &calibration);     of accelerometer, gyroscope and magnetometer
  *
  * invcal.h states the rules and units.
  */
@@ -39,10 +39,12 @@ typedef struct {
 
 /* The quality of a rotation. */
 typedef struct {
-    /* Standard deviation of the three angles about the axes of the case, over that of one direction:
-     * multiply by the tilt of the table or scatter, whichever is larger. Two faces: 1, 1, 0.71. */
+    /* Standard deviation of the three angles about the axes of the case, over that of one
+     * direction: multiply by the tilt of the table or scatter, whichever is larger. Two faces: 1,
+     * 1, 0.71. */
     invcal_real sigma[3];
-    /* Distance of the directions from those stated, rad, root mean square. Rounding of float gives 5e-4. */
+    /* Distance of the directions from those stated, rad, root mean square. Rounding of float gives
+     * 5e-4. */
     invcal_real scatter;
 } invcal_frame_quality;
 
@@ -59,7 +61,7 @@ void invcal_frame_init(invcal_frame *frame);
  *   INVCAL_NOT_FINITE      a reading is NaN or infinite;
  *   INVCAL_OUT_OF_RANGE    its length is outside 1/2 ... 2: not a rest, or not a calibration;
  *   INVCAL_BAD_DIRECTION   up has another length.
- * Cost: 150 instructions. Stack: about 50 bytes. */
+ * Cost: 150 instructions. Stack: about 80 bytes. */
 invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *calibration,
                                const invcal_real raw[3], const invcal_real up[3]);
 
@@ -70,25 +72,27 @@ invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *ca
  *
  * Returns INVCAL_OK; else nothing is written:
  *   INVCAL_TOO_FEW        fewer than two rests;
- *   INVCAL_UNDETERMINED   all directions up were nearly the same, or opposite: the turn about them is
- *                         open (invcal_frame_level); or they contradict each other: a mirrored axis.
- * Cost: 1,800 instructions. Stack: about 250 bytes. */
+ *   INVCAL_UNDETERMINED   all directions up were nearly the same, or opposite: the turn about them
+ *                         is open (invcal_frame_level); or they contradict each other: a mirrored
+ *                         axis.
+ * Cost: 1,800 instructions. Stack: about 310 bytes. */
 invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation[3][3],
                                  invcal_frame_quality *quality);
 
-/* Level trim, from rests in one orientation: the smallest rotation that brings the reading to up. The
- * heading, the turn about up, stays as in the calibration.
+/* Level trim, from rests in one orientation: the smallest rotation that brings the reading to up.
+ * The heading, the turn about up, stays as in the calibration.
  *
  * up  the direction with which they were added.
  *
- * Returns as above; INVCAL_UNDETERMINED also for a rotation of more than 140 degrees.
- * Cost: 250 instructions. Stack: about 60 bytes. */
+ * Returns INVCAL_OK; INVCAL_TOO_FEW without a rest; INVCAL_UNDETERMINED for a rotation of more than
+ * 139 degrees.
+ * Cost: 250 instructions. Stack: about 70 bytes. */
 invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
                                  invcal_real rotation[3][3]);
 
 /* Turns a calibration: multiplies its matrix by R from the left.
  *
- * Cost: 60 instructions. Stack: about 30 bytes. */
+ * Cost: 150 instructions. Stack: about 50 bytes. */
 void invcal_frame_turn(const invcal_real rotation[3][3], invcal_calibration *calibration);
 
 #ifdef __cplusplus

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal/gyro.h: the gyroscope, from the same moves.
+ * invcal/gyro.h: the gyroscope, calibrated from the turns between the rests.
  *
- * The turn that the gyroscope measures between two rests must take the up direction of the first into that of
- * the second. Twelve quarter turns between the six faces determine the nine elements of its matrix and the
- * nine parameters of the accelerometer, in one solution and without a previous calibration. No sample is
- * stored: a move is kept as a few segments.
+ * The turn that the gyroscope measures between two rests must carry the up direction of the first
+ * into that of the second. Twelve quarter turns between the six faces determine the nine elements
+ * of its matrix and the nine parameters of the accelerometer, in one solution and without a
+ * previous calibration. No sample is stored: a move is kept as a few segments.
  *
- *     static invcal_imu_session both;                         3.7 kB; or a separate session and moves
+ *     static invcal_imu_session both;     3.7 kB; or a separate session and moves
  *     invcal_imu_record record;
  *     invcal_imu imu;
- *     if (invcal_load_imu(&result, &record) == INVCAL_OK)     calibrated: record.accelerometer, record.gyro
- *     else if (invcal_load_imu_session(&progress, &both) != INVCAL_OK)    else it resumes; or it begins:
- *         invcal_session_init(&both.session, 16384, 100);     counts for 1 g; samples per second
- *         invcal_moves_init(&both.moves, &gyro, 400);         rad/s per count; samples per second
+ *     if (invcal_load_imu(&result, &record) == INVCAL_OK)
+ *         calibrated: apply record.accelerometer and record.gyro
+ *     else if (invcal_load_imu_session(&progress, &both) != INVCAL_OK)     nothing to resume: begin
+ *         invcal_session_init(&both.session, 16384, 100);     counts per g, samples per second
+ *         invcal_moves_init(&both.moves, &gyro, 400);         rad/s per count, samples per second
  *     for every sample of the gyroscope:
  *         invcal_moves_feed(&both.moves, raw);
  *     for every sample of the accelerometer:
@@ -22,21 +23,22 @@
  *         if (event == INVCAL_TAKEN)
  *             invcal_save_imu_session(&progress, &both);
  *             if (both.moves.count > 12 &&
- *                 invcal_imu_solve(both.session.mean[0], both.session.count, &both.session.nominal, &both.moves,
- *                                  NULL, &imu) == INVCAL_OK && imu.verdict == INVCAL_GOOD)
+ *                 invcal_imu_solve(both.session.mean[0], both.session.count,
+ *                                  &both.session.nominal, &both.moves, NULL, &imu) == INVCAL_OK &&
+ *                 imu.verdict == INVCAL_GOOD)
  *                 invcal_save_imu(&result, &imu);
  *
  * invcal_tour gives twelve such turns, invcal_turns_next the one that would add most, and
- * invcal_turns_sigma how accurately turns, made or planned, determine the 18.
+ * invcal_turns_sigma how accurately turns, made or planned, determine all 18.
  *
- * The two sensors may be sampled at different rates. Feed samples in the order in which they were taken.
- * Those of the accelerometer may be up to 0.1 s late at no cost, since a rest ends 0.3 s before motion is
- * noticed; those of the gyroscope 0.02 s: with 0.05 s the error doubles. Lose no sample while a memory is
- * written, since the device is in motion then: let the sensor (FIFO) or an interrupt buffer a second of them.
- * Otherwise call invcal_moves_gap, and make the move again.
+ * The two sensors may be sampled at different rates. Feed samples in the order in which they were
+ * taken. Those of the accelerometer may be up to 0.1 s late at no cost, since a rest ends 0.3 s
+ * before motion is noticed; those of the gyroscope 0.02 s: with 0.05 s the error doubles. Lose no
+ * sample while a memory is written, since the device is in motion then: let the sensor's FIFO or an
+ * interrupt buffer one second. Otherwise call invcal_moves_gap, and make the move again.
  *
- * invcal.h states the rules and units; mathematics_imu.md derives this. A program and a library with different
- * build options do not link.
+ * invcal.h states the rules and units; mathematics_imu.md derives this. A program and a library
+ * with different build options do not link.
  */
 #ifndef INVCAL_GYRO_H
 #define INVCAL_GYRO_H
@@ -47,9 +49,10 @@
 extern "C" {
 #endif
 
-/* Segments of all moves together, 64 to 1000, 14 bytes each. A quarter turn takes five or six, and 24 are kept
- * free for the current move. Default 192; on AVR 120, with 16 rests, so that the solution fits into 8 KB of RAM.
- * If memory is short, 100 segments and 14 rests hold twelve quarter turns in 1.7 kB. */
+/* Segments of all moves together, 64 to 1000, 14 bytes each. A quarter turn takes five or six, and
+ * 24 are kept free for the current move. Default 192; on AVR 120, with 16 rests, so that the
+ * solution fits into 8 KB of RAM. If memory is short, 100 segments and 14 rests hold twelve quarter
+ * turns in 1.7 kB. */
 #if defined(__AVR__) && !defined(INVCAL_MAX_SEGMENTS)
 #define INVCAL_MAX_SEGMENTS 120
 #endif
@@ -59,7 +62,7 @@ extern "C" {
 #ifndef INVCAL_MAX_SEGMENTS
 #define INVCAL_MAX_SEGMENTS 192
 #endif
-/* Rests that are kept, and so moves, 4 to 32, 10 bytes each. Default 32; on AVR 16. */
+/* Rests kept, and so moves, 4 to 32, 10 bytes each. Default 32; on AVR 16. */
 #ifndef INVCAL_MAX_MOVES
 #define INVCAL_MAX_MOVES 32
 #endif
@@ -86,10 +89,10 @@ extern "C" {
 #define invcal_imu_record_decode INVCAL_CHOSEN(invcal_imu_record_decode, 9)
 #define invcal_load_imu INVCAL_CHOSEN(invcal_load_imu, 9)
 
-/* ---- moves -------------------------------------------------------------------------------------- */
+/* ---- moves ----------------------------------------------------------------------------------- */
 
-/* At most 20 degrees of a move. For an ideal gyroscope its rotation vector is v + kappa; for another
- * matrix M it is M v + cof(M) kappa. */
+/* At most 20 degrees of a move. For an ideal gyroscope its rotation vector is v + kappa; for
+ * another matrix M it is M v + cof(M) kappa. */
 typedef struct {
     int16_t v[3];     /* integral of the nominal rate, 2^-15 rad */
     int16_t kappa[3]; /* coning, 2^-18 rad */
@@ -98,7 +101,7 @@ typedef struct {
 
 /* A rest, and the move that led to it. */
 typedef struct {
-    int16_t bias[3]; /* less moves.bias, 2^-18 rad/s */
+    int16_t bias[3]; /* minus moves.bias, 2^-18 rad/s */
     uint16_t when;   /* time at which it was taken, in blocks */
     int8_t move;     /* number of segments; or -status: invcal_moves_reason */
 } invcal_still;
@@ -134,43 +137,46 @@ typedef struct {
 
 /* Begins.
  *
- * nominal  data sheet: rad/s per count; offset as far as known, else 0. Its axes must be those of the
- *          accelerometer (invcal_imu_mounting).
- * rate     samples per second, 8 ... 8000. Its error becomes one of the scale.
+ * nominal  data sheet: rad/s per count; offset as far as known, else 0. Its axes must be those of
+ *          the accelerometer (invcal_imu_mounting).
+ * rate     samples per second, 8 ... 8000. Its error becomes a scale error.
  *
- * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. Nothing is written then. */
+ * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. */
 invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *nominal,
                                 invcal_real rate);
 
-/* Sets the counts at which the gyroscope clips: a move that reaches one of them is refused from now on.
+/* Sets the counts at which the gyroscope clips: a move that reaches one of them is refused from now
+ * on.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RAILS unless low < high. */
 invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high);
 
-/* Feeds one sample, moving or not, raw counts. Cost: 150 instructions. Stack: about 120 bytes. */
+/* Feeds one sample, moving or not, raw counts. Cost: 150 instructions. Stack: about 110 bytes. */
 void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3]);
 
-/* Reports lost samples: this move is refused, rests are kept. */
+/* Reports lost samples: the current move is refused, rests are kept. */
 void invcal_moves_gap(invcal_moves *moves);
 
-/* Call it after every sample of the accelerometer, with its event. INVCAL_TAKEN ends a move, and its rest
- * determines the bias. A refused rest does not end the move. If there are INVCAL_MAX_MOVES rests, the oldest is
- * dropped.
+/* Call it after every sample of the accelerometer, with its event. INVCAL_TAKEN ends a move, and
+ * its rest determines the bias. A refused rest does not end the move. If there are INVCAL_MAX_MOVES
+ * rests, the oldest is dropped.
  *
  * rests  the detector of the accelerometer's samples.
- * event  from invcal_session_feed or invcal_rests_feed, or ..._finish: INVCAL_NOTHING costs nothing.
+ * event  from invcal_session_feed or invcal_rests_feed, or ..._finish: INVCAL_NOTHING costs
+ *        nothing.
  *
- * Cost: up to 3,000 instructions once in 1/8 s. Stack: about 200 bytes. */
+ * Cost: up to 3,000 instructions once per 1/8 s. Stack: about 180 bytes. */
 void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_event event);
 
-/* Why the move that led to a rest is unusable; INVCAL_OK if it is usable. INVCAL_REST_CLIPPED, INVCAL_MOVE_GAP,
- * INVCAL_MOVE_LONG, INVCAL_NO_SPACE; INVCAL_REST_DRIFT: the bias of its two rests differs by 0.5 degrees/s, so
- * the device turned in one of them; INVCAL_MOUNTING: more than seven turns; INVCAL_TOO_FEW: no move led to it.
+/* Why the move that led to a rest is unusable; INVCAL_OK if it is usable. INVCAL_REST_CLIPPED,
+ * INVCAL_MOVE_GAP, INVCAL_MOVE_LONG, INVCAL_NO_SPACE; INVCAL_REST_DRIFT: the biases of its two
+ * rests differ by 0.5 degrees/s, so the device turned in one of them; INVCAL_MOUNTING: more than
+ * seven turns; INVCAL_TOO_FEW: no move led to it.
  *
  * rest  from 0, below moves->count. */
 invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest);
 
-/* ---- both sensors at once ----------------------------------------------------------------------- */
+/* ---- both sensors at once -------------------------------------------------------------------- */
 
 enum { INVCAL_GYRO_PARAMETERS = 9, INVCAL_IMU_PARAMETERS = 18 };
 
@@ -189,17 +195,17 @@ typedef struct {
 
 /* The result. */
 typedef struct {
-    /* raw counts to rad/s, in the axes of the accelerometer; its offset is the bias of the last rest, without the
-     * effect of acceleration if g_is_used */
+    /* raw counts to rad/s, in the axes of the accelerometer; its offset is the bias of the last
+     * rest, without the effect of acceleration if g_is_used */
     invcal_calibration gyro;
     invcal_calibration accelerometer; /* raw counts to field; as passed if it is held */
-    /* M of the gyroscope by rows, true rate = M nominal rate; then the nine of the accelerometer in the
-     * order of invcal.h, to first order: invcal_deviation gives them exactly */
+    /* M of the gyroscope by rows, true rate = M nominal rate; then the nine of the accelerometer in
+     * the order of invcal.h, to first order: invcal_deviation gives them exactly */
     invcal_real parameter[INVCAL_IMU_PARAMETERS];
     invcal_real sigma[INVCAL_IMU_PARAMETERS]; /* standard deviations; 0 for what is held */
-    /* of the bias of each axis: g-sensitivity, rad/s per field along x, y, z; drift from the first rest to the
-     * last, rad/s. At the nominal rate: multiply by M for the calibrated one, which differs by the scale error.
-     * All 0 with fewer than 12 rests */
+    /* of the bias of each axis: g-sensitivity, rad/s per field along x, y, z; drift from the first
+     * rest to the last, rad/s. In nominal rates: multiply by M for calibrated ones, which differ by
+     * the scale error. All 0 with fewer than 12 rests */
     invcal_real slope[3][4];
     invcal_real slope_sigma[3][4]; /* standard deviations; 0 with fewer than 12 rests */
     invcal_real noise;             /* of a position mean, used for sigma, over field */
@@ -207,8 +213,8 @@ typedef struct {
     invcal_real move_rms;          /* residuals of moves, rad on each axis, root mean square */
     invcal_real move_max;          /* the largest, both axes together, rad */
     uint32_t left_out; /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
-    uint32_t idle;     /* bit i: it did not turn: INVCAL_REST_SAME */
-    /* bit r: parameter r is undetermined; or weak: sigma above 2.5 noise and 2.5 move_noise */
+    uint32_t idle;     /* bit i: the move to rest i did not turn: INVCAL_REST_SAME */
+    /* bit r: parameter r is undetermined; or weak: sigma above both 2.5 noise and 2.5 move_noise */
     uint32_t open;
     uint16_t dof;      /* degrees of freedom of the residuals */
     uint8_t worst;     /* the rest that the move of move_max led to */
@@ -220,52 +226,56 @@ typedef struct {
 
 /* Solves both sensors, or the gyroscope with a calibrated accelerometer.
  *
- * raw            means of the rests, as for invcal_calibrate. They are paired with the rests of moves from
- *                the end: the last with the last. If there are more of one, its oldest are ignored.
+ * raw            means of the rests, as for invcal_calibrate. They are paired with the rests of
+ *                moves from the end: the last with the last. If there are more of one, its oldest
+ *                are ignored.
  * count          number of means.
  * accelerometer  nominal calibration, or the one that is held.
  * settings       INVCAL_IMU_USUAL, with the values that you know; or null.
  * out            the result; must not contain *accelerometer.
  *
- * It takes 4 to 10 Gauss-Newton passes. Up to three of these weigh rests and moves against each other by their
- * residuals. If there are more than six moves, it leaves out up to three whose residuals exceed 5 sigma of the
- * others'; each takes two more passes.
+ * It takes 4 to 10 Gauss-Newton passes. Up to three of these weigh rests and moves against each
+ * other by their residuals. If there are more than six moves, it leaves out up to three whose
+ * residuals exceed 5 sigma of the others; each takes two more passes.
  *
- * Returns INVCAL_OK; else out is lost:
+ * Returns INVCAL_OK; else out is overwritten:
  *   INVCAL_BAD_NOMINAL    the accelerometer's;
- *   INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR    of the settings: negative or not a number, or noise of 1 or more;
+ *   INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR    of the settings: negative or not a number, or noises of 1
+ *                                         or more in total;
  *   INVCAL_OUT_OF_RANGE   a mean is not a reading of this field;
  *   INVCAL_TOO_FEW        no moves, or fewer equations than unknowns;
- *   INVCAL_UNDETERMINED   out->open names the undetermined parameters; or none, if too few moves to converge;
+ *   INVCAL_UNDETERMINED   out->open names the undetermined parameters; or none, if too few moves to
+ *                         converge;
  *   INVCAL_MOUNTING       residuals of 0.1 rad, or divergence: call invcal_imu_mounting.
  * Cost: 300,000 instructions per pass for 25 rests and 24 moves. Stack: about 2,400 bytes. */
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out);
 
-/* Finds how the axes of the gyroscope are mounted against those of the accelerometer: exchanged axes or
- * wrong signs are the most common mistake. Tries all 48 mountings, in rad and in degrees.
+/* Finds how the axes of the gyroscope are mounted against those of the accelerometer: exchanged
+ * axes or wrong signs are the most common mistake. Tries all 48 mountings, in rad and in degrees.
  *
- * axes   out: gyroscope axis |axes[i]| - 1 measures turns about accelerometer axis i, reversed if axes[i] is
- *        negative. 1, 2, 3 is right. If gyroscope axis i never turns, axes[i] is 0, and the search ends.
+ * axes   out: gyroscope axis |axes[i]| - 1 measures turns about accelerometer axis i, reversed if
+ *        axes[i] is negative. 1, 2, 3 is right. If gyroscope axis i never turns, axes[i] is 0, and
+ *        the search ends.
  * unit   out: 1; or 57.3, if readings are that many times too small: nominal was for degrees.
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves do not distinguish the mountings, and
- * nothing is written. Cost: 96 passes, each a third of one of a solution. Stack: about 2,500 bytes. */
+ * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves do not distinguish the
+ * mountings; INVCAL_BAD_NOMINAL, INVCAL_OUT_OF_RANGE as invcal_imu_solve.
+ * Cost: 96 passes, each a third of a pass of the solution. Stack: about 2,500 bytes. */
 invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
                                   const invcal_calibration *accelerometer,
                                   const invcal_moves *moves, int8_t axes[3], invcal_real *unit);
 
 /* ---- what survives a reset: the moves -----------------------------------------------------------
  *
- * Moves are useless without the means of their rests, so both are kept together, in one slot: after a power
- * failure both are old or both are new (store.h).
- * All rests and moves that were taken survive. The move during the reset is refused, INVCAL_MOVE_GAP: the
- * next rest begins another.
+ * Moves are useless without the means of their rests, so both are kept together, in one slot: after
+ * a power failure both are old or both are new (store.h). All rests and moves that were taken
+ * survive. The move during the reset is refused, INVCAL_MOVE_GAP: the next rest begins another.
  *
- * These bytes belong to the device, as those of a session: another number type, byte order, version of the
- * library or number of moves or segments refuses them; a table of means of another size accepts them if
- * they fit. */
+ * These bytes belong to the device, as those of a session: a build with another number type, byte
+ * order, version of the library or number of moves or segments refuses them; one with a table of
+ * means of another size accepts them if they fit. */
 typedef struct {
     invcal_moves moves;     /* its end survives */
     invcal_session session; /* its beginning survives */
@@ -281,14 +291,14 @@ typedef struct {
 /* How many bytes to keep now, if you do not use an invcal_store. */
 uint32_t invcal_imu_session_size(const invcal_imu_session *both);
 
-/* Resumes both after their bytes have been put back, with new streams of samples. If it fails, initialize
- * both.
+/* Resumes both after their bytes have been put back, with new streams of samples. If it fails,
+ * initialize both.
  *
  * size  how many bytes were put back.
  *
  * Returns INVCAL_OK;
  *   INVCAL_OTHER_VERSION  they were kept by a different build;
- *   INVCAL_DAMAGED        the moves contradict themselves;
+ *   INVCAL_DAMAGED        the moves are inconsistent;
  *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    values that no moves have;
  *   as invcal_session_resume. */
 invcal_status invcal_imu_session_resume(invcal_imu_session *both, uint32_t size);
@@ -305,8 +315,8 @@ invcal_status invcal_load_imu_session(const invcal_store *store, invcal_imu_sess
 
 /* ---- what survives a reset: the result ----------------------------------------------------------
  *
- * Both calibrations and their quality as 344 bytes, for a memory (store.h), a file or a radio. Numbers as in
- * a record of store.h:
+ * Both calibrations and their quality as 344 bytes, for a memory (store.h), a file or a radio.
+ * Numbers as in a record of store.h:
  *
  *     at    size  what
  *       0   1     kind, 0xCC
@@ -346,16 +356,16 @@ typedef struct {
     uint8_t g_is_used;           /* 1: subtract slope times the acceleration from rates */
 } invcal_imu_record;
 
-/* Makes a record from the result of invcal_imu_solve. If the accelerometer was held, put its own record into
- * record->accelerometer. If only the gyroscope is weak, the accelerometer's verdict is INVCAL_NO_REDUNDANCY:
- * nothing has checked it. */
+/* Makes a record from the result of invcal_imu_solve. If the accelerometer was held, put its own
+ * record into record->accelerometer. If only the gyroscope is weak, the accelerometer's verdict is
+ * INVCAL_NO_REDUNDANCY: nothing has checked it. */
 void invcal_imu_record_init(invcal_imu_record *record, const invcal_imu *imu);
 
 /* Encodes a record.
  *
  * Returns INVCAL_OK: invcal_imu_record_decode accepts the bytes. On failure they are lost: as
- * invcal_record_encode, of either sensor; INVCAL_DAMAGED also for a tenth parameter, or a verdict that
- * contradicts weak. Stack: about 700 bytes. */
+ * invcal_record_encode, of either sensor; INVCAL_DAMAGED also for a tenth parameter, or a verdict
+ * that contradicts weak. Stack: about 600 bytes. */
 invcal_status invcal_imu_record_encode(const invcal_imu_record *record,
                                        uint8_t bytes[INVCAL_IMU_RECORD_SIZE]);
 
@@ -363,27 +373,29 @@ invcal_status invcal_imu_record_encode(const invcal_imu_record *record,
  *
  * size  number of bytes; any after the record are ignored.
  *
- * Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for intact bytes of another kind or version; as
- * invcal_imu_record_encode otherwise. On failure out is untouched. Stack: as above. */
+ * Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for intact bytes of another kind or
+ * version; as invcal_imu_record_encode otherwise. On failure out is untouched. Stack: as above. */
 invcal_status invcal_imu_record_decode(const uint8_t *bytes, uint32_t size, invcal_imu_record *out);
 
 /* Saves a result as its record; over field, so before invcal_scale.
  *
- * Returns INVCAL_OK; as invcal_store_save; as invcal_imu_record_encode, for values that no solution has.
- * Stack: about 1,500 bytes, without the callbacks. */
+ * Returns INVCAL_OK; as invcal_store_save; as invcal_imu_record_encode, for values that no solution
+ * has.
+ * Stack: about 1,300 bytes, without the callbacks. */
 invcal_status invcal_save_imu(const invcal_store *store, const invcal_imu *imu);
 
 /* Loads it.
  *
  * Returns INVCAL_OK; as invcal_store_load; as invcal_imu_record_decode. INVCAL_NO_SPACE or
- * INVCAL_OTHER_VERSION: the store holds something else. Stack: about 1,100 bytes. */
+ * INVCAL_OTHER_VERSION: the store holds something else. Stack: about 1,000 bytes, without the
+ * callbacks. */
 invcal_status invcal_load_imu(const invcal_store *store, invcal_imu_record *out);
 
 /* The name of a parameter: "gyro_xx" (scale), "gyro_xy" ... "gyro_zz", then the names of
  * invcal_parameter_name. Outside 0 ... 17: "?". */
 const char *invcal_imu_parameter_name(unsigned parameter);
 
-/* ---- which turns to make ------------------------------------------------------------------------ */
+/* ---- which turns to make --------------------------------------------------------------------- */
 
 enum {
     INVCAL_TOUR = 12,     /* quarter turns of invcal_tour */
@@ -401,19 +413,21 @@ typedef struct {
 /* The information in rests and turns, made or planned: 720 bytes (float). */
 typedef struct {
     invcal_real up[3];   /* unit vector that points up now */
-    invcal_real seconds; /* of a quarter turn or less; more in proportion: 1.5 unless set */
+    invcal_real seconds; /* of a quarter turn or less; others in proportion; 1.5 unless set */
     invcal_real noise;   /* of a position mean, over field */
     invcal_real linear;  /* internal: variance of a turn over that of a mean, per second */
     invcal_real square;  /* internal: the same, per second squared */
     uint8_t n;           /* unknowns: 18; or 9, if the accelerometer is held */
-    /* normal equations in the order of invcal_imu, lower triangle by rows, times the square of noise */
+    /* normal equations in the order of invcal_imu, lower triangle by rows, times the square of
+     * noise */
     invcal_real sum[INVCAL_IMU_PARAMETERS * (INVCAL_IMU_PARAMETERS + 1) / 2];
 } invcal_turns;
 
 /* Begins a plan with one rest.
  *
  * up        unit vector that points up in it.
- * settings  as for invcal_imu_solve, or null; with rate_noise and instability 0 the gyroscope is perfect.
+ * settings  as for invcal_imu_solve, or null; with rate_noise and instability 0 the gyroscope is
+ *           perfect.
  *
  * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR. */
 invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
@@ -421,7 +435,7 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
 
 /* Begins a plan with the rests and moves measured so far: arguments as for invcal_imu_solve.
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW: no rest; and as invcal_imu_solve for its arguments.
+ * Returns INVCAL_OK; INVCAL_TOO_FEW without a rest; and as invcal_imu_solve for its arguments.
  * Cost: a pass of invcal_imu_solve. Stack: about 2,500 bytes. */
 invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, unsigned count,
                                  const invcal_calibration *accelerometer, const invcal_moves *moves,
@@ -429,23 +443,25 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
 
 /* Finds the shortest turn after which another direction points up. Both are unit vectors.
  *
- * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, also for opposite directions: no turn is the shortest. */
+ * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, also for opposite directions: no turn is the
+ * shortest. */
 invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out);
 
-/* Turn i of a program that begins with z up. From 0 to INVCAL_TOUR - 1: quarter turns between the six
- * faces, each of the twelve edges once,
+/* Turn i of a program that begins with z up. From 0 to INVCAL_TOUR - 1: quarter turns between the
+ * six faces, each of the twelve edges once,
  *
  *     +z +x +y +z -x +y -z +x -y -z -x -y +z
  *
- * which determine all 18. Then up to INVCAL_TOUR_FULL - 1 a full turn about x and about y, a quarter turn, and a
- * full turn about z, which halve sigma of the scales. The axis is always horizontal.
+ * which determine all 18. Then up to INVCAL_TOUR_FULL - 1 a full turn about x and about y, a
+ * quarter turn, and a full turn about z, which halve sigma of the scales. The axis is always
+ * horizontal.
  *
- * Returns INVCAL_OK; INVCAL_BAD_PROGRAM: there is no turn i. */
+ * Returns INVCAL_OK; INVCAL_BAD_PROGRAM if there is no turn i. */
 invcal_status invcal_tour(unsigned i, invcal_turn *out);
 
-/* Finds the turn that adds most: of the shortest turns to 26 directions (faces, edges and corners of a cube),
- * the one with the largest determinant of the normal equations. Twelve of these are better than the tour, but
- * six faces are easier to find by hand than corners.
+/* Finds the turn that adds most: of the shortest turns to 26 directions (faces, edges and corners
+ * of a cube), the one with the largest determinant of the normal equations. Twelve of these are
+ * better than the tour, but six faces are easier to find by hand than corners.
  *
  * Cost: 175,000 instructions for 18 unknowns. Stack: about 1,300 bytes. */
 void invcal_turns_next(const invcal_turns *turns, invcal_turn *out);
@@ -459,12 +475,13 @@ invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn);
 /* Computes the expected sigma.
  *
  * turn   one more turn, or null: shows its improvement.
- * sigma  out: over the noise of a position mean, in the order of invcal_imu; 0 for what is held. If a
- *        parameter is undetermined, at most 10, as if each were known to ten times that noise.
- * open   out: bit r: parameter r is undetermined; or, with INVCAL_OK, weak: above 2.5 times the noise of a
- *        turn, as in invcal_imu.
+ * sigma  out: over the noise of a position mean, in the order of invcal_imu; 0 for what is held. If
+ *        a parameter is undetermined, at most 10, as if each were known to ten times that noise.
+ * open   out: bit r: parameter r is undetermined; or, with INVCAL_OK, weak: above 2.5 times the
+ *        noise of a turn, as in invcal_imu.
  *
- * Returns INVCAL_OK; INVCAL_UNDETERMINED; and as invcal_turns_add for the turn: nothing is written then.
+ * Returns INVCAL_OK; INVCAL_UNDETERMINED; and as invcal_turns_add for the turn: nothing is written
+ * then.
  * Cost: 30,000 instructions. Stack: about 1,200 bytes. */
 invcal_status invcal_turns_sigma(const invcal_turns *turns, const invcal_turn *turn,
                                  invcal_real sigma[INVCAL_IMU_PARAMETERS], uint32_t *open);

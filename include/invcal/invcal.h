@@ -1,22 +1,23 @@
 /* SPDX-License-Identifier: MIT
  *
  * invcal/invcal.h: a device calibrates its own accelerometer against gravity alone. Most programs
- * include only this header:
+ * need only this header, or store.h, which includes it:
  *
  *     calibration   what a correction is, and how to apply it
  *     calibrate     from an array of position means
  *     session       the whole procedure: samples in, instructions for the user out
  *
- * Further headers: store.h (what survives a reset), thermal.h (temperature), allan.h (noise), plan.h
- * (programs for a stand), expert.h (the steps one by one, and rarely needed options).
+ * Further headers: store.h (what survives a reset), gyro.h (the whole IMU), magnetometer.h, frame.h
+ * (the axes of the case), thermal.h (temperature), allan.h (noise), plan.h (programs for a stand),
+ * expert.h (each single step, and rarely needed options).
  *
- * The sensor. A triad at rest in a field of length 1, in orientation eta, reads
+ * The sensor. A triad at rest in a field eta, of length 1, reads
  *
  *     u = (I + S) eta + delta + noise,
  *
- * where u is the raw reading after the nominal calibration of the data sheet, and S = diag(dk) + the
- * symmetric cross terms gamma / 2. So all readings lie on an ellipsoid, and a dozen of them
- * determine its nine parameters (mathematics.md, "The sensor").
+ * where u is the raw reading after the nominal calibration of the data sheet, and S is diag(dk)
+ * plus the symmetric cross terms gamma / 2. So all readings lie on an ellipsoid, and a dozen of
+ * them determine its nine parameters (mathematics.md, "The sensor").
  *
  * Units. A reading is in *raw* counts, as the sensor delivers it, or *over field*: in units of the
  * length of the field, which is g for an accelerometer. There is no other unit; invcal_scale
@@ -32,7 +33,7 @@
  * - There are no globals: every function is reentrant, and safe in an interrupt or a thread as long
  *   as nothing else changes its arguments meanwhile.
  * - A null pointer is a programming error (INVCAL_ASSERT), not a status.
- * - Costs are instructions of a Cortex-M4F at -O2 and stack of the same at -Os, in float.
+ * - Costs are those of a Cortex-M4F in float: instructions at -O2, stack at -Os.
  */
 #ifndef INVCAL_INVCAL_H
 #define INVCAL_INVCAL_H
@@ -44,10 +45,10 @@
 extern "C" {
 #endif
 
-/* ---- build options ----------------------------------------------------------------------------
+/* ---- build options ------------------------------------------------------------------------------
  *
  * All are optional. Define a macro on the command line, or name a header of your own to be included
- * first: -DINVCAL_CONFIG_HEADER='"my_invcal_config.h"'. A program and a library compiled with
+ * first: -DINVCAL_CONFIG_HEADER='"my_invcal_config.h"'. A program and a library built with
  * different options do not link. */
 #ifdef INVCAL_CONFIG_HEADER
 #include INVCAL_CONFIG_HEADER
@@ -78,8 +79,8 @@ extern "C" {
 #define INVCAL_MAX_POSITIONS 24
 #endif
 
-/* Called with a condition that only a programming error can break. Compiles to nothing by default;
- * define it as assert or as a breakpoint, for example. */
+/* Called with a condition that only a programming error can make false. Compiles to nothing by
+ * default; define it as assert or as a breakpoint, for example. */
 #ifndef INVCAL_ASSERT
 #define INVCAL_ASSERT(condition) ((void)sizeof((condition) ? 1 : 0))
 #endif
@@ -88,7 +89,7 @@ extern "C" {
 #error "INVCAL_DOUBLE must be 0 (float) or 1 (double)"
 #endif
 #if INVCAL_DOUBLE && DBL_MANT_DIG < 53
-#error "double has no 53 bits here: use float"
+#error "double has fewer than 53 bits here: use float"
 #endif
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
 #error "-ffast-math and -ffinite-math-only remove the checks against NaN"
@@ -117,11 +118,12 @@ typedef float invcal_real; /* double with INVCAL_DOUBLE */
 #define INVCAL_FABS fabsf               /* the other one */
 #endif
 
-/* The options are part of the names of the functions with which each structure is first used: if those of
- * program and library differ, linking fails, instead of a write past the end of a structure. */
+/* Build options are part of the names of the functions that every use of a structure begins with:
+ * if those of program and library differ, linking fails, before anything is written past the end of
+ * a structure. */
 #define INVCAL_CHOSEN(name, choice) INVCAL_CHOSEN_(name, INVCAL_REAL_NAME, choice)
-#define INVCAL_CHOSEN_(name, real, choice) INVCAL_CHOSEN__(name, real, choice) /* step of it */
-#define INVCAL_CHOSEN__(name, real, choice) name##_##real##_##choice           /* step of it */
+#define INVCAL_CHOSEN_(name, real, choice) INVCAL_CHOSEN__(name, real, choice) /* next step */
+#define INVCAL_CHOSEN__(name, real, choice) name##_##real##_##choice           /* last step */
 #define invcal_apply INVCAL_CHOSEN(invcal_apply, 9)
 #define invcal_nominal INVCAL_CHOSEN(invcal_nominal, 9)
 #define invcal_calibrate INVCAL_CHOSEN(invcal_calibrate, INVCAL_MAX_POSITIONS)
@@ -138,17 +140,17 @@ typedef uint64_t invcal_mask;
 typedef uint32_t invcal_mask;
 #endif
 
-/* ---- status ----------------------------------------------------------------------------------- */
+/* ---- status ---------------------------------------------------------------------------------- */
 
 /* What a function returns. */
 typedef enum {
     INVCAL_OK = 0, /* done */
 
     /* the data */
-    INVCAL_NOT_FINITE,   /* a reading is NaN or infinite */
-    INVCAL_TOO_FEW,      /* too few positions, or too few of something else */
-    INVCAL_UNDETERMINED, /* the positions leave some parameters open: invcal_undetermined */
-    INVCAL_NOT_ELLIPSOID, /* the readings do not lie on an ellipsoid that a sensor triad can produce */
+    INVCAL_NOT_FINITE,    /* a reading is NaN or infinite */
+    INVCAL_TOO_FEW,       /* too few positions, or too few of something else */
+    INVCAL_UNDETERMINED,  /* the positions leave some parameters open: invcal_undetermined */
+    INVCAL_NOT_ELLIPSOID, /* the readings do not lie on an ellipsoid that a triad can produce */
 
     /* a static interval that was not accepted as a position */
     INVCAL_OUT_OF_RANGE, /* a reading is shorter than 0.1 or longer than 10 times the field */
@@ -165,7 +167,6 @@ typedef enum {
     INVCAL_BAD_RATE,        /* samples per second */
     INVCAL_BAD_RAILS,       /* the ends of the sensor's range */
     INVCAL_BAD_NOISE,       /* a standard deviation */
-    INVCAL_BAD_WEIGHT,      /* of a row */
     INVCAL_BAD_PRIOR,       /* a prior's standard deviation */
     INVCAL_BAD_FIELD,       /* the length of the field */
     INVCAL_BAD_COUNT,       /* of positions, or of anything else */
@@ -186,7 +187,7 @@ typedef enum {
     INVCAL_MOVE_GAP,    /* samples were lost in it */
     INVCAL_MOVE_LONG,   /* it took more than 10 s */
     INVCAL_MOVE_APART,  /* it contradicts the others */
-    INVCAL_MOUNTING,    /* axes of the gyroscope and accelerometer do not match, or degrees */
+    INVCAL_MOUNTING,    /* axes, signs or unit of gyroscope and accelerometer do not match */
     INVCAL_STATUS_COUNT /* their number; not a status */
 } invcal_status;
 
@@ -194,7 +195,8 @@ typedef enum {
  * enumeration gives "unknown status". */
 const char *invcal_status_text(invcal_status status);
 
-/* The nine parameters, in the order of the paper's vector X. Every array of nine uses this order. */
+/* The nine parameters, in the order of the paper's vector X. Every array of nine uses this
+ * order. */
 enum {
     INVCAL_DELTA_X = 0, /* zero offset over field (for an accelerometer, in g) */
     INVCAL_DELTA_Y,     /* of y */
@@ -211,9 +213,9 @@ enum {
 /* The name of a parameter: "delta_x" ... "gamma_zy". Outside 0 ... 8: "?". */
 const char *invcal_parameter_name(unsigned parameter);
 
-/* ---- a calibration, and its use ---------------------------------------------------------------- */
+/* ---- a calibration, and its use -------------------------------------------------------------- */
 
-/* A correction: calibrated = matrix (raw - offset). The same structure holds the start:
+/* A correction: calibrated = matrix (raw - offset). The same structure holds the starting point:
  * the *nominal* calibration of a data sheet, or an earlier one to be renewed. */
 typedef struct {
     invcal_real offset[3];    /* raw reading in no field, raw counts */
@@ -243,13 +245,13 @@ void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3
 void invcal_apply_counts(const invcal_calibration *calibration, const int32_t raw[3],
                          invcal_real calibrated[3]);
 
-/* Puts a unit into a calibration: field is the length of the field in that unit, 9.80665 for m/s^2.
- * After that, only apply it: it is no longer a nominal.
+/* Converts a calibration to a unit: field is the length of the field in that unit, 9.80665 for
+ * m/s^2. After that, only apply it: it can no longer be a nominal.
  *
  * Returns INVCAL_OK; INVCAL_BAD_FIELD unless field is finite and positive. */
 invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field);
 
-/* ---- how good it is ---------------------------------------------------------------------------- */
+/* ---- how good it is -------------------------------------------------------------------------- */
 
 /* A systematic error that the nine parameters do not describe. */
 typedef enum {
@@ -266,7 +268,7 @@ typedef enum {
     INVCAL_NO_REDUNDANCY, /* as many directions as unknowns: determined, but nothing checks it */
     INVCAL_ROUGH,         /* residuals that noise does not explain, or too many positions that
                              contradict the others: something is wrong */
-    INVCAL_DRIFTING,      /* the sensor drifts: let it warm up, or be quicker */
+    INVCAL_DRIFTING,      /* the sensor drifts: let it warm up, or work faster */
     INVCAL_BENT,          /* nonlinearity or hysteresis: nine parameters do not describe it */
     INVCAL_WEAK           /* some parameter is poorly determined, see quality.weak: usable only
                              within its large sigma */
@@ -281,7 +283,8 @@ typedef struct {
     uint8_t verdict;    /* an invcal_verdict: the summary */
     uint8_t systematic; /* an invcal_systematic: what was found */
     uint8_t axis;       /* on which axis: 0 x, 1 y, 2 z */
-    /* bit k: systematic error k was not tested, or the positions hardly separate it from the nine */
+    /* bit k: systematic error k was not tested, or the positions hardly separate it from the
+     * parameters */
     uint8_t unchecked;
     /* bit r: parameter r is poorly determined: its sigma exceeds ten times the noise, or it looks
      * determined only because of the noise in the readings */
@@ -295,21 +298,21 @@ typedef struct {
     /* of the systematic error, over field: the growth of the offset from the first position to the
      * last; the coefficient of x^2 or x^3; the excess of "up" over "down" */
     invcal_real size;
-    /* on which sigma is based: standard deviation of a position mean on each axis, over field. Stated and
-     * observed noise combined; the observed alone if it is clearly larger, or nearly zero; 1, the whole
-     * field, if there is neither */
+    /* what sigma is based on: the standard deviation of a position mean on each axis, over field.
+     * Stated and observed noise combined; the observed alone if it is clearly larger, or nearly
+     * zero; 1, the whole field, if there is neither */
     invcal_real noise;
     invcal_real rms; /* of the residuals |calibrated| - 1 over the positions */
     invcal_real max; /* the largest absolute value of these */
-    /* of the normal equations: tr K tr K^-1, K the covariance over noise^2, an upper bound of their condition
-     * number. The best possible value is 130 */
+    /* of the normal equations: tr K tr K^-1, with K the covariance over noise^2, an upper bound of
+     * their condition number. The best possible value is 130 */
     invcal_real condition;
     invcal_real sigma[INVCAL_PARAMETERS]; /* standard deviation of delta (over field), dk (1) and
                                              gamma (rad) against nominal: the Cramer-Rao bound */
 } invcal_quality;
 
 /* The factor k for which +- k sigma covers 95 %: Student's t for a sigma estimated with dof degrees
- * of freedom, 12.706 at 1 (and at 0), 1.960 for very many. Exact to 0.002 (relative). */
+ * of freedom, 12.706 at 1 (and at 0), 1.960 for very many. Accurate to 0.002 (relative). */
 invcal_real invcal_coverage(unsigned dof);
 
 /* The accuracy of a calibrated length: the half-width of its 95 % interval, over field, root mean
@@ -319,17 +322,18 @@ invcal_real invcal_coverage(unsigned dof);
  *          9.80665 m/s^2 anywhere on Earth, 0.00005 if computed from latitude and height; 0 if the
  *          field itself is the unit.
  *
- * Computed from sigma alone, as if scale errors were independent: within 10 % (mathematics.md, "Accuracy").
- * Cost: 150 instructions. */
+ * Computed from sigma alone, as if scale errors were independent: within 10 % (mathematics.md,
+ * "Accuracy").
+ * Cost: 65 instructions. */
 invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
 
 /* Calibrates from position means.
  *
- * raw      3 count numbers: position means x y z, x y z, ... in raw counts, in any order. At least
- *          nine; twelve to eighteen well spread ones are good. In float a mean has 24 bits: subtract
- *          a constant from counts above 2^24 first.
+ * raw      3 * count numbers: position means x y z, x y z, ... in raw counts, in any order. At
+ *          least nine; twelve to eighteen well spread ones are good. In float a mean has 24 bits:
+ *          subtract a constant from counts above 2^24 first.
  * count    up to 65534.
- * nominal  data sheet, or an earlier calibration; may be out.
+ * nominal  data sheet, or an earlier calibration; may equal out.
  * noise    standard deviation of a position mean on each axis, over field, below 1; 0: not known,
  *          estimated from the residuals alone.
  * out      the calibration: the symmetric correction A, closest to the axes of nominal
@@ -339,32 +343,33 @@ invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
  * Judges by the size of the residuals alone: invcal_calibrate_judged looks for their causes.
  *
  * Returns INVCAL_OK;
- *   INVCAL_BAD_NOMINAL    see invcal_nominal; or singular to rounding;
+ *   INVCAL_BAD_NOMINAL    see invcal_nominal; or singular to within rounding;
  *   INVCAL_BAD_NOISE, INVCAL_BAD_COUNT;
  *   INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE    for a reading: invcal_bad_reading says which;
  *   INVCAL_TOO_FEW        fewer than nine;
  *   INVCAL_UNDETERMINED   the positions leave parameters open, to the precision of the number type:
  *                         invcal_undetermined names them;
- *   INVCAL_NOT_ELLIPSOID  the readings do not lie on an ellipsoid (but a hyperboloid, for example), on none
- *                         of a triad (a semi-axis below about 1/10 of nominal or of another one, or
- *                         a centre beyond ten times the field), or scatter by a tenth of the field.
- * Cost: 18,000 instructions for 18 positions. Stack: about 620 bytes. */
+ *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid (but on a hyperboloid, for example), on
+ *                         one that no triad has (a semi-axis below about 1/10 of nominal or of
+ *                         another one, or a centre beyond ten times the field), or scatter by a
+ *                         tenth of the field.
+ * Cost: 18,000 instructions for 18 positions. Stack: about 660 bytes. */
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality);
 
 /* The same, but also tests what the nine parameters do not explain (mathematics_judgement.md).
- * Leaves out positions that contradict the others; reports a systematic error - drift, nonlinearity,
- * hysteresis - with its axis and size. Directions within 5 degrees count once.
+ * Leaves out positions that contradict the others; reports a systematic error - drift,
+ * nonlinearity, hysteresis - with its axis and size. Directions within 5 degrees count once.
  *
- * count  up to INVCAL_MAX_POSITIONS, in the order in which they were visited, at equal intervals.
- * out    not nominal.
+ * count  up to INVCAL_MAX_POSITIONS, in the order of the visits, at equal intervals of time.
+ * out    must not equal nominal.
  *
  * Sets left_out, suspected, systematic, axis, size and unchecked of quality, and a verdict that
  * considers them all. About one in a hundred sets of 18 good positions is not called good.
  *
  * Returns as invcal_calibrate; INVCAL_BAD_COUNT for more than INVCAL_MAX_POSITIONS.
- * Cost: 120,000 instructions for 18 good positions. Stack: about 980 bytes. */
+ * Cost: 120,000 instructions for 18 good positions. Stack: about 840 bytes. */
 invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
                                       const invcal_calibration *nominal, invcal_real noise,
                                       invcal_calibration *out, invcal_quality *quality);
@@ -398,7 +403,7 @@ typedef enum {
 
 /* Internal: an axis of the rest detector. Means are in 1/1024 counts. */
 typedef struct {
-    int32_t first;  /* sample of the block */
+    int32_t first;  /* first sample of the block */
     uint32_t sum;   /* of the differences to it, modulo 2^32; then the block's mean from origin */
     int32_t origin; /* what block means are relative to */
     int32_t place;  /* of the last position; before the first one, of the first block */
@@ -441,8 +446,8 @@ typedef struct {
     } rest;                    /* the current one */
 } invcal_rests;
 
-/* A session: 560 bytes (float, 24 positions). mean and count may be read. Since means
- * are in counts, nominal may be replaced by one with which all of them are readings (invcal_bad_reading,
+/* A session: 560 bytes (float, 24 positions). mean and count may be read. Means are in counts, so
+ * nominal may be replaced by another one with which all of them are readings (invcal_bad_reading,
  * expert.h). invcal_session_is_good uses it from the next position on. */
 typedef struct {
     /* saved: store.h */
@@ -477,8 +482,8 @@ invcal_status invcal_session_init(invcal_session *session, invcal_real counts, u
 invcal_status invcal_session_begin(invcal_session *session, const invcal_calibration *nominal,
                                    unsigned rate);
 
-/* Sets the counts at which the sensor clips, low < high (-32768, 32767): rests that reach them are
- * refused from now on. Without it clipping is not detected.
+/* Sets the counts at which the sensor clips, low < high (-32768 and 32767 for 16 bits): rests that
+ * reach them are refused from now on. Without it clipping is not detected.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RAILS. */
 invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high);
@@ -497,15 +502,15 @@ void invcal_session_hold(invcal_session *session, uint32_t milliseconds);
  *
  * Positions beyond INVCAL_MAX_POSITIONS replace the oldest.
  *
- * Bounded: it never solves. Cost: 62 instructions on average at 1 kHz, 98 at 100 Hz.
- * Stack: about 230 bytes. */
+ * Returns what happened. Never solves, so its cost is bounded.
+ * Cost: 56 instructions on average at 1 kHz, 95 at 100 Hz. Stack: about 160 bytes. */
 invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3]);
 
 /* Call it where samples were lost. A rest goes on if the next samples agree with it. */
 void invcal_session_gap(invcal_session *session);
 
-/* Ends the stream: closes the current rest as motion would. Returns INVCAL_TAKEN, INVCAL_REFUSED, or
- * INVCAL_MOVING if there was none. */
+/* Ends the stream: closes the current rest as motion would. Returns INVCAL_TAKEN, INVCAL_REFUSED,
+ * or INVCAL_MOVING if there was none. */
 invcal_event invcal_session_finish(invcal_session *session);
 
 /* Progress of the current position, percent: 0 in motion, 100 from READY on. */
@@ -518,17 +523,17 @@ invcal_event invcal_session_last(const invcal_session *session);
 invcal_status invcal_session_reason(const invcal_session *session);
 
 /* The same as a sentence, as from invcal_status_text, "" before the first. Links only the sentences
- * of rests. */
+ * about rests. */
 const char *invcal_session_why(const invcal_session *session);
 
 /* Which orientation to take next: of 26 directions - the faces, edges and corners of a cube - the
- * one that adds the most information (mathematics_programs.md, "Guidance"); of equals, the nearest to the
- * current orientation. A position that is READY and still held counts as taken. It need not
- * be hit exactly: the next direction is computed from the orientations measured.
+ * one that adds the most information (mathematics_programs.md, "Guidance"); of equals, the nearest
+ * to the current orientation. A position that is READY and still held counts as taken. The
+ * direction need not be hit exactly: the next one is computed from the orientations measured.
  *
  * up  out: the direction to point upwards, in the frame of the case: a unit vector.
  *
- * Cost: 14,000 instructions. Stack: about 470 bytes. */
+ * Cost: 14,000 instructions. Stack: about 480 bytes. */
 void invcal_session_next(const invcal_session *session, invcal_real up[3]);
 
 #define INVCAL_WORDS 40u /* bytes, with the terminating zero */
@@ -543,8 +548,8 @@ const char *invcal_session_next_words(const invcal_session *session, char words[
  * up  unit vector. Returns words. */
 const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS]);
 
-/* Is the position that is READY, or else the last one, within 20 degrees of a direction, such as that of a
- * program (plan.h)? Returns 1 or 0; 0 if there is neither.
+/* Is the position that is READY, or else the last one, within 20 degrees of a direction, such as
+ * that of a program (plan.h)? Returns 1 or 0; 0 if there is neither.
  *
  * up  unit vector. */
 int invcal_session_is_at(const invcal_session *session, const invcal_real up[3]);
@@ -553,21 +558,22 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
  * invcal_calibrate_judged). Does not change the session: more may follow.
  *
  * Returns as invcal_calibrate. Cost: 190,000 instructions for 18 good positions, up to 400,000 if
- * some are wrong. Stack: about 1,000 bytes. */
+ * some are wrong. Stack: about 850 bytes. */
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality);
 
-/* Are there enough positions? Returns 1 if the result of invcal_session_solve is good, and its sigma is based on
- * 3 degrees of freedom or a stated noise. Solves only if a position was taken since the last call. */
+/* Are there enough positions? Returns 1 if the result of invcal_session_solve is good, and its
+ * sigma is based on 3 degrees of freedom or a stated noise. Solves only if a position was taken
+ * since the last call. */
 int invcal_session_is_good(invcal_session *session);
 
-/* Is it accurate enough? Returns 1 if it is good, and every sigma, widened for few degrees of freedom, is within
- * its target: sigma of delta (over field), dk (1), gamma (rad). Solves on every call: call it
- * after a position was taken. */
+/* Is it accurate enough? Returns 1 if it is good, and every sigma, widened for few degrees of
+ * freedom, is within its target: sigma of delta (over field), dk (1), gamma (rad). Solves on every
+ * call: call it after a position was taken. */
 int invcal_session_reaches(const invcal_session *session, const invcal_real target[3]);
 
-/* The same in one number: returns 1 if it is good, and invcal_accuracy, with the same gravity, is at most
- * need. Solves on every call: call it after a position was taken. */
+/* The same in one number: returns 1 if it is good, and invcal_accuracy, with the same gravity, is
+ * at most need. Solves on every call: call it after a position was taken. */
 int invcal_session_meets(const invcal_session *session, invcal_real need, invcal_real gravity);
 
 #ifdef __cplusplus

@@ -2,23 +2,25 @@
  *
  * invcal/magnetometer.h: a magnetometer calibrates itself while it is moved.
  *
- * A compass is not held still in twelve orientations, but waved for a minute. Its samples lie on the same
- * ellipsoid as positions (invcal.h), but neighbours have a common error, and the hand prefers some directions.
- * So they are spread evenly: 18 cells of equal size around the faces and edges of a cube each hold the mean of
- * their rows (mathematics_magnetometer.md), and the cells are the positions.
+ * A compass is not held still in twelve orientations, but waved for a minute. Its samples lie on
+ * the same ellipsoid as positions (invcal.h), but neighbours have a common error, and the hand
+ * prefers some directions. So they are spread evenly: 18 cells of equal size around the faces and
+ * edges of a cube each hold the mean of their rows (mathematics_magnetometer.md), and the cells are
+ * the positions.
  *
  *     invcal_magnetometer_init(&magnetometer, &nominal);
  *     for every sample:
- *         if (invcal_magnetometer_feed(&magnetometer, raw) == INVCAL_TAKEN)     one more cell is covered:
- *             invcal_magnetometer_next(&magnetometer, along)                    turn through the white part
+ *         if (invcal_magnetometer_feed(&magnetometer, raw) == INVCAL_TAKEN)    another cell covered
+ *             invcal_magnetometer_next(&magnetometer, along)                   show where to turn
  *     invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found)
  *
- * Turn it slowly, within a minute or so, until each side of the case has pointed along the field. Keep
- * away from iron and electric currents. Disturbed samples are left out, or the disturbance is reported.
+ * Turn it slowly, within a minute or so, until each side of the case has pointed along the field.
+ * Keep away from iron and electric currents. Disturbed samples are left out, or the disturbance is
+ * reported.
  *
- * The length of the field need not be known: calibrated readings have length 1. invcal_scale with the field in
- * uT, from a map, converts them to uT; with found.field it keeps the scale of nominal, so that only offset and
- * shape are calibrated.
+ * The length of the field need not be known: calibrated readings have length 1. invcal_scale with
+ * the field in uT, from a map, converts them to uT; with found.field it keeps the scale of nominal,
+ * so that only offset and shape are calibrated.
  *
  * With an accelerometer, invcal_dip finds the rotation between the axes of both.
  *
@@ -41,7 +43,7 @@ extern "C" {
 /* Disturbances. Of two the larger value is reported. */
 typedef enum {
     INVCAL_UNDISTURBED, /* none was found */
-    INVCAL_PASSING, /* samples contradict the others, and are left out: a magnet or iron passed by */
+    INVCAL_PASSING, /* samples contradict the others and are left out: a magnet or iron passed by */
     INVCAL_PLACES,  /* the field differs from place to place: turn it where it is, away from iron */
     INVCAL_STEP     /* readings changed: something magnetic has moved on the device or near it.
                        Begin again */
@@ -101,33 +103,35 @@ invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
 
 /* Feeds one sample, raw counts.
  *
- * From time to time it looks at all samples. After the first solution it leaves out samples that contradict
- * it; those before that solution are dropped, unless they agree with later samples as soon as these cover all
- * sides as well.
+ * From time to time it looks at all samples. After the first solution it leaves out samples that
+ * contradict it; those before that solution are dropped, unless they agree with later samples once
+ * these cover all sides, too.
  *
- * Returns INVCAL_NOTHING; INVCAL_TAKEN if it is the first in its cell; INVCAL_REFUSED if it is left out,
- * or not a number.
+ * Returns INVCAL_NOTHING; INVCAL_TAKEN if it is the first in its cell; INVCAL_REFUSED if it is left
+ * out, or not a number.
  *
  * Cost: 220 instructions; a look up to 75,000: with ten looks 250 on average over 12,000 samples.
  * Stack: about 1,200 bytes. */
 invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const invcal_real raw[3]);
 
-/* Where to turn next: the cell farthest from all with samples; if all have some, the one with the fewest.
+/* Where to turn next: the cell farthest from all with samples; if all have some, the one with the
+ * fewest.
  *
  * along  out: unit vector, the direction of the case that should point along the field. The field
  *        points north, and down by the dip, 60 degrees or more in most of Europe and North
  *        America: there, let the opposite side point up (invcal_words), and swing it around.
  *
- * Cost: 13,000 instructions. Stack: about 100 bytes. */
+ * Cost: up to 14,000 instructions. Stack: about 120 bytes. */
 void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_real along[3]);
 
 /* Solves the samples so far. More may follow.
  *
  * out      the calibration, over field; symmetric against nominal.
- * quality  its positions are the cells. sigma counts samples with a common error once, or comes from the
- *          scatter of the cells if that is clearly larger. No redundancy: the correlation of the samples is
- *          not known yet. Weak also if the gap is 60 degrees or more, for the parameters along it. Rough if
- *          a step or PLACES is reported, or more than an eighth was left out.
+ * quality  its positions are the cells. sigma counts samples with a common error once, or comes
+ *          from the scatter of the cells if that is clearly larger. Verdicts: no redundancy while
+ *          the correlation of the samples is not known; weak also if the gap is 60 degrees or more,
+ *          for the parameters along it; rough if STEP or PLACES is reported, or more than an eighth
+ *          was left out.
  * found    out; may be null.
  *
  * Returns INVCAL_OK; else nothing is written:
@@ -140,28 +144,28 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
                                         invcal_calibration *out, invcal_quality *quality,
                                         invcal_magnetometer_found *found);
 
-/* A cell as a position, for display: along the mean of its samples, with the root-mean-square length of the
- * calibrated samples.
+/* A cell as a position, for display: along the mean of its samples, with the root-mean-square
+ * length of the calibrated samples.
  *
  * calibration  from invcal_magnetometer_solve; not scaled.
  * k            0 ... INVCAL_CELLS - 1.
  * raw          out: raw counts.
  *
- * Returns the number of its samples; if 0, raw is unchanged. Cost: 500 instructions. */
+ * Returns the number of its samples; if 0, raw is unchanged. Cost: 650 instructions. */
 unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
                                   const invcal_calibration *calibration, unsigned k,
                                   invcal_real raw[3]);
 
-/* ---- its axes and those of an accelerometer ------------------------------------------------------
+/* ---- its axes and those of an accelerometer -----------------------------------------------------
  *
- * Lengths do not show how the calibrated axes of each are mounted on the board. But the angle between up and
- * the field is the same in all orientations, 90 degrees plus the dip: with a calibrated acceleration a and a
- * calibrated field m, both of length 1, at the same instants
+ * Lengths do not show how the calibrated axes of each are mounted on the board. But the angle
+ * between up and the field is the same in all orientations, 90 degrees plus the dip: with a
+ * calibrated acceleration a and a calibrated field m, both of length 1, at the same instants
  *
  *     a R m = s    the same for all,    (R, s) minimise  sum (a R m - s)^2
  *
- * R turns m into the axes of a. A tilt-compensated compass depends on it: an error of a degree in R causes a
- * heading error of a degree or more.
+ * R turns m into the axes of a. A tilt-compensated compass depends on it: an error of a degree in R
+ * causes a heading error of a degree or more.
  *
  *     invcal_dip_init(&dip);
  *     ... for each instant: invcal_dip_add(&dip, a, m);           calibrated, of any length
@@ -196,23 +200,24 @@ void invcal_dip_init(invcal_dip *dip);
  *
  * up, field  calibrated, in the axes of each sensor; of any length above 0.
  *
- * Returns INVCAL_OK; else the sums are unchanged: INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE for a length of
- * 0, or one that cannot be squared. Cost: 350 instructions. Stack: about 80 bytes. */
+ * Returns INVCAL_OK; else the sums are unchanged: INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE for a
+ * length of 0, or one that cannot be squared. Cost: 350 instructions. Stack: about 80 bytes. */
 invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const invcal_real field[3]);
 
-/* Solves for R. A rotation by more than 90 degrees may be refused: exchange the axes first if they are half a
- * turn apart.
+/* Solves for R. A rotation by more than 90 degrees may be refused: exchange the axes first if they
+ * are half a turn apart.
  *
- * alike     number of successive instants with a common error (invcal_magnetometer_found), at least 1: sigma
- *           counts them once.
+ * alike     number of successive instants with a common error (invcal_magnetometer_found), at least
+ *           1: sigma counts them once.
  * rotation  out: R.
  * quality   out; may be null.
  *
  * Returns INVCAL_OK; else nothing is written:
  *   INVCAL_TOO_FEW        fewer than 5 instants;
- *   INVCAL_UNDETERMINED   an angle is undetermined: all turns were about one axis, or the field is vertical;
- *                         or no angle fits, for example if a and m are not of the same instants.
- * Cost: 35,000 instructions. Stack: about 500 bytes. */
+ *   INVCAL_UNDETERMINED   an angle is undetermined: all turns were about one axis, or the field is
+ *                         vertical; or no angle fits, for example if a and m are not of the same
+ *                         instants.
+ * Cost: 35,000 instructions. Stack: about 560 bytes. */
 invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_real rotation[3][3],
                                invcal_dip_quality *quality);
 

@@ -71,10 +71,11 @@ invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
 
 /* Start angles with which a program points as many of the axes x, y, z up and down as possible.
  *
- * The paper asks for each axis along +g and along -g. An even N achieves it with 90 - 360/N floor(N/4)
- * for groups 1 and 2 and 180 - 360/N for group 3: +-z, +-x, +-y; N = 6 gives 30, 30, 120, the paper's
- * Table 2. For an odd N, which has no opposite directions, the same angles give +z, -x, -y.
- * (From N = 901 on a quarter of a step is below the 0.1 degrees of invcal_axis_up: all six count.)
+ * The paper asks for each axis along +g and along -g. An even N achieves it with
+ * 90 - 360/N floor(N/4) for groups 1 and 2 and 180 - 360/N for group 3: +-z, +-x, +-y; N = 6 gives
+ * 30, 30, 120, the paper's Table 2. For an odd N, which has no opposite directions, the same angles
+ * give +z, -x, -y. (From N = 901 on a quarter of a step is below the 0.1 degrees of
+ * invcal_axis_up: all six count.)
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_PROGRAM for an N outside its range. */
 invcal_status invcal_plan_starts(unsigned per_group, invcal_real start[INVCAL_PLAN_GROUPS]);
@@ -90,8 +91,8 @@ enum {
     INVCAL_AXES             /* their number */
 };
 
-/* Which axis points up, within 0.1 degrees: one bit, or 0 if none does. Or the bits of all positions
- * to get the axes of a plan.
+/* Which axis points up, within 0.1 degrees: one bit, or 0 if none does. The bitwise OR over all
+ * positions gives the axes of a plan.
  *
  * vertical  a unit vector; any other, or a NaN, does no harm. */
 uint8_t invcal_axis_up(const invcal_real vertical[3]);

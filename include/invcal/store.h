@@ -7,7 +7,8 @@
  *     store           the same for any bytes, safe against power loss; the layout of the slots
  *     record          a calibration with all that is known about it, as 136 bytes
  *
- * invcal.h states the rules and units. A program and a library with different build options do not link.
+ * invcal.h states the rules and units. A program and a library with different build options do not
+ * link.
  */
 #ifndef INVCAL_STORE_H
 #define INVCAL_STORE_H
@@ -27,7 +28,7 @@ extern "C" {
 #define invcal_load_session INVCAL_CHOSEN(invcal_load_session, INVCAL_MAX_POSITIONS)
 #define invcal_session_resume INVCAL_CHOSEN(invcal_session_resume, INVCAL_MAX_POSITIONS)
 
-/* ---- the memory -----------------------------------------------------------------------------------
+/* ---- the memory ---------------------------------------------------------------------------------
  *
  * NOR flash, or any memory that can behave like it. Erasing sets all bits of a slot, programming
  * clears some. A granule is the smallest unit that can be programmed; each is programmed at most
@@ -80,11 +81,11 @@ invcal_status invcal_save(const invcal_store *store, const invcal_calibration *c
 /* Loads it. For its other contents, use invcal_store_load and invcal_record_decode.
  *
  * Returns INVCAL_OK; as invcal_store_load; as invcal_record_decode. INVCAL_NO_SPACE or
- * INVCAL_OTHER_VERSION: it holds something else. Stack: about 500 bytes. */
+ * INVCAL_OTHER_VERSION: it holds something else. Stack: about 450 bytes. */
 invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration);
 
-/* The same for a calibration saved by release 0.1.0: call it if invcal_load fails, in a device in use
- * since then. Over field, as all calibrations. The next save is one that invcal_load reads.
+/* The same for a calibration saved by release 0.1.0: call it if invcal_load fails, in a device in
+ * use since then. Over field, as all calibrations. The next save is one that invcal_load reads.
  *
  * Returns as invcal_load. Stack: about 900 bytes. */
 invcal_status invcal_load_v1(const invcal_store *store, invcal_calibration *calibration);
@@ -99,7 +100,7 @@ invcal_status invcal_save_session(const invcal_store *store, const invcal_sessio
  * Returns as invcal_store_load, then as invcal_session_resume. Stack as these. */
 invcal_status invcal_load_session(const invcal_store *store, invcal_session *session);
 
-/* ---- the store: any bytes ------------------------------------------------------------------------
+/* ---- the store: any bytes -----------------------------------------------------------------------
  *
  * A save never touches the slot that a load would find: it erases the other one, programs the bytes
  * there, reads them back, and only then confirms them, with one granule of zeros after them.
@@ -117,14 +118,15 @@ invcal_status invcal_load_session(const invcal_store *store, invcal_session *ses
  *     E - 4     4     CRC-32 (IEEE 802.3, as zlib) of all bytes before it
  *     E               one granule: 0x00, confirmed; 0xFF, not
  *
- * If both slots have a correct CRC, a load takes the confirmed one; of two confirmed ones the later;
- * of two unconfirmed ones the earlier, since it was complete when writing of the later began. It
- * takes an unconfirmed slot if there is no other. So a cell left half programmed by a power cut, which
- * reads as 0 now and as 1 later, does no harm: if the CRC alone decided, the next save might erase
- * the good slot.
+ * If both slots have a correct CRC, a load takes the confirmed one; of two confirmed ones the
+ * later; of two unconfirmed ones the earlier, since it was complete when writing of the later
+ * began. It takes an unconfirmed slot if there is no other. So a cell left half programmed by a
+ * power cut, which reads as 0 now and as 1 later, does no harm: if the CRC alone decided, the next
+ * save might erase the good slot.
  *
- * Limits: it cannot guard against a driver that reports success before the memory is done, or against
- * two saves at once. The granularity is part of the format: with another one, nothing is found. */
+ * Limits: it cannot guard against a driver that reports success before the memory is done, or
+ * against two saves at once. The granularity is part of the format: with another one, nothing is
+ * found. */
 
 /* Saves size bytes, 1 ... 65535 (65459 where int has 16 bits). A later load returns them.
  *
@@ -153,8 +155,8 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
  *   INVCAL_IO         nothing was found, but one or both slots cannot be read: there may be
  *                     something. If the second reading, of what was found, fails or differs, bytes
  *                     is overwritten.
- * If one slot cannot be read, loads the other, even if it is the older: an old calibration is better
- * than none. Stack as above. */
+ * If one slot cannot be read, loads the other, even if it is the older: an old calibration is
+ * better than none. Stack as above. */
 invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint32_t capacity,
                                 uint32_t *size);
 
@@ -165,21 +167,21 @@ invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint3
  * something. Stack as above. */
 invcal_status invcal_store_erase(const invcal_store *store);
 
-/* ---- the record of a calibration ---------------------------------------------------------------
+/* ---- the record of a calibration ----------------------------------------------------------------
  *
  * Use it to store more than invcal_save does: which sensor, when, at what temperature; or to send
  * it. It is the same on every machine: integers with the least significant byte first; reals as
- * IEEE-754 binary32 in the same order, whatever invcal_real is. A float build loses nothing. A double
- * build keeps 24 bits of each number, an error of 6e-8 of the value (0.002 counts of an offset of
- * 33000). Decoding and encoding again gives the same bytes: nothing more is lost.
+ * IEEE-754 binary32 in the same order, whatever invcal_real is. A float build loses nothing. A
+ * double build keeps 24 bits of each number, an error of 6e-8 of the value (0.002 counts of an
+ * offset of 33000). Decoding and encoding again gives the same bytes: nothing more is lost.
  *
- * It begins with its kind, its version (now 2) and its length, and ends with the CRC-32 (IEEE 802.3, as
- * zlib) of all before it. Later versions may change everything else. So any version can distinguish
- * sound bytes of another one from damaged ones. Any other change, even a new verdict, gets a new
- * version number, and later releases keep a function to read every version released before.
+ * It begins with its kind, its version (now 2) and its length, and ends with the CRC-32 (IEEE
+ * 802.3, as zlib) of all before it. Later versions may change everything else. So any version can
+ * distinguish sound bytes of another one from damaged ones. Any change, even a new verdict, gets a
+ * new version number, and later releases keep a function to read every version released before.
  *
- * The CRC detects one to four wrong bits, any run of up to 32 wrong bits, and any two bytes exchanged.
- * Other damage passes once in 2^32 times.
+ * The CRC detects one to four wrong bits, any run of up to 32 wrong bits, and any two bytes
+ * exchanged. Other damage passes once in 2^32 times.
  *
  *     at    size  what                         at    size  what
  *       0   1     kind, 0xCA                    28   4     field_sigma
@@ -220,8 +222,8 @@ typedef struct {
     uint8_t temperature_known;            /* 1: temperature is known; 0: temperature is 0 */
 } invcal_record;
 
-/* Makes a record of the result of invcal_calibrate or a session. Everything else is unknown: fill it
- * in. */
+/* Makes a record of the result of invcal_calibrate or a session. Everything else is unknown: fill
+ * it in. */
 void invcal_record_init(invcal_record *record, const invcal_calibration *calibration,
                         const invcal_quality *quality);
 
@@ -230,9 +232,10 @@ void invcal_record_init(invcal_record *record, const invcal_calibration *calibra
  * Returns INVCAL_OK: invcal_record_decode accepts the bytes. On failure they are overwritten:
  *   INVCAL_NOT_FINITE   a number is NaN, infinite, or beyond the largest float;
  *   INVCAL_BAD_NOMINAL  rounded to float, the calibration is singular or absurdly scaled;
- *   INVCAL_DAMAGED      the record contradicts itself: verdict WEAK without a weak parameter, or the
- *                       reverse; a tenth parameter; an unknown temperature that is not 0.
- * Stack: about 300 bytes. */
+ *   INVCAL_DAMAGED      the record contradicts itself: verdict WEAK without a weak parameter, or
+ *                       the reverse; an unknown verdict; a tenth parameter; an unknown temperature
+ *                       that is not 0.
+ * Stack: about 240 bytes. */
 invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[INVCAL_RECORD_SIZE]);
 
 /* Decodes a record from bytes, at any alignment.
@@ -249,18 +252,19 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
 /* The same for a record of version 1, from release 0.1.0: the result is over field, as all are now;
  * `field` still gives the unit it was in.
  *
- * Returns as invcal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about 500 bytes. */
+ * Returns as invcal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about 520
+ * bytes. */
 invcal_status invcal_record_decode_v1(const uint8_t *bytes, uint32_t size, invcal_record *out);
 
-/* ---- the lasting part of a session ---------------------------------------------------------------
+/* ---- the lasting part of a session --------------------------------------------------------------
  *
  * The settings and the positions are at the beginning of the structure. The state of the stream is
  * after them, and is not saved: a rest in progress is lost, noise is learned again, and a device
  * still in its last orientation may record it again, which does no harm.
  *
- * These bytes are for the same device: a build with another number type, byte order or version of the
- * library refuses them. A table of another size accepts them if they fit. Those of release 0.1.0 are
- * refused, since its procedure was different. */
+ * These bytes are for the same device: a build with another number type, byte order or version of
+ * the library refuses them. A table of another size accepts them if they fit. Those of release
+ * 0.1.0 are refused, since its procedure was different. */
 #define INVCAL_SESSION_SIZE                                                                        \
     ((uint32_t)(offsetof(invcal_session, mean) +                                                   \
                 sizeof(invcal_real[INVCAL_MAX_POSITIONS][3]))) /* bytes at most */
@@ -269,16 +273,16 @@ invcal_status invcal_record_decode_v1(const uint8_t *bytes, uint32_t size, invca
  * yourself. */
 uint32_t invcal_session_size(const invcal_session *session);
 
-/* Resumes a session whose first bytes have been restored, with a new stream. If it fails, begin a new
- * session.
+/* Resumes a session whose first bytes have been restored, with a new stream. If it fails, begin a
+ * new session.
  *
  * size  number of bytes restored.
  *
  * Returns INVCAL_OK;
- *   INVCAL_OTHER_VERSION  they were not saved by a build like this;
+ *   INVCAL_OTHER_VERSION  they were saved by a different build;
  *   INVCAL_DAMAGED        their number does not match the table;
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    a content that no session
- *   has. The means are not checked: solving refuses bad ones. */
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    no session has that.
+ * The means are not checked: solving refuses bad ones. */
 invcal_status invcal_session_resume(invcal_session *session, uint32_t size);
 
 #ifdef __cplusplus

@@ -10,10 +10,11 @@
  *
  *     t = (T - reference) / span,   X(T) = x0 + x1 t + x2 t^2,   X = (delta, dk, gamma)
  *
- * Positions at all temperatures together determine all coefficients. Exactly two solves, the second for
- * the remainder of the first: nothing has to converge (mathematics.md, "Temperature"). The error over the
- * range is the Cramer-Rao bound of the coefficients; a parabola's is 1.26 times that of a line, so use
- * one only if needed. Deviations from the polynomial stay in the residuals, and so in every sigma.
+ * Positions at all temperatures together determine all coefficients. Exactly two solves, the second
+ * for the remainder of the first: nothing has to converge (mathematics.md, "Temperature"). The
+ * error over the range is the Cramer-Rao bound of the coefficients; a parabola's is 1.26 times that
+ * of a line, so use one only if needed. Deviations from the polynomial stay in the residuals, and
+ * so in every sigma.
  *
  * Temperatures are in K or degrees C, from the sensor's own thermometer if it has one. It need not
  * be accurate, but must be repeatable.
@@ -35,13 +36,14 @@ extern "C" {
 #error "INVCAL_THERMAL_DEGREE must be 0, 1 or 2"
 #endif
 
-/* Both are part of the names: the degree, and the number of positions, since quality has a bit for each. */
+/* Both are part of the names: the degree, and the number of positions, since quality has a bit for
+ * each. */
 #define INVCAL_THERMAL_CHOSEN(name)                                                                \
     INVCAL_THERMAL_CHOSEN_(name, INVCAL_THERMAL_DEGREE, INVCAL_MAX_POSITIONS)
 #define INVCAL_THERMAL_CHOSEN_(name, degree, positions)                                            \
-    INVCAL_THERMAL_CHOSEN__(name, degree, positions) /* step of it */
+    INVCAL_THERMAL_CHOSEN__(name, degree, positions) /* next step */
 #define INVCAL_THERMAL_CHOSEN__(name, degree, positions)                                           \
-    INVCAL_CHOSEN(name, degree##_##positions) /* step of it */
+    INVCAL_CHOSEN(name, degree##_##positions) /* last step */
 #define invcal_thermal_at INVCAL_THERMAL_CHOSEN(invcal_thermal_at)
 #define invcal_thermal_calibrate INVCAL_THERMAL_CHOSEN(invcal_thermal_calibrate)
 #define invcal_thermal_start INVCAL_THERMAL_CHOSEN(invcal_thermal_start)
@@ -65,7 +67,7 @@ typedef struct {
     uint8_t fallback; /* an invcal_thermal_fallback: why `fitted` is below the requested degree */
 } invcal_thermal;
 
-/* ---- at a temperature --------------------------------------------------------------------------- */
+/* ---- at a temperature ------------------------------------------------------------------------ */
 
 /* Where a temperature lies. */
 typedef enum {
@@ -82,12 +84,12 @@ typedef enum {
  *
  * Returns INVCAL_OK; INVCAL_BAD_TEMPERATURE if it is not finite; INVCAL_BAD_NOMINAL,
  * INVCAL_NOT_ELLIPSOID if thermal is damaged.
- * Cost: 640 instructions. Call it again only after a relevant change of T: at 1 mg/K, 0.05 K are
- * 5e-5 of the field. Stack: about 200 bytes. */
+ * Cost: 730 instructions. Call it again only after a relevant change of T: at 1 mg/K, 0.05 K are
+ * 5e-5 of the field. Stack: about 250 bytes. */
 invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real temperature,
                                 invcal_calibration *calibration, invcal_thermal_place *place);
 
-/* ---- the fit ------------------------------------------------------------------------------------- */
+/* ---- the fit --------------------------------------------------------------------------------- */
 
 /* Why the degree is lower than requested: the obstacle to the next higher one. */
 typedef enum {
@@ -105,29 +107,31 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
 
 /* Calibrates from position means and their temperatures.
  *
- * raw          3 count numbers, as invcal_calibrate. At least nine positions for each coefficient,
- *              at different temperatures; twelve to eighteen at each are good, in any order.
+ * raw          3 * count numbers, as invcal_calibrate. At least nine positions for each
+ *              coefficient, at different temperatures; twelve to eighteen at each are good, in any
+ *              order.
  * temperature  count numbers: the mean over each rest, see invcal_thermal_drift_limit.
  * count, nominal, noise  as invcal_calibrate.
  * out          reference and span are the middle and half the range of the temperatures, at least
  *              1 K.
- * quality      sigma at the reference; elsewhere: invcal_thermal_judge. All other members are of the
- *              whole range, and of all positions and coefficients.
+ * quality      sigma at the reference; elsewhere: invcal_thermal_judge. All other members are of
+ *              the whole range, and of all positions and coefficients.
  *
- * Slopes that the positions leave open are omitted, and out->fallback gives the reason: that is not a
- * failure. But without slopes over 5 K or more everything is weak: the actual slopes then pass for
- * other errors, which residuals need not show.
+ * Slopes that the positions leave open are omitted, and out->fallback gives the reason: that is not
+ * a failure. But without slopes over 5 K or more everything is weak: the actual slopes then pass
+ * for other errors, which residuals need not show.
  *
  * Returns as invcal_calibrate, and INVCAL_BAD_TEMPERATURE for one that is not finite.
- * Cost: 350,000 instructions for 36 positions (degree 1). Stack: 1.4, 2.1, 3.1 KB for degree 0, 1, 2. */
+ * Cost: 350,000 instructions for 36 positions (degree 1). Stack: 1.3, 2.0, 3.0 KB for degree 0, 1,
+ * 2. */
 invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,
                                        unsigned count, const invcal_calibration *nominal,
                                        invcal_real noise, invcal_thermal *out,
                                        invcal_quality *quality);
 
 /* The max drift of temperature in a rest, K from min to max: 2 noise / slope. The error of a
- * thermometer that lags behind the sensor is at most half the drift, and its effect then at most the
- * noise of a position. (The drift itself does no harm: the mean reading belongs to the mean
+ * thermometer that lags behind the sensor is at most half the drift, and its effect then at most
+ * the noise of a position. (The drift itself does no harm: the mean reading belongs to the mean
  * temperature.)
  *
  * noise  of a position mean, over field; 0: not known, 1e-4.
@@ -136,11 +140,11 @@ invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real
  * Returns 0, no drift at all, for a noise or slope that is negative or NaN. */
 invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope);
 
-/* ---- by parts, for other choices ------------------------------------------------------------------ */
+/* ---- by parts, for other choices ------------------------------------------------------------- */
 
 /* Positions with temperatures and noise: see invcal_thermal_calibrate. */
 typedef struct {
-    const invcal_real *raw;         /* 3 count numbers */
+    const invcal_real *raw;         /* 3 * count numbers */
     const invcal_real *temperature; /* count numbers */
     unsigned count;                 /* of the positions */
     invcal_real noise;              /* of a position mean, over field; 0: not known */
@@ -148,10 +152,11 @@ typedef struct {
 
 /* Makes a base of the nominal calibration only: X = 0 at all temperatures.
  *
- * temperature  count numbers, those of the positions or the ends of the range of use: they determine
- *              reference and span, as in invcal_thermal_calibrate.
+ * temperature  count numbers, those of the positions or the ends of the range of use: they
+ *              determine reference and span, as in invcal_thermal_calibrate.
  *
- * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_TEMPERATURE, INVCAL_TOO_FEW if there are none. */
+ * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_TEMPERATURE, INVCAL_TOO_FEW if there are
+ * none. */
 invcal_status invcal_thermal_start(const invcal_calibration *nominal,
                                    const invcal_real *temperature, unsigned count,
                                    invcal_thermal *out);
@@ -165,15 +170,15 @@ typedef struct {
 
 /* Solves for the deviation of the positions from the base, and corrects it.
  *
- * A base with slopes keeps them, and its range, if the positions determine no others: a few positions
- * at one temperature, degree 0, renew offsets, scales and angles of a calibration that has aged.
- * Otherwise the range is that of the positions.
+ * A base with slopes keeps them, and its range, if the positions determine no others: a few
+ * positions at one temperature, degree 0, renew offsets, scales and angles of a calibration that
+ * has aged. Otherwise the range is that of the positions.
  *
  * prior   null, or what is known beforehand; the noise must be stated then. With a prior on every
- *         slope even one temperature is enough. If the residuals show more noise than stated, theirs,
- *         quality->noise, weighs the prior: judge with that. Where sigma is more than 0.7 of its
- *         prior, that parameter is determined by the prior more than by the positions.
- * base    of invcal_thermal_start, or an earlier calibration; may be out.
+ *         slope even one temperature is enough. If the residuals show more noise than stated,
+ *         theirs, quality->noise, weighs the prior: judge with that. Where sigma is more than 0.7
+ *         of its prior, that parameter is determined by the prior more than by the positions.
+ * base    of invcal_thermal_start, or an earlier calibration; may equal out.
  * degree  highest degree to fit.
  *
  * Returns as invcal_thermal_calibrate; INVCAL_BAD_TEMPERATURE also for one more than two spans from
@@ -194,10 +199,10 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
                                    const invcal_thermal_prior *prior, const invcal_thermal *thermal,
                                    invcal_real temperature, invcal_quality *quality);
 
-/* ---- as bytes -------------------------------------------------------------------------------------
+/* ---- as bytes -----------------------------------------------------------------------------------
  *
- * A calibration for every temperature, with all that is known about it, as 248, 284 or 320 bytes (degree
- * 0, 1, 2), for a memory (store.h), a file or a radio. Numbers as in a record of store.h:
+ * A calibration for every temperature, with all that is known about it, as 248, 284 or 320 bytes
+ * (degree 0, 1, 2), for a memory (store.h), a file or a radio. Numbers as in a record of store.h:
  *
  *     at    size  what
  *       0   1     kind, 0xCB
@@ -213,8 +218,8 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
  *     208   36    the coefficients x of t^0; then of each further power up to the degree
  *     ...   4     CRC-32 of all before it
  *
- * A device that does not know its temperature finds a plain record at byte 4. In version 1, of 0.1.0,
- * the record has 184 bytes, and matrices are in the unit of the field. */
+ * A device that does not know its temperature finds a plain record at byte 4. In version 1, of
+ * 0.1.0, the record has 184 bytes, and matrices are in the unit of the field. */
 #define INVCAL_THERMAL_RECORD_BYTES(degree) (212u + 36u * ((degree) + 1u))
 /* The largest that this build writes and reads. */
 #define INVCAL_THERMAL_RECORD_SIZE INVCAL_THERMAL_RECORD_BYTES(INVCAL_THERMAL_DEGREE)
@@ -236,9 +241,10 @@ invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
 
 /* Encodes a record as bytes, INVCAL_THERMAL_RECORD_BYTES of its degree.
  *
- * Returns INVCAL_OK; on failure the bytes are overwritten: as invcal_record_encode, INVCAL_NOT_FINITE,
- * INVCAL_BAD_NOMINAL, INVCAL_NOT_ELLIPSOID, INVCAL_BAD_COUNT for a degree above that of the build, and
- * INVCAL_DAMAGED for what no fit gives, or a record of another calibration. Stack: about 700 bytes. */
+ * Returns INVCAL_OK; on failure the bytes are overwritten: as invcal_record_encode,
+ * INVCAL_NOT_FINITE, INVCAL_BAD_NOMINAL, INVCAL_NOT_ELLIPSOID, INVCAL_BAD_COUNT for a degree above
+ * that of the build, and INVCAL_DAMAGED for what no fit gives, or a record of another
+ * calibration. Stack: about 660 bytes. */
 invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
                                            uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE]);
 
@@ -246,15 +252,15 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
  *
  * size  number of bytes; those after the record are ignored.
  *
- * Returns INVCAL_OK; INVCAL_OTHER_VERSION for sound bytes of another kind or version, or of a degree
- * above that of the build; as invcal_thermal_record_encode otherwise. Stack: as above. */
+ * Returns INVCAL_OK; INVCAL_OTHER_VERSION for sound bytes of another kind or version, or of a
+ * degree above that of the build; as invcal_thermal_record_encode otherwise. Stack: as above. */
 invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
                                            invcal_thermal_record *out);
 
 /* The same for a record of version 1, from release 0.1.0: the result is over field, as all are now.
  *
- * Returns as invcal_thermal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about 800
- * bytes. */
+ * Returns as invcal_thermal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about
+ * 850 bytes. */
 invcal_status invcal_thermal_record_decode_v1(const uint8_t *bytes, uint32_t size,
                                               invcal_thermal_record *out);
 

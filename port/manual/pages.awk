@@ -30,20 +30,42 @@ gsub(/`/, "&", text) % 2 && $0 != "" { before = text " "; next }
 { print spans(names(links(text))) }
 
 # Doxygen takes a code span with a ' for a quotation, and replaces $(NAME) by the environment's. A browser would
-# break a short one after a hyphen: style.css keeps it whole.
-function spans(text,    out, code) {
+# break code after a hyphen: style.css keeps words with a hyphen whole, and short code if there is space for it.
+function spans(text,    out, code, is_short, before) {
     while (match(text, /`[^`]*`/)) {
-        out = out substr(text, 1, RSTART - 1)
+        before = substr(text, 1, RSTART - 1)
         code = substr(text, RSTART, RLENGTH)
+        is_short = RLENGTH <= 32
         text = substr(text, RSTART + RLENGTH)
-        if (code ~ /\047|\$\(/) {
-            code = substr(code, 2, length(code) - 2)
-            gsub(/[\\$<>&#@%]/, "\\\\&", code)
-            code = "<tt>" code "</tt>"
+        out = out joined(before)
+        if (code ~ /\047|\$\(|-/) {
+            code = "<tt>" unbroken(substr(code, 2, length(code) - 2)) "</tt>"
         }
-        out = out (code ~ /-/ && RLENGTH <= 32 ? "<span class=\"whole\">" code "</span>" : code)
+        out = out (code ~ /-/ && is_short ? "<span class=\"whole\">" code "</span>" : code)
     }
-    return out text
+    return out joined(text)
+}
+
+# A space that does not break keeps a % from the beginning of a line, and a ± from its end.
+function joined(text) {
+    if ($0 !~ /^    /) {
+        gsub(/ %/, "\302\240%", text)
+        while (match(text, /± [0-9]/)) {
+            text = substr(text, 1, RSTART + RLENGTH - 3) "\302\240" substr(text, RSTART + RLENGTH - 1)
+        }
+    }
+    return text
+}
+
+function unbroken(code,    n, i, word, out) {
+    n = split(code, word, " ")
+    for (i = 1; i <= n; i++) {
+        code = word[i]
+        gsub(/[\\$<>&#@%*_]/, "\\\\&", code)
+        gsub(/--/, "\\\\--", code)
+        out = out (i > 1 ? " " : "") (code ~ /-/ && length(code) <= 40 ? "<span class=\"word\">" code "</span>" : code)
+    }
+    return out
 }
 
 # A name of the library alone in a code span becomes a link, and an error if there is no such name.

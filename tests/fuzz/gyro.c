@@ -2,7 +2,7 @@
  *
  * Moves and both sensors: samples, blocks of rests and of none in any order, gaps, rails; then a solution from
  * any means and settings. The table stays in order; what is delivered is finite, and a refusal says why.
- * fuzz: at least 20 inputs a second
+ * fuzz: more than 20 inputs per second of CPU time
  */
 #include <math.h>
 #include <string.h>

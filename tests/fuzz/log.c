@@ -2,7 +2,7 @@
  *
  * Files that may be anything, for every command that reads one: logs and positions with any heading,
  * calibrations, noise, directions. The first byte chooses the command line, the rest is the file.
- * fuzz: at least 20 inputs a second
+ * fuzz: more than 20 inputs per second of CPU time
  * fuzz: of at most 16000 bytes
  */
 #include <string.h>

@@ -4,7 +4,7 @@
  * anything in between, the field and its centre changed on the way. After each stretch its counts are
  * consistent; a calibration that it delivers is finite and regular, and what it says of it hangs together.
  * The same for the rotation to the axes of an accelerometer, of any sums.
- * fuzz: at least 50 inputs a second
+ * fuzz: more than 50 inputs per second of CPU time
  */
 #include <math.h>
 #include <string.h>

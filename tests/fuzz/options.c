@@ -2,7 +2,7 @@
  *
  * Command lines that may be anything. Every line is an argument; behind an empty line there is the
  * standard input. Arguments may name the files of tool.c, and write others beside them.
- * fuzz: at least 5 inputs a second
+ * fuzz: more than 5 inputs per second of CPU time
  */
 #include <dirent.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
  * What is accepted packs again to the same bytes, and is sane; a session that is accepted goes on
  * being fed. The store finds what was saved before or what is saved now, wherever power fails; load
  * makes of it what decode does.
- * fuzz: at least 20 inputs a second
+ * fuzz: more than 20 inputs per second of CPU time
  */
 #include <stdlib.h>
 #include <string.h>

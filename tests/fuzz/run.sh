@@ -27,13 +27,16 @@ done
 
 set -- "$work/corpus" "$work/seeds"
 [ ! -e "$here/$name.dict" ] || set -- -dict="$here/$name.dict" "$@"
-least=$(sed -n 's/.*fuzz: at least \([0-9]*\) inputs a second.*/\1/p' "$here/$name.c")
+least=$(sed -n 's/.*fuzz: more than \([0-9]*\) inputs per second.*/\1/p' "$here/$name.c")
 most=$(sed -n 's/.*fuzz: of at most \([0-9]*\) bytes.*/\1/p' "$here/$name.c")
 FUZZ_FOLDER=$work/folder "$out/fuzz-$name" -seed=1 -max_total_time="$seconds" \
     -max_len="${most:-2000}" -timeout=60 -print_final_stats=1 \
     -artifact_prefix="$work/found-" "$@" > "$work/log" 2>&1
 status=$?
 rm -rf "$work/folder"
+# Seconds of CPU time, not of the clock: a busy machine is no fault. (In a substitution `times` would be 0.)
+times > "$work/times"
+used=$(awk -F '[ms ]+' 'NR == 2 { print int(60 * ($1 + $3) + $2 + $4) }' "$work/times")
 
 # Its last word: #number ... cov: edges ft: features corp: inputs/bytes
 tried=$(sed -n 's/^stat::number_of_executed_units: *//p' "$work/log")
@@ -42,8 +45,8 @@ result=PASS
 if [ $status -ne 0 ]; then
     grep -aE 'does not hold|runtime error|ERROR|^SUMMARY|Test unit' "$work/log"
     result=FAIL
-elif [ "${tried:-0}" -lt $((least * seconds)) ]; then
-    echo "$name: fewer than $least inputs a second"
+elif [ "${tried:-0}" -le $((least * used)) ]; then
+    echo "$name: at most $least inputs per second"
     result=FAIL
 fi
 echo "$name: ${tried:-0} inputs, ${reached:-nothing reached}: $result"

@@ -3,7 +3,7 @@
  * A session with any setup, or one in the background, fed with anything: rests and moves as of a
  * person, any int32, gaps, holds, other rails, days that go by, power that goes. After every event its
  * counts are consistent; a calibration that it delivers is finite and positive definite.
- * fuzz: at least 10 inputs a second
+ * fuzz: more than 10 inputs per second of CPU time
  */
 #include <string.h>
 

@@ -4,7 +4,7 @@
  * finite, positive definite, and its sigma finite and not negative; if not, the outputs are untouched.
  * The same for the other functions: known directions, a prior, judgement, temperature, guidance, Allan
  * deviation, programs, and what is done with a calibration.
- * fuzz: at least 50 inputs a second
+ * fuzz: more than 50 inputs per second of CPU time
  */
 #include <math.h>
 #include <string.h>

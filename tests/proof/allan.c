@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "history_allan.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 300 -eva-slevel-function stage:200
+// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 300 -eva-slevel-function stride_bits:200
 // wide: -DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=16384
 // config: -DINVCAL_ALLAN_TAUS=1 -DINVCAL_ALLAN_OVERLAP=1
 // trusted: 1

@@ -26,7 +26,7 @@ void main(void)
     invcal_prospect(NULL, 0, &nominal, NULL, root);
     invcal_prospect(raw, BETWEEN(1, COUNT), &nominal, up, root);
     ANY(sums);
-    invcal_next_beside(&sums, up, next);
+    invcal_next_of_sums(&sums, up, next);
     ANY(sums);
     (void)invcal_ridged_inverse(&sums);
 }

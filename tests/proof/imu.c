@@ -79,7 +79,7 @@ invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
     return any_real();
 }
 
-invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibration *c)
 {
     (void)nominal->matrix[2][2];
     ANY(*c);

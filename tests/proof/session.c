@@ -120,7 +120,7 @@ invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sum
     return any_status();
 }
 
-void invcal_next_beside(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
+void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
 {
     ANY(*sums);
     (void)current[2];

@@ -24,7 +24,7 @@ void main(void)
     (void)invcal_ellipsoid(p, work, &out);
     (void)invcal_triad(p, &out);
     ANY(out);
-    (void)invcal_behind(&nominal, &out);
+    (void)invcal_compose(&nominal, &out);
     (void)invcal_solve(&sums, &nominal, &out);
     (void)invcal_solve(&sums, &nominal, &nominal);
 }

@@ -59,7 +59,7 @@ void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
     UNKNOWN(out, INVCAL_PARAMETERS);
 }
 
-invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibration *c)
 {
     (void)nominal->matrix[2][2];
     (void)c->matrix[2][2];

@@ -34,7 +34,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     return INVCAL_DAMAGED;
 }
 
-invcal_status invcal_behind(const invcal_calibration *nominal, invcal_calibration *c)
+invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibration *c)
 {
     (void)nominal->matrix[2][2];
     (void)c->matrix[2][2];

@@ -41,7 +41,7 @@ void setUp(void)
     result.accuracy = 0.4e-3;
     result.field_sigma = 0.3e-3 / 1.959964;
     result.need = 9.80665e-3;
-    result.need_unit = (told_unit){1e3, "mg"};
+    result.need_unit = (display_unit){1e3, "mg"};
 }
 
 void tearDown(void)
@@ -126,7 +126,7 @@ static void the_line_tells_the_margins(void)
     TEST_ASSERT_EQUAL_STRING("FAIL: angle zy up to 1.15 of 0.573° and 1 more (95 %).",
                              pass_text(&result, text));
     TEST_ASSERT_EQUAL_STRING(text, pass_strict(&result, text));
-    result.told = TOLD_INS;
+    result.units = UNIT_STYLE_INS;
     limits[2] = 20e-3;
     state(limits);
     result.solution.x[8] = 0;
@@ -135,7 +135,7 @@ static void the_line_tells_the_margins(void)
     TEST_ASSERT_EQUAL_STRING("FAIL: offset y up to 32000 of 10000 µg (95 %).",
                              pass_text(&result, text));
     result.need = 1e-6 * 9.80665; /* the field alone is wrong by more */
-    result.need_unit = (told_unit){1e6, "µg"};
+    result.need_unit = (display_unit){1e6, "µg"};
     state(NULL);
     TEST_ASSERT_EQUAL_STRING("FAIL: |a| within 500 of 1.0 µg (95 %).", pass_text(&result, text));
     TEST_ASSERT_EQUAL_STRING(
@@ -188,7 +188,7 @@ static void needs_are_stated_in_units(void)
 
     for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++) {
         size_t digits = 99;
-        told_unit unit = {0, NULL};
+        display_unit unit = {0, NULL};
         TEST_ASSERT_EQUAL_INT_MESSAGE(cases[i].ending,
                                       need_parse(cases[i].text, cases[i].field, &digits, &unit),
                                       cases[i].text);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What angles of a stand tell: the mounting, J1, series, positions that are misset. Truth is simulated here,
- * figures are closed forms.
+ * What angles of a stand tell: the mounting, J1, series, positions that are misset. Truth is
+ * simulated here, figures are closed forms.
  */
 #include "stand/stand.h"
 
@@ -54,8 +54,8 @@ static void turn_by(const double t[3], double r[3][3])
     }
 }
 
-/* What a unit reads in the program, and the angles that are stated. `off` is added to the true alpha of
- * position `wrong`. */
+/* What a unit reads in the program, and the angles that are stated. `off` is added to the true
+ * alpha of position `wrong`. */
 static void measure(random_source *random, const triad_truth *truth, const double tilt[3],
                     double noise, unsigned wrong, double off)
 {
@@ -121,8 +121,8 @@ static void without_noise_mounting_j1_and_series_are_exact(void)
     stand_free(&s);
 }
 
-/* The same sums, solved by 9x9 rows h(eta) and by coefficients; the unit sits straight but for the noise, so
- * both frames are one to 1e-4 of the parameters. */
+/* The same sums, solved by 9x9 rows h(eta) and by coefficients; the unit sits straight but for the
+ * noise, so both frames are one to 1e-4 of the parameters. */
 static void series_and_j1_agree_on_noisy_readings(void)
 {
     random_source random = random_start(2);
@@ -137,8 +137,9 @@ static void series_and_j1_agree_on_noisy_readings(void)
     stand_free(&s);
 }
 
-/* N equal steps: the parameters have sqrt(1/N), sqrt(7/(5 N)), sqrt(8/N); sigma of a0 is sqrt(1/N), of the others sqrt(2/N); two groups that tell an offset differ by
- * 2/sqrt(N), those that tell a scale error by sqrt(6/N); the mounting has 1/sqrt(2 N). */
+/* N equal steps: the parameters have sqrt(1/N), sqrt(7/(5 N)), sqrt(8/N); sigma of a0 is sqrt(1/N),
+ * of the others sqrt(2/N); two groups that tell an offset differ by 2/sqrt(N), those that tell a
+ * scale error by sqrt(6/N); the mounting has 1/sqrt(2 N). */
 static void sigma_are_those_of_the_closed_forms(void)
 {
     random_source random = random_start(3);
@@ -171,8 +172,9 @@ static void sigma_are_those_of_the_closed_forms(void)
 
 #define MEDIAN_F_6_3 1.12894 /* of Fisher's F with 6 and 3 degrees of freedom */
 
-/* Of the mounting and of J1: the spread is that told; and of closures half are beyond the median of F. Clean positions are called misset in one of a hundred
- * programs, which is what the test allows chance. */
+/* Of the mounting and of J1: the spread is that told; and of closures half are beyond the median of
+ * F. Clean positions are called misset in one of a hundred programs, which is what the test allows
+ * chance. */
 static void sigma_are_honest(void)
 {
     random_source random = random_start(4);
@@ -223,8 +225,8 @@ static void a_misset_angle_is_named(void)
     TEST_ASSERT_TRUE(named >= 99);
 }
 
-/* J1 with the stated direction, where up really is off by e: the error is -|e|^2/2 - (S eta' + delta) e, at
- * most |e|^2/2 + |X| |e|; lengths do not see it. */
+/* J1 with the stated direction, where up really is off by e: the error is -|e|^2/2 - (S eta' +
+ * delta) e, at most |e|^2/2 + |X| |e|; lengths do not see it. */
 static void j1_sees_a_misset_angle_to_the_second_order(void)
 {
     const double sizes[2] = {0.001, 0.01};
@@ -293,7 +295,8 @@ static void senses_and_zeros_are_taken_off(void)
     stand_free(&s);
 }
 
-/* Group 1 and two positions more, with leverages of nearly 1: each of 200 sets has a chance of 1 %. */
+/* Group 1 and two positions more, with leverages of nearly 1: each of 200 sets has a chance of 1
+ * %. */
 static void of_eight_positions_none_seems_misset_by_chance(void)
 {
     random_source random = random_start(12);

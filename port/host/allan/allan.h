@@ -57,7 +57,7 @@ typedef struct {
     uint32_t crc;
     recognition seen;
     int is_ms2;       /* results are in m/s^2; */
-    double turn;      /* or rad/s in their unit, of a gyroscope; 0: not known, or of another */
+    double rate_unit; /* or rad/s in their unit, of a gyroscope; 0: not known, or of another */
     const char *unit; /* their unit for people */
     double gravity;   /* length of the field in that unit; NaN: not known */
     double rate;

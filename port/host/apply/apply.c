@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "read/chosen.h"
+#include "read/columns_option.h"
 #include "read/columns.h"
 #include "cli/command.h"
 #include "cli/files.h"
@@ -78,7 +78,7 @@ static int write_gyro(FILE *spool, const table *log, const columns *where, const
                       const double acceleration[3])
 {
     double v[3];
-    const int failure = columns_turn(log, where, v);
+    const int failure = columns_gyro(log, where, v);
 
     if (failure) {
         return failure;
@@ -158,7 +158,7 @@ static int next_row(table *log, const columns *where, unsigned long rows)
     const int more = table_next(log);
 
     if (more != 0 && rows > 0 && columns_is_cut(log, where)) {
-        columns_say_cut(log, "last", log->line);
+        columns_warn_cut(log, "last", log->line);
         return 0;
     }
     return more;
@@ -170,7 +170,7 @@ static int find_columns(table *log, const job *j, columns *where)
     const int failure = table_drop_cut_first(log, &cut);
 
     if (cut > 0) {
-        columns_say_cut(log, "first", cut);
+        columns_warn_cut(log, "first", cut);
     }
     log->is_log = 1;
     const columns_kind kind = j->is_gyro                ? COLUMNS_GYRO
@@ -302,7 +302,7 @@ static int run(int argc, char **argv)
 
     const named_file inputs[] = {{"CAL.json", files[0]}, {"LOG", files[1]}};
     failure = failure ? failure : files_check(syntax.command, inputs, 2, NULL, 0);
-    failure = failure ? failure : chosen_read(syntax.command, value[COLUMNS]);
+    failure = failure ? failure : columns_option_parse(syntax.command, value[COLUMNS]);
     failure = failure ? failure : calibration_file_read_correction(files[0], &j.file);
     failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
     failure =
@@ -321,7 +321,7 @@ static int run(int argc, char **argv)
         progress_quiet();
     }
     if (needs_temperature(&j)) {
-        chosen_need(COLUMN_TEMPERATURE);
+        columns_option_require(COLUMN_TEMPERATURE);
     }
     j.is_left_empty = 0;
     failure = table_open(&log, files[1]);
@@ -356,7 +356,7 @@ static const char *const help[] = {
     "known up to the field along each axis; beyond 1.1 times the field, its value there is\n"
     "used, with a warning.\n"
     "\n",
-    CHOSEN_OPTION,
+    COLUMNS_OPTION_HELP,
     "  --temperature T     temperature of all readings, instead of the column; for a\n"
     "                      calibration made with --thermal\n"
     "  --gyro              LOG is of the gyroscope alone, x y z or t x y z\n"

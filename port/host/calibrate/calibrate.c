@@ -16,7 +16,7 @@
 #include "cli/progress.h"
 #include "design/design.h"
 #include "fit/sensors.h"
-#include "read/chosen.h"
+#include "read/columns_option.h"
 #include "read/columns.h"
 #include "result/gyro.h"
 #include "result/pass.h"
@@ -51,7 +51,7 @@ static calibrate_result begin_result(const request *r, const positions *data,
         .settings = r->settings,
         .field_unit = r->field_unit,
         .place = r->value[OPT_LATITUDE] ? r->place : NULL,
-        .told = r->told,
+        .units = r->units,
         .need = r->need,
         .need_unit = r->need_unit,
         .record = r->record,
@@ -71,7 +71,7 @@ static int asks_for_list(int argc, char **argv)
 }
 
 /* From positions, or from the rests of a log. */
-static int solve_log(const request *r, positions *data, rests_summary *log, turns *gyro,
+static int solve_log(const request *r, positions *data, rests_summary *log, gyro_log *gyro,
                      calibrate_result *result, positions_reader *read)
 {
     const int failure = read(r, data, log, gyro);
@@ -87,7 +87,7 @@ static int solve_log(const request *r, positions *data, rests_summary *log, turn
 }
 
 /* From the log of a magnetometer, which has no rests. */
-static int solve_magnetometer_log(const request *r, positions *data, waved *log,
+static int solve_magnetometer_log(const request *r, positions *data, magnetometer_log *log,
                                   calibrate_result *result, magnetometer_reader *read)
 {
     int failure = resolve_magnetometer(r, &result->nominal);
@@ -104,10 +104,10 @@ int calibrate_run(int argc, char **argv, int is_live, const calibrate_readers *r
 {
     request r;
     positions data = {.name = NULL};
-    waved magnetometer = {.samples = 0};
+    magnetometer_log magnetometer = {.samples = 0};
     rests_summary log;
     calibrate_result result = {.data = NULL};
-    turns gyro = {.file = NULL};
+    gyro_log gyro = {.file = NULL};
 
     if (asks_for_list(argc, argv)) {
         sensors_list(stdout);
@@ -137,14 +137,14 @@ int calibrate_run(int argc, char **argv, int is_live, const calibrate_readers *r
     stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
-    waved_free(&magnetometer);
-    turns_free(&gyro);
+    magnetometer_log_free(&magnetometer);
+    gyro_log_free(&gyro);
     json_lines(NULL);
     return failure;
 }
 
 /* The positions of the file, or the rests of a log. */
-static int read_positions(const request *r, positions *data, rests_summary *log, turns *gyro)
+static int read_positions(const request *r, positions *data, rests_summary *log, gyro_log *gyro)
 {
     const double *clip = r->value[OPT_CLIP] ? r->clip : NULL;
 
@@ -155,11 +155,11 @@ static int read_positions(const request *r, positions *data, rests_summary *log,
 }
 
 static int read_magnetometer(const request *r, const invcal_calibration *nominal, positions *data,
-                             waved *log)
+                             magnetometer_log *log)
 {
-    const waved_wish options = {.path = r->file, .rate = r->rate, .nominal = nominal};
+    const magnetometer_log_options options = {.path = r->file, .rate = r->rate, .nominal = nominal};
 
-    return waved_read(data, &options, log);
+    return magnetometer_log_read(data, &options, log);
 }
 
 static int run_calibrate(int argc, char **argv)
@@ -194,7 +194,7 @@ static const char *const help[] = {
     "quarter turns through the six faces, each within ten seconds, determine both sensors\n"
     "completely.\n"
     "\n",
-    CHOSEN_OPTION,
+    COLUMNS_OPTION_HELP,
     "  --positions         each row of LOG is the mean of one position: x y z; or x y z std n\n"
     "                      (standard deviation and number of samples); or x y z std_x std_y\n"
     "                      std_z n; or any order with a header\n"

@@ -8,15 +8,15 @@
 
 #include "calibrate/request.h"
 #include "read/rests.h"
-#include "read/waved.h"
+#include "read/magnetometer_log.h"
 
 /* Reads positions; `log` describes the log that they were found in, `gyro` holds the readings of a
  * gyroscope in it. Returns an exit code. */
-typedef int positions_reader(const request *r, positions *data, rests_summary *log, turns *gyro);
+typedef int positions_reader(const request *r, positions *data, rests_summary *log, gyro_log *gyro);
 
 /* The same for a magnetometer that is waved. */
 typedef int magnetometer_reader(const request *r, const invcal_calibration *nominal,
-                                positions *data, waved *log);
+                                positions *data, magnetometer_log *log);
 
 typedef struct {
     positions_reader *rests;

@@ -14,7 +14,7 @@ static int moves_determine_more(const request *r, int refused, const calibrate_r
     const gyro_fit *g = &result->gyro;
     const int is_plain = !r->value[OPT_THERMAL] && r->degree == 0 && !fit_has_prior(&r->settings);
 
-    return is_plain && g->is_there && !g->word && g->imu.open >> INVCAL_GYRO_PARAMETERS == 0 &&
+    return is_plain && g->has_readings && !g->word && g->imu.open >> INVCAL_GYRO_PARAMETERS == 0 &&
            (refused || result->quality.verdict == INVCAL_WEAK);
 }
 
@@ -107,7 +107,7 @@ static const invcal_calibration *find_start(int refused, const calibrate_result 
     return nominal_from_sphere(kept->kept, kept->kept_count, approximate) ? approximate : NULL;
 }
 
-int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_result *result)
+int calibrate_gyro(const request *r, const gyro_log *gyro, int refused, calibrate_result *result)
 {
     const double *clip = r->value[OPT_CLIP] ? r->clip : NULL;
     invcal_calibration approximate;
@@ -170,7 +170,7 @@ void calibrate_gyro_turn(calibrate_result *result)
     double turn[3][3];
     double turned[3][3];
 
-    if (!g->is_there || g->word || !matrix_inverse(&g->imu.accelerometer, inverse)) {
+    if (!g->has_readings || g->word || !matrix_inverse(&g->imu.accelerometer, inverse)) {
         return;
     }
     multiply((const double(*)[3])result->solution.calibration.matrix, (const double(*)[3])inverse,

@@ -15,7 +15,7 @@
  * refused  exit code of the solution from the rests.
  *
  * Returns EXIT_GOOD; `refused` if that remains; EXIT_FILE after a message. */
-int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_result *result);
+int calibrate_gyro(const request *r, const gyro_log *gyro, int refused, calibrate_result *result);
 
 /* Turns the gyroscope to the final frame of the accelerometer, which differs from that of the
  * moves. */

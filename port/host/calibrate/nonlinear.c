@@ -17,7 +17,7 @@ static void list_undetermined(const calibrate_result *r, unsigned degree, char t
     size_t used = (size_t)snprintf(text, REFUSAL_MAX, "%s: the positions do not determine",
                                    option_of(degree));
 
-    for (unsigned e = 0; e < NONLINEARITY_MOST; e++) {
+    for (unsigned e = 0; e < NONLINEARITY_TERMS; e++) {
         if (open >> e & 1 && used < REFUSAL_MAX) {
             used += (size_t)snprintf(text + used, REFUSAL_MAX - used, "%s %s",
                                      count++ > 0 ? "," : "", nonlinearity_name(e));
@@ -34,7 +34,7 @@ static int refuse(calibrate_result *r, unsigned degree, invcal_status status)
         .word = is_few ? "too few" : "undetermined", .wants_positions = 1, .degree = degree};
     if (is_few) {
         snprintf(why->reason, REFUSAL_MAX, "%s: %u positions are too few: %u or more are needed",
-                 option_of(degree), r->rejected.kept_count, nonlinearity_least(degree));
+                 option_of(degree), r->rejected.kept_count, nonlinearity_min_positions(degree));
     } else {
         list_undetermined(r, degree, why->reason);
     }

@@ -76,7 +76,7 @@ static void add_remedy(const rests_summary *log, int is_none, char text[REFUSAL_
                *text ? "; " : "", log->rate, RESTS_SAMPLES);
     } else if (too_short > 0 || is_none) {
         append(text, REFUSAL_MAX, "%shold each position still for %.2g s or longer",
-               *text ? "; " : "", rests_least(log->rate) + 1);
+               *text ? "; " : "", rests_min_seconds(log->rate) + 1);
     }
     if (log->is_rate_known ? log->rate < RATE_LOW && (too_short > 0 || is_none) : is_none) {
         append(text, REFUSAL_MAX, ", or average each yourself and add --positions");
@@ -92,7 +92,7 @@ static unsigned add_refused(const rests_summary *log, char text[REFUSAL_MAX])
     for (unsigned i = 0; i < RESTS_REASONS; i++) {
         refused += log->refused[i];
     }
-    listed = refused < RESTS_TOLD ? refused : RESTS_TOLD;
+    listed = refused < RESTS_LISTED ? refused : RESTS_LISTED;
     for (unsigned i = 0; i < RESTS_REASONS; i++) {
         const invcal_status why = (invcal_status)(INVCAL_REST_SHORT + i);
         const char *before = " (near line ";
@@ -158,7 +158,7 @@ static void explain_out_of_range(const calibrate_result *r, refusal *why)
     invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)why->position], v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     why->is_of_position = 1;
-    if (!(length <= REJECTION_TELLABLE)) {
+    if (!(length <= REJECTION_LENGTH_MAX)) {
         explain_not_finite(why);
         return;
     }
@@ -242,16 +242,16 @@ static void offer_six_faces(const calibrate_result *r, invcal_status status, ref
 static void offer_magnetometer(const positions *data, refusal *why)
 {
     const rests_summary *log = data->rests;
-    const columns_origin of = data->seen.of;
+    const columns_sensor of = data->seen.sensor;
     double rested = 0;
 
     for (unsigned i = 0; i < data->count && log; i++) {
         rested += data->origin[i].end - data->origin[i].begin;
     }
     const int is_waved =
-        log && (of == OF_MAGNETOMETER ||
-                (log->samples >= SAMPLES_FEW && of != OF_ACCELEROMETER && !data->seen.is_gyro &&
-                 rested < REST_FRACTION_MIN * log->seconds));
+        log && (of == COLUMNS_OF_MAGNETOMETER ||
+                (log->samples >= SAMPLES_FEW && of != COLUMNS_OF_ACCELEROMETER &&
+                 !data->seen.is_gyro && rested < REST_FRACTION_MIN * log->seconds));
     if (is_waved) {
         append(why->remedy, REFUSAL_MAX, "%sfor a magnetometer in motion: --magnetometer",
                *why->remedy ? "; " : "");
@@ -303,7 +303,7 @@ int calibrate_refuse_no_rest(calibrate_result *r)
     refusal *why = begin_refusal(r, "no rest", (1u << INVCAL_PARAMETERS) - 1);
     char duration[16];
 
-    snprintf(duration, sizeof duration, "%.2g", rests_least(log->rate));
+    snprintf(duration, sizeof duration, "%.2g", rests_min_seconds(log->rate));
     append(why->reason, REFUSAL_MAX,
            "no rest of %s seconds in %lu sample%s, %.6g s at %.6g samples per second%s",
            strcmp(duration, "2") == 0 ? "two" : duration, log->samples,
@@ -317,7 +317,7 @@ int calibrate_refuse_no_rest(calibrate_result *r)
         snprintf(why->remedy, REFUSAL_MAX,
                  "if each row is the mean of a position, add --positions; if each is a sample, "
                  "%srecord for longer, and hold each position still for %.2g s or longer",
-                 log->is_rate_known ? "" : "state --rate, ", rests_least(log->rate) + 1);
+                 log->is_rate_known ? "" : "state --rate, ", rests_min_seconds(log->rate) + 1);
     }
     offer_magnetometer(r->data, why);
     why->wants_positions = 1;
@@ -362,7 +362,7 @@ int calibrate_refuse_axes(calibrate_result *r)
 
 int calibrate_refuse_magnetometer(calibrate_result *r)
 {
-    const waved *log = r->magnetometer;
+    const magnetometer_log *log = r->magnetometer;
     refusal *why = begin_refusal(r, status_name(log->status), (1u << INVCAL_PARAMETERS) - 1);
 
     if (log->status == INVCAL_TOO_FEW || log->status == INVCAL_UNDETERMINED) {

@@ -11,7 +11,7 @@
 #include "cli/output.h"
 #include "design/design.h"
 #include "fit/gravity.h"
-#include "read/chosen.h"
+#include "read/columns_option.h"
 #include "read/samples.h"
 #include "result/need.h"
 #include "result/result.h"
@@ -301,7 +301,7 @@ static int read_unit(request *r)
         return message_usage(r->syntax->command, "--unit %s: must be g, mg, m/s2 or counts",
                              r->value[OPT_UNIT]);
     }
-    if (r->value[OPT_UNITS] && !told_parse(r->value[OPT_UNITS], &r->told)) {
+    if (r->value[OPT_UNITS] && !unit_style_parse(r->value[OPT_UNITS], &r->units)) {
         return message_usage(r->syntax->command, "--units %s: must be everyday or ins",
                              r->value[OPT_UNITS]);
     }
@@ -404,10 +404,10 @@ static int read_thermal(request *r)
 /* Options of logs of samples. */
 static int read_log_options(request *r)
 {
-    int failure = chosen_read(r->syntax->command, r->value[OPT_COLUMNS]);
+    int failure = columns_option_parse(r->syntax->command, r->value[OPT_COLUMNS]);
 
     if (r->value[OPT_THERMAL]) {
-        chosen_need(COLUMN_TEMPERATURE);
+        columns_option_require(COLUMN_TEMPERATURE);
     }
     if (!failure && r->value[OPT_POSITIONS] && (r->value[OPT_RATE] || r->value[OPT_CLIP])) {
         return request_usage(r, r->value[OPT_RATE] ? OPT_RATE : OPT_CLIP,
@@ -474,12 +474,12 @@ static int read_gyro(request *r)
                              "accelerometer, such as y,-x,z");
     }
     if (lsb) {
-        r->gyro.turn = unit_parse_turn(lsb);
-        if (!(r->gyro.turn > 0)) {
-            failure = options_numbers(r->syntax, OPT_GYRO_LSB, lsb, 1, &r->gyro.turn, NULL);
-            r->gyro.turn *= UNIT_DEGREE;
+        r->gyro.rate_unit = unit_parse_angular_rate(lsb);
+        if (!(r->gyro.rate_unit > 0)) {
+            failure = options_numbers(r->syntax, OPT_GYRO_LSB, lsb, 1, &r->gyro.rate_unit, NULL);
+            r->gyro.rate_unit *= UNIT_DEGREE;
         }
-        if (!failure && !(r->gyro.turn > 1e-12 && r->gyro.turn < 1e6)) {
+        if (!failure && !(r->gyro.rate_unit > 1e-12 && r->gyro.rate_unit < 1e6)) {
             failure =
                 request_usage(r, OPT_GYRO_LSB,
                               "must be degrees/s per input unit, such as 1/131, or rad/s or deg/s");

@@ -7,7 +7,7 @@
 #define CALIBRATE_REQUEST_H
 
 #include "cli/options.h"
-#include "cli/told.h"
+#include "cli/unit_style.h"
 #include "fit/case_frame.h"
 #include "fit/fit.h"
 #include "fit/gyro.h"
@@ -87,22 +87,22 @@ typedef struct {
     double rate;          /* 0: not given */
     double clip[2];
     reading_unit unit; /* --unit */
-    told_style told;   /* --units */
+    unit_style units;  /* --units */
     double target[3];
-    double need;         /* field units; 0: not given */
-    told_unit need_unit; /* the unit that it was stated in */
+    double need;            /* field units; 0: not given */
+    display_unit need_unit; /* the unit that it was stated in */
     double mean_sigma;
     double tolerance[3];
     char command[REQUEST_COMMAND_MAX]; /* the command line, for the report */
     double place[2];                   /* latitude, height */
     reading_unit field_unit;           /* as stated, for a magnetometer only */
     double field_sigma; /* standard deviation of the length of the field, field units */
-    thermal_wish thermal;
-    gyro_wish gyro;
+    thermal_options thermal;
+    gyro_options gyro;
     const design *program; /* --plan, which watch follows; or null */
     unsigned degree;       /* 2: --quadratic, 3: --cubic, else 0 */
     stand_options stand;
-    case_wish up_axes;            /* --case; count 0: not given */
+    case_axes up_axes;            /* --case; count 0: not given */
     int wants_accelerometer_axes; /* --frame accelerometer, for a magnetometer */
     record record;
     fit_settings settings; /* nominal is set later, as is noise unless stated */

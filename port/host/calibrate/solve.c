@@ -136,7 +136,7 @@ static int solve_thermal(const request *r, calibrate_result *result)
 /* Finds what --thermal 1 would find, with an outlier search of its own. */
 static int probe_temperature(calibrate_result *result)
 {
-    const thermal_wish options = {.degree = 1};
+    const thermal_options options = {.degree = 1};
     rejection rejected = {0};
     invcal_status status = INVCAL_TOO_FEW;
     fit_reason reason;
@@ -228,7 +228,7 @@ static void complete(const request *r, const positions *data, calibrate_result *
     result->residual_before = residual_of_nominal(data, &result->settings.nominal);
 }
 
-int solve_positions(const request *r, const positions *data, const turns *gyro,
+int solve_positions(const request *r, const positions *data, const gyro_log *gyro,
                     calibrate_result *result)
 {
     int failure = stand_check(&r->stand, data);
@@ -274,7 +274,7 @@ static int find_axes(const request *r, calibrate_result *result)
         return failure;
     }
     if ((path && dip->answer == DIP_NO_ACCELEROMETER) ||
-        (r->wants_accelerometer_axes && dip->answer != DIP_TOLD)) {
+        (r->wants_accelerometer_axes && dip->answer != DIP_FOUND)) {
         return calibrate_refuse_axes(result);
     }
     if (r->wants_accelerometer_axes) {
@@ -292,13 +292,13 @@ static void resolve_need(const request *r, calibrate_result *result)
     if (r->value[OPT_NEED] && strchr(r->value[OPT_NEED], '%')) {
         result->need *= field / r->settings.field;
     } else if (r->value[OPT_NEED]) {
-        result->need_unit = (told_unit){field, calibrate_field_unit(result)};
+        result->need_unit = (display_unit){field, calibrate_field_unit(result)};
     }
 }
 
 int solve_magnetometer(const request *r, const positions *data, calibrate_result *result)
 {
-    const waved *m = result->magnetometer;
+    const magnetometer_log *m = result->magnetometer;
     const int is_scaled = r->value[OPT_LSB] || r->value[OPT_NOMINAL];
 
     result->is_field_measured = !r->value[OPT_GRAVITY];

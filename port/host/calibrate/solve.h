@@ -10,7 +10,7 @@
 
 /* Calibrates from positions. Returns EXIT_GOOD; EXIT_DATA with result->refused filled in;
  * EXIT_USAGE or EXIT_FILE after a message. */
-int solve_positions(const request *r, const positions *data, const turns *gyro,
+int solve_positions(const request *r, const positions *data, const gyro_log *gyro,
                     calibrate_result *result);
 
 /* The same for a magnetometer that was waved, result->magnetometer; `data` are its cells. */

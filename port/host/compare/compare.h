@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "cli/told.h"
+#include "cli/unit_style.h"
 #include "result/calibration_file.h"
 
 #define COMPARE_FALSE_ALARM 0.05 /* of all nine parameters, and of all devices, together */
@@ -73,7 +73,7 @@ typedef struct {
     int is_gravity;      /* which is gravity in m/s^2 */
     char unit[CALIBRATION_FILE_WORD];
     int is_same_field; /* what the field may be wrong by is no part of sigma */
-    told_style told;
+    unit_style units;
     const char *command; /* the command line */
 } compare_result;
 
@@ -118,9 +118,9 @@ const compare_item *compare_newest(const compare_result *r, unsigned device);
 /* ---- words.c ---- */
 
 /* Units of drifts and deviations of parameter p, and of its values themselves. */
-told_unit compare_drift_unit(const compare_result *r, unsigned p);
-told_unit compare_page_unit(const compare_result *r, unsigned p); /* the same with ° */
-told_unit compare_value_unit(const compare_result *r, unsigned p, char name[COMPARE_NAME_MAX]);
+display_unit compare_drift_unit(const compare_result *r, unsigned p);
+display_unit compare_page_unit(const compare_result *r, unsigned p); /* the same with ° */
+display_unit compare_value_unit(const compare_result *r, unsigned p, char name[COMPARE_NAME_MAX]);
 
 /* The first characters of a text for people: what is cut ends with an ellipsis, and what no terminal should get
  * is '?'. Returns text. */

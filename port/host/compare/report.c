@@ -62,9 +62,9 @@ static void write_drift_row(page *p, const page_table *sheet, const compare_resu
     char name[COMPARE_NAME_MAX];
     char text[4][FIGURE_MAX + 64];
     char number[FIGURE_MAX];
-    const told_unit value =
+    const display_unit value =
         q >= INVCAL_GAMMA_XY ? compare_page_unit(r, q) : compare_value_unit(r, q, name);
-    const told_unit drift = compare_page_unit(r, q);
+    const display_unit drift = compare_page_unit(r, q);
     const char *const cells[DRIFT_COLUMNS] = {parameter_words(q),
                                               text[0],
                                               text[1],
@@ -146,7 +146,7 @@ static void write_histories(page *p, const compare_result *r)
 static void write_fleet_row(page *p, const page_table *sheet, const compare_result *r, unsigned q)
 {
     const compare_fleet *f = &r->fleet;
-    const told_unit drift = compare_page_unit(r, q);
+    const display_unit drift = compare_page_unit(r, q);
     const double per = fabs(compare_per(f->median, r->field, q)) / drift.scale;
     const unsigned far = f->farthest[q];
     const double away =
@@ -155,7 +155,7 @@ static void write_fleet_row(page *p, const page_table *sheet, const compare_resu
     char device[COMPARE_NAME_MAX];
     char text[4][FIGURE_MAX + 64];
     char number[FIGURE_MAX];
-    const told_unit value =
+    const display_unit value =
         q >= INVCAL_GAMMA_XY ? compare_page_unit(r, q) : compare_value_unit(r, q, name);
     const char *const cells[FLEET_COLUMNS] = {
         parameter_words(q), text[0], text[1], text[2], device, text[3]};
@@ -188,7 +188,7 @@ static void write_outside(page *p, const compare_result *r)
         for (unsigned q = 0; q < INVCAL_PARAMETERS; q++) {
             const char *const cells[OUTSIDE_COLUMNS] = {compare_device_name(item, 40, name),
                                                         parameter_words(q), text[0], text[1]};
-            const told_unit drift = compare_page_unit(r, q);
+            const display_unit drift = compare_page_unit(r, q);
             const double away = item->x[q] - r->fleet.median[q];
             const double told = drift.scale * away / compare_per(r->fleet.median, r->field, q);
             if (r->fleet.outside[k] >> q & 1) {
@@ -241,7 +241,7 @@ static void write_fleet(page *p, const compare_result *r)
 static void write_origin(page *p, const compare_result *r)
 {
     const double part = compare_field_part(r);
-    const told_unit scale = told_scale(r->told);
+    const display_unit scale = unit_style_scale(r->units);
 
     page_section(p, "How it was made");
     page_facts_begin(p);

@@ -9,7 +9,7 @@
 #define CHOICE_H
 
 #include "design/design.h"
-#include "cli/told.h"
+#include "cli/unit_style.h"
 
 #define CHOICE_SPARE 3u /* positions to spare, unless something else is asked for */
 
@@ -23,7 +23,7 @@ typedef struct {
     int needs_axes;       /* each axis is to stand along gravity, up and down */
     double bound;         /* no position mean is off by more, over the field; 0: not asked for */
     design_cost cost;
-    told_style told;             /* the units of sigma, where the noise is known */
+    unit_style units;            /* the units of sigma, where the noise is known */
     const struct labour *labour; /* what dwell and number were chosen by (plan/labour.h), or null */
 } choice_request;
 

@@ -50,7 +50,7 @@ typedef struct labour {
     double warm_up;         /* seconds once */
     unsigned least;         /* positions, at least */
     int needs_axes;         /* each axis is to stand along gravity, up and down */
-    told_style told;        /* units */
+    unit_style units;       /* units */
     /* found: */
     labour_row row[CHOICE_FAMILIES][LABOUR_MAX]; /* of ascending count */
     unsigned rows[CHOICE_FAMILIES];

@@ -170,7 +170,7 @@ static int read_turns(const request *r, turns_request *out)
 
     *out = (turns_request){.rest = r->value[DWELL] ? cost->dwell : TURNS_REST,
                            .turn = TURNS_SECONDS,
-                           .told = r->choice.told};
+                           .units = r->choice.units};
     out->noise = cost->noise > 0 ? cost->noise / sqrt(out->rest) : TURNS_NOISE;
     int failure = read_number(r, RATE_NOISE, 0, 10, &rate_noise);
     failure = failure ? failure : read_number(r, INSTABILITY, 0, 1e5, &instability);
@@ -187,7 +187,7 @@ static int read_units(request *r)
 {
     const char *text = r->value[UNITS];
 
-    return text && !told_parse(text, &r->choice.told)
+    return text && !unit_style_parse(text, &r->choice.units)
                ? message_usage(syntax.command, "--units %s: must be everyday or ins", text)
                : EXIT_GOOD;
 }
@@ -678,7 +678,7 @@ static int find_labour(request *r)
     work.warm_up = r->choice.cost.warm_up;
     work.least = choice_least(&r->choice);
     work.needs_axes = r->choice.needs_axes;
-    work.told = r->choice.told;
+    work.units = r->choice.units;
     int failure = noise_file_read(r->value[ALLAN], work.noise);
     if (failure) {
         return failure;

@@ -16,7 +16,8 @@
 #define LEGEND 26.0
 #define NAME_SHOWN 36u
 
-/* The end of a name of any length, in characters; it may be a path, whose end is the most informative part. */
+/* The end of a name of any length, in characters; it may be a path, whose end is the most
+ * informative part. */
 static const char *shorten(const char *name, char text[TEXT_MAX])
 {
     size_t start[NAME_SHOWN]; /* of the last NAME_SHOWN characters, in turns */

@@ -28,7 +28,7 @@ static const char *largest(const turns_plan *p, unsigned bits, char text[TURNS_W
             which = i;
         }
     }
-    const told_unit unit = plan_unit(turns_kind(which), p->asked.told);
+    const display_unit unit = plan_unit(turns_kind(which), p->asked.units);
     snprintf(text, TURNS_WORDS_MAX, "%s %s",
              figure_digits(unit.scale * p->asked.noise * most, 3, number), unit.unit);
     return text;
@@ -177,7 +177,7 @@ static void write_sigma(page *p, const turns_plan *plan)
 void turns_report(FILE *file, const turns_plan *plan, const char *command)
 {
     const turns_request *r = &plan->asked;
-    const told_unit field = told_field(r->told, 1);
+    const display_unit field = unit_style_field(r->units, 1);
     char title[TURNS_LIST_MAX];
     page p;
 

@@ -23,7 +23,7 @@ const char *plan_time_text(double seconds, char text[PLAN_WORDS_MAX]);
 extern const char *const plan_kinds[PLAN_KINDS];
 
 /* Its unit on a page: angles have "°" for degrees. */
-told_unit plan_unit(unsigned kind, told_style told);
+display_unit plan_unit(unsigned kind, unit_style style);
 
 /* The largest sigma of a kind, over the noise of a position mean; and of all kinds. */
 double plan_sigma(const criteria *c, unsigned kind);
@@ -31,7 +31,7 @@ double plan_sigma_largest(const criteria *c);
 
 /* A sigma that is given over the noise: "0.0183 mg", or, if `noise` of a position mean over the
  * field is unknown (0), "0.408", of which plan_times says what it means. Returns text. */
-const char *plan_sigma_text(unsigned kind, double sigma, double noise, told_style told,
+const char *plan_sigma_text(unsigned kind, double sigma, double noise, unit_style style,
                             char text[PLAN_WORDS_MAX]);
 
 /* To follow it: "", or, if the noise is unknown, ", × noise". */

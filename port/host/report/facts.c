@@ -98,8 +98,8 @@ int report_facts_find(report_facts *f, const calibrate_result *result,
         .result = result, .invocation = invocation, .count = result->data->count, .has_up = 1};
     f->outcome = pass_judge(result);
     f->is_gravity = calibrate_is_gravity(result);
-    f->scale = told_parts(result->told, f->is_gravity).scale;
-    f->unit = told_parts(result->told, f->is_gravity).unit;
+    f->scale = unit_style_page_field(result->units, f->is_gravity).scale;
+    f->unit = unit_style_page_field(result->units, f->is_gravity).unit;
     f->length = f->is_gravity ? "|a|" : "length";
     f->has_before = !nominal_is_guess(&result->nominal);
     f->knows_noise = calibrate_knows_noise(result);
@@ -120,15 +120,15 @@ int report_facts_find(report_facts *f, const calibrate_result *result,
     return EXIT_GOOD;
 }
 
-told_unit report_unit(const report_facts *f, unsigned kind)
+display_unit report_unit(const report_facts *f, unsigned kind)
 {
-    const told_style style = f->result->told;
-    const told_unit degrees = {FIGURE_DEGREES, "°"};
+    const unit_style style = f->result->units;
+    const display_unit degrees = {FIGURE_DEGREES, "°"};
 
-    return kind == 0           ? told_parts(style, f->is_gravity)
-           : kind == 1         ? told_scale(style)
-           : style == TOLD_INS ? told_angle(style)
-                               : degrees;
+    return kind == 0                 ? unit_style_page_field(style, f->is_gravity)
+           : kind == 1               ? unit_style_scale(style)
+           : style == UNIT_STYLE_INS ? unit_style_angle(style)
+                                     : degrees;
 }
 
 void report_facts_release(report_facts *f)

@@ -51,7 +51,7 @@ int report_facts_find(report_facts *f, const calibrate_result *result,
 void report_facts_release(report_facts *f);
 
 /* The units of offsets (0), scale errors (1) and angles (2). */
-told_unit report_unit(const report_facts *f, unsigned kind);
+display_unit report_unit(const report_facts *f, unsigned kind);
 
 /* The sections, in this order. */
 void report_use(page *p, const report_facts *f);

@@ -40,8 +40,8 @@ static void write_parameters(page *p, const report_facts *f)
                               "turns about the second), in the axes of the accelerometer.",
                               titles, 3, 4};
     const gyro_fit *g = &f->result->gyro;
-    const told_unit scale = told_scale(f->result->told);
-    const told_unit angle = told_angle(f->result->told);
+    const display_unit scale = unit_style_scale(f->result->units);
+    const display_unit angle = unit_style_angle(f->result->units);
     invcal_calibration m = {.offset = {0}};
     double inverse[3][3];
     char name[CELL];
@@ -53,10 +53,10 @@ static void write_parameters(page *p, const report_facts *f)
         const unsigned r = i < 3 ? i : (i - 3) / 2;
         const unsigned c = i < 3 ? i : ((i - 3) % 2 + ((i - 3) % 2 >= r));
         const double spread = g->interval * g->imu.sigma[3 * r + c];
-        const told_unit unit = i < 3 ? scale : angle;
+        const display_unit unit = i < 3 ? scale : angle;
         snprintf(name, sizeof name, i < 3 ? "scale error %s" : "cross %s%s", axes[r], axes[c]);
         if (i < 3 && g->is_counts) {
-            const double counts = UNIT_DEGREE / g->turn * inverse[r][r];
+            const double counts = UNIT_DEGREE / g->rate_unit * inverse[r][r];
             snprintf(name, sizeof name, "scale %s", axes[r]);
             add_row(p, &sheet, name, counts, counts * spread, FIGURE_PLAIN, "counts per °/s");
         } else {
@@ -277,9 +277,9 @@ void report_gyro_summary(page *p, const report_facts *f)
     const gyro_fit *g = &f->result->gyro;
     char number[FIGURE_MAX];
 
-    if (g->is_there && g->word) {
+    if (g->has_readings && g->word) {
         page_say(p, "The gyroscope is not calibrated: %s.", g->reason);
-    } else if (g->is_there) {
+    } else if (g->has_readings) {
         page_say(p, "The gyroscope is calibrated, too (%s): %u moves, residual %s mrad rms.",
                  gyro_verdict(g), g->imu.moves, figure_digits(MILLI * g->imu.move_rms, 2, number));
     }
@@ -290,7 +290,7 @@ void report_gyro(page *p, const report_facts *f)
     const gyro_fit *g = &f->result->gyro;
     char text[GYRO_LINE_MAX];
 
-    if (!g->is_there) {
+    if (!g->has_readings) {
         return;
     }
     page_section(p, "The gyroscope");
@@ -315,11 +315,11 @@ void report_gyro(page *p, const report_facts *f)
         write_g(p, g);
     }
     page_facts_begin(p);
-    if (g->turns->file) {
-        page_fact(p, "file", "%s", g->turns->file);
+    if (g->log->file) {
+        page_fact(p, "file", "%s", g->log->file);
     }
-    page_fact(p, "readings", "in %s, %.6g a second%s", gyro_unit_text(g, text), g->turns->rate,
-              g->turns->is_rate_known ? "" : " (a guess: its error is an error of the scales)");
+    page_fact(p, "readings", "in %s, %.6g a second%s", gyro_unit_text(g, text), g->log->rate,
+              g->log->is_rate_known ? "" : " (a guess: its error is an error of the scales)");
     page_fact(p, "g-sensitivity", "%s", gyro_g_text(g, text));
     page_fact(p, "drift", "%s", gyro_drift_text(g, text));
     if (g->range > 0) {

@@ -62,7 +62,7 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     char text[COLUMNS][CELL];
     char number[3][FIGURE_MAX];
     const char *cells[COLUMNS];
-    const int is_ins = f->result->told == TOLD_INS;
+    const int is_ins = f->result->units == UNIT_STYLE_INS;
     unsigned count = 0;
 
     snprintf(text[NUMBER], CELL, "%u", n + 1);

@@ -320,7 +320,7 @@ void report_file(page *p, const report_facts *f)
 }
 
 /* The samples of a magnetometer. */
-static void write_magnetometer(page *p, const waved *m)
+static void write_magnetometer(page *p, const magnetometer_log *m)
 {
     page_fact(p, "samples",
               "%lu, %lu left out, in %u of %u direction cells; correlated: %.0f count as one",

@@ -78,7 +78,7 @@ static void write_mounting(page *p, const report_facts *f)
     static const char *const axes[] = {"about x", "about y", "about z"};
     static const char *const titles[] = {"mounting", "angle"};
     const mounting *m = &f->result->stand.mounting;
-    const told_unit unit = report_unit(f, 2);
+    const display_unit unit = report_unit(f, 2);
     const page_table sheet = {
         "Mounting of the unit on the stand: a rotation that lengths cannot show.", titles, 2, 0};
 
@@ -111,7 +111,7 @@ static void write_mounting(page *p, const report_facts *f)
 static void write_vertical_row(page *p, const page_table *sheet, const report_facts *f, unsigned r)
 {
     const stand_vertical *v = &f->result->stand.vertical;
-    const told_unit unit = report_unit(f, r / 3);
+    const display_unit unit = report_unit(f, r / 3);
     const double x = unit.scale * f->result->solution.x[r];
     const double difference = unit.scale * (v->x[r] - f->result->solution.x[r]);
     const double sigma = unit.scale * v->sigma[r];
@@ -216,7 +216,7 @@ static void write_closure_row(page *p, const page_table *sheet, const report_fac
     static const char *const groups[] = {"2 and 3", "1 and 3", "1 and 2"};
     static const char *const only[] = {"3", "2", "1"};
     const group_series *s = &f->result->stand.series;
-    const told_unit unit = report_unit(f, r / 3);
+    const display_unit unit = report_unit(f, r / 3);
     const double coverage = stand_series_coverage(s);
     const double spread = coverage * unit.scale * s->noise * s->x_root[r];
     const int places = figure_places(unit.scale * s->x[r], spread);

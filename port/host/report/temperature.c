@@ -37,9 +37,9 @@ static kind kind_of(const report_facts *f, unsigned which)
 {
     static const char *const axes[] = {"x", "y", "z"};
     static const char *const pairs[] = {"xy", "xz", "zy"};
-    const int is_ins = f->result->told == TOLD_INS;
-    const told_unit scale = told_scale(f->result->told);
-    const told_unit angle = told_angle(f->result->told);
+    const int is_ins = f->result->units == UNIT_STYLE_INS;
+    const display_unit scale = unit_style_scale(f->result->units);
+    const display_unit angle = unit_style_angle(f->result->units);
     const kind kinds[KINDS] = {
         {"offset over the field", f->unit, f->scale,
          f->is_gravity ? (is_ins ? "µg/K" : "mg/K") : (is_ins ? "ppm/K" : "‰/K"), f->scale, axes},

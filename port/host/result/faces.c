@@ -35,8 +35,8 @@ faces_error faces_error_of(const calibrate_result *r)
 const char *faces_cost(const calibrate_result *r, char text[FACES_MAX])
 {
     const uint16_t held = fit_held(&r->settings, &r->quality);
-    const told_unit display = calibrate_display_unit(r);
-    const told_unit angle = told_angle(r->told);
+    const display_unit display = calibrate_display_unit(r);
+    const display_unit angle = unit_style_angle(r->units);
     const faces_error e = faces_error_of(r);
     char list[128] = "angles";
     char number[3][FIGURE_MAX];

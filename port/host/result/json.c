@@ -191,7 +191,7 @@ static void write_thermal(json_writer *w, const calibrate_result *result)
         json_nine(w, NULL, c->x[a]);
     }
     json_list_end(w);
-    json_number(w, "asked", fit->wish.degree);
+    json_number(w, "asked", fit->options.degree);
     json_text(w, "fallback", invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         slope[0][r] = calibrate_slope_scale(result, r) * fit->slope[r];

@@ -191,7 +191,7 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
 {
     const double uneven = unevenness(r, length);
     const char *noise = r->is_noise_given ? "stated noise" : "noise of the samples";
-    const told_unit display = calibrate_display_unit(r);
+    const display_unit display = calibrate_display_unit(r);
     char number[FIGURE_MAX];
 
     if (depends_on_temperature(r) && r->fit.without > 2 * r->fit.quality.rms) {
@@ -258,7 +258,7 @@ const char *calibrate_temperature_advice(const calibrate_result *r, char text[CA
 {
     const thermal_fit *fit = &r->fit;
     const double range = fit->calibration.max - fit->calibration.min;
-    const told_unit display = told_parts(r->told, calibrate_is_gravity(r));
+    const display_unit display = unit_style_page_field(r->units, calibrate_is_gravity(r));
     const unsigned steepest = steepest_offset(fit);
     const double scale = display.scale * calibrate_slope_scale(r, steepest);
     char before[FIGURE_MAX];

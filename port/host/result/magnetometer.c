@@ -13,7 +13,7 @@
 
 void calibrate_magnetometer_print(FILE *file, const calibrate_result *result)
 {
-    const waved *m = result->magnetometer;
+    const magnetometer_log *m = result->magnetometer;
     char name[PLAIN_MAX];
 
     wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples per second%s",
@@ -72,7 +72,7 @@ static const char *axes_advice(const calibrate_result *result)
 
     return d->answer == DIP_UNEVEN ? " the length of gravity varies: correct the accelerometer "
                                      "with its own calibration (--with CAL.json), and turn slowly."
-           : d->answer == DIP_OPEN
+           : d->answer == DIP_UNDETERMINED
                ? " the log does not determine them: turn about all axes, slowly."
            : d->is_corrected ? ""
                              : " The accelerometer is not corrected: use --with CAL.json.";
@@ -89,7 +89,7 @@ const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBR
     if (!result->magnetometer || d->answer == DIP_NO_ACCELEROMETER) {
         return text;
     }
-    if (d->answer != DIP_TOLD) {
+    if (d->answer != DIP_FOUND) {
         snprintf(text, CALIBRATE_AXES_MAX, "against the accelerometer's unknown:%s",
                  axes_advice(result));
         return text;
@@ -118,14 +118,14 @@ const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBR
 static void write_axes(json_writer *w, const dip_frame *d)
 {
     static const char *const answers[] = {
-        [DIP_TOLD] = "told", [DIP_UNEVEN] = "uneven lengths", [DIP_OPEN] = "undetermined"};
+        [DIP_FOUND] = "told", [DIP_UNEVEN] = "uneven lengths", [DIP_UNDETERMINED] = "undetermined"};
 
     json_object(w, "accelerometer");
     json_text(w, "answer", answers[d->answer]);
     json_text(w, "taken", d->is_corrected ? "calibrated" : "as it reads");
     json_number(w, "used", (double)d->used);
     json_number(w, "of", (double)d->of);
-    if (d->answer == DIP_TOLD) {
+    if (d->answer == DIP_FOUND) {
         json_matrix(w, "rotation", (const double(*)[3])d->rotation);
         json_vector(w, "angle", d->angle);
         json_vector(w, "sigma", d->sigma);

@@ -21,7 +21,7 @@ static int ends_with(const char *text, size_t length, const char *ending)
 /* Units; `scale` is a field of length 1 in this unit, or 0 for its length in m/s^2. */
 static const struct {
     const char *ending;
-    told_unit unit;
+    display_unit unit;
     int is_of_gravity;
 } units[] = {
     {"mg", {1e3, "mg"}, 1},   {"ug", {1e6, "µg"}, 1},
@@ -30,7 +30,7 @@ static const struct {
     {"m/s²", {0, "m/s²"}, 1}, {"%", {1e2, "% of the field"}, 0},
 };
 
-need_ending need_parse(const char *text, double field, size_t *digits, told_unit *unit)
+need_ending need_parse(const char *text, double field, size_t *digits, display_unit *unit)
 {
     const size_t length = strlen(text);
     const int is_gravity = unit_is_gravity(field);
@@ -52,10 +52,10 @@ need_ending need_parse(const char *text, double field, size_t *digits, told_unit
         if (*digits == 0) {
             return NEED_NO_UNIT;
         }
-        *unit = is_si ? (told_unit){field, units[i].unit.unit} : units[i].unit;
+        *unit = is_si ? (display_unit){field, units[i].unit.unit} : units[i].unit;
         return NEED_UNIT;
     }
-    *unit = (told_unit){field, is_gravity ? "m/s²" : "field units"};
+    *unit = (display_unit){field, is_gravity ? "m/s²" : "field units"};
     return strchr("0123456789.", text[length - 1]) ? NEED_PLAIN : NEED_NO_UNIT;
 }
 

@@ -35,7 +35,7 @@ typedef enum {
  * digits  out: length of the number in bytes.
  * unit    out, unless NEED_NO_UNIT or NEED_NO_GRAVITY: the unit to print; its scale is the field in
  *         that unit. */
-need_ending need_parse(const char *text, double field, size_t *digits, told_unit *unit);
+need_ending need_parse(const char *text, double field, size_t *digits, display_unit *unit);
 
 /* What is missing, for a result with a need. */
 need_missing need_judge(const calibrate_result *result);

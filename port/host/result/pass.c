@@ -105,11 +105,11 @@ static void add_need(const calibrate_result *r, char text[PASS_MAX])
 static void add_limit(const calibrate_result *r, unsigned parameter, double limit,
                       char text[PASS_MAX])
 {
-    const told_unit degrees = {FIGURE_DEGREES, "°"};
-    const told_unit angle = r->told == TOLD_INS ? told_angle(r->told) : degrees;
-    const told_unit display = parameter < INVCAL_DK_X       ? calibrate_display_unit(r)
-                              : parameter < INVCAL_GAMMA_XY ? told_scale(r->told)
-                                                            : angle;
+    const display_unit degrees = {FIGURE_DEGREES, "°"};
+    const display_unit angle = r->units == UNIT_STYLE_INS ? unit_style_angle(r->units) : degrees;
+    const display_unit display = parameter < INVCAL_DK_X       ? calibrate_display_unit(r)
+                                 : parameter < INVCAL_GAMMA_XY ? unit_style_scale(r->units)
+                                                               : angle;
     const double ratio = upper_bound(r, parameter) / limit;
     const int digits = fabs(ratio - 1) < NEAR_LIMIT ? 6 : 3; /* to show which one is larger */
     char reached[FIGURE_MAX];

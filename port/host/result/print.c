@@ -76,7 +76,7 @@ static void add_offsets(const calibrate_result *r, int known)
 /* The deviations of offsets from nominal, over the field. */
 static void add_biases(const calibrate_result *r, int known)
 {
-    const told_unit display = calibrate_display_unit(r);
+    const display_unit display = calibrate_display_unit(r);
 
     for (unsigned i = 0; i < 3 && nominal_knows(&r->nominal, INVCAL_DELTA_X); i++) {
         const figure f = {.label = "offset error",
@@ -117,8 +117,8 @@ static void add_scales(const calibrate_result *r, int known)
 static void add_errors(const calibrate_result *r, int known)
 {
     static const char *const pairs[] = {"xy", "xz", "zy"};
-    const told_unit scale = told_scale(r->told);
-    const told_unit angle = told_angle(r->told);
+    const display_unit scale = unit_style_scale(r->units);
+    const display_unit angle = unit_style_angle(r->units);
     const uint16_t held = fit_held(&r->settings, &r->quality);
     char off_square[FIGURE_MAX];
     char not_measured[FIGURE_MAX];
@@ -151,8 +151,8 @@ static void add_errors(const calibrate_result *r, int known)
  * of a µg. */
 static const char *residual_text(const calibrate_result *r, double residual, char text[TEXT_MAX])
 {
-    const told_unit display = calibrate_display_unit(r);
-    const int places = r->told == TOLD_INS ? 3 : calibrate_is_gravity(r) ? 4 : 5;
+    const display_unit display = calibrate_display_unit(r);
+    const int places = r->units == UNIT_STYLE_INS ? 3 : calibrate_is_gravity(r) ? 4 : 5;
 
     snprintf(text, TEXT_MAX, "%14.*f %s", places, display.scale * residual, display.unit);
     return text;
@@ -161,9 +161,9 @@ static const char *residual_text(const calibrate_result *r, double residual, cha
 static void print_residuals(FILE *file, const calibrate_result *r, const char *nominal_name)
 {
     const fit_quality *q = &r->quality;
-    const told_unit noise = r->told == TOLD_INS
-                                ? calibrate_display_unit(r)
-                                : (told_unit){r->settings.field, calibrate_field_unit(r)};
+    const display_unit noise = r->units == UNIT_STYLE_INS
+                                   ? calibrate_display_unit(r)
+                                   : (display_unit){r->settings.field, calibrate_field_unit(r)};
     char text[TEXT_MAX];
 
     fprintf(file, "residual rms  %s\n", residual_text(r, q->rms, text));
@@ -196,7 +196,8 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
         if (r->field_sigma > 0) {
             wrapped_printf(file, LABEL, "%-14s%.2g %s, included in the ± of all three scales%s",
                            r->magnetometer ? "of the field" : "of g",
-                           told_scale(r->told).scale * r->field_sigma, told_scale(r->told).unit,
+                           unit_style_scale(r->units).scale * r->field_sigma,
+                           unit_style_scale(r->units).unit,
                            r->is_field_stated ? "" : "; --gravity or --latitude reduces it");
         }
         if (calibrate_unexplained(r) > 0) {
@@ -406,7 +407,7 @@ static void print_place(FILE *file, const calibrate_result *result)
 static void print_rejected(FILE *file, const calibrate_result *result)
 {
     const rejection *r = &result->rejected;
-    const told_unit display = calibrate_display_unit(result);
+    const display_unit display = calibrate_display_unit(result);
     char text[FIGURE_MAX];
 
     if (rejection_drifting(r) > 0) {
@@ -443,8 +444,8 @@ static void print_rejected(FILE *file, const calibrate_result *result)
 
 static void print_stand(FILE *file, const calibrate_result *result)
 {
-    const told_unit unit[3] = {calibrate_display_unit(result), told_scale(result->told),
-                               told_angle(result->told)};
+    const display_unit unit[3] = {calibrate_display_unit(result), unit_style_scale(result->units),
+                                  unit_style_angle(result->units)};
 
     if (result->stand.from) {
         stand_print(file, &result->stand, &result->nominal, result->solution.x, unit);
@@ -520,7 +521,7 @@ static void print_parameters(FILE *file, const calibrate_result *result, const c
     tabular_row_in(PAINT_BOLD);
     add_offsets(result, known);
     add_scales(result, known);
-    if (result->told == TOLD_INS) { /* biases are not usually in input units there */
+    if (result->units == UNIT_STYLE_INS) { /* biases are not usually in input units there */
         add_biases(result, known);
     }
     add_errors(result, known);

@@ -125,7 +125,7 @@ static int determines_nonlinearity(const directions *d, unsigned degree)
 {
     nonlinearity_prospect p;
 
-    return d->count >= nonlinearity_least(degree) &&
+    return d->count >= nonlinearity_min_positions(degree) &&
            nonlinearity_judge((const double(*)[3])d->up, NULL, d->count, degree, &p, NULL);
 }
 

@@ -64,9 +64,9 @@ const char *calibrate_field_unit(const calibrate_result *result)
     return calibrate_is_gravity(result) ? "m/s²" : "field units";
 }
 
-told_unit calibrate_display_unit(const calibrate_result *result)
+display_unit calibrate_display_unit(const calibrate_result *result)
 {
-    return told_field(result->told, calibrate_is_gravity(result));
+    return unit_style_field(result->units, calibrate_is_gravity(result));
 }
 
 const char *calibrate_input_unit(const calibrate_result *result)

@@ -18,10 +18,10 @@
 #include "read/positions.h"
 #include "fit/rejection.h"
 #include "read/rests.h"
-#include "read/waved.h"
+#include "read/magnetometer_log.h"
 #include "stand/stand.h"
 #include "fit/thermal_fit.h"
-#include "cli/told.h"
+#include "cli/unit_style.h"
 #include "result/record.h"
 #include "result/uncertainty.h"
 
@@ -49,8 +49,8 @@ typedef struct {
 typedef struct {
     refusal refused; /* if refused, only data, log, rejected, nominal and settings are valid */
     const positions *data;
-    const rests_summary *log;  /* the log that they were found in; null: a file of positions */
-    const waved *magnetometer; /* its log, whose cells are the positions; or null */
+    const rests_summary *log; /* the log that they were found in; null: a file of positions */
+    const magnetometer_log *magnetometer; /* its log, whose cells are the positions; or null */
     rejection rejected;
     nominal_choice nominal;
     fit_settings settings;
@@ -61,15 +61,15 @@ typedef struct {
     double field_sigma;              /* of the field, relative; included in sigma of the scales */
     int is_field_stated;             /* by --gravity or --latitude */
     reading_unit field_unit;         /* as stated */
-    double accuracy;     /* of lengths over the field, 95 %, without the error of the field */
-    double need;         /* --need, field units; 0: none */
-    told_unit need_unit; /* the unit that it was stated in */
-    int is_drift_fitted; /* the calibration is that of the middle of the session */
-    double drift[3];     /* from the first position to the last, over the field */
+    double accuracy;        /* of lengths over the field, 95 %, without the error of the field */
+    double need;            /* --need, field units; 0: none */
+    display_unit need_unit; /* the unit that it was stated in */
+    int is_drift_fitted;    /* the calibration is that of the middle of the session */
+    double drift[3];        /* from the first position to the last, over the field */
     double drift_sigma[3];
     unsigned degree; /* of the fitted nonlinearity, not in the calibration; 0: none */
-    double nonlinear[NONLINEARITY_MOST]; /* x y z quadratic, x y z cubic, over the field */
-    double nonlinear_sigma[NONLINEARITY_MOST];
+    double nonlinear[NONLINEARITY_TERMS]; /* x y z quadratic, x y z cubic, over the field */
+    double nonlinear_sigma[NONLINEARITY_TERMS];
     int is_robust_wanted; /* --robust: cross-check by the l1 estimate of all positions */
     int has_robust;       /* there is such an estimate */
     double robust[INVCAL_PARAMETERS];
@@ -86,8 +86,8 @@ typedef struct {
     dip_frame dip;         /* results from the accelerometer next to a magnetometer */
     int is_dip_frame;      /* the calibration is turned to the axes of that accelerometer */
     gyro_fit gyro;         /* the gyroscope, if there is one */
-    int is_joint;    /* the solution is that of rests and moves, as rests alone do not suffice */
-    told_style told; /* units of table and report */
+    int is_joint;     /* the solution is that of rests and moves, as rests alone do not suffice */
+    unit_style units; /* units of table and report */
     record record;
     const double *place; /* latitude and height that the field follows from; null: it was stated */
 } calibrate_result;
@@ -170,7 +170,7 @@ const char *calibrate_field_unit(const calibrate_result *result);
 const char *calibrate_input_unit(const calibrate_result *result);
 
 /* The unit of lengths, offsets and residuals over the field in the table. */
-told_unit calibrate_display_unit(const calibrate_result *result);
+display_unit calibrate_display_unit(const calibrate_result *result);
 
 /* What limits the accuracy: a sentence. Returns text. */
 #define CALIBRATE_LIMIT_MAX 400

@@ -40,7 +40,7 @@ const char *verdict_systematic(unsigned systematic)
 /* The size of the systematic error with its unit. */
 static const char *size_of(const calibrate_result *r, char text[64])
 {
-    const told_unit display = calibrate_display_unit(r);
+    const display_unit display = calibrate_display_unit(r);
     char number[FIGURE_MAX];
 
     snprintf(text, 64, "%s %s", figure_digits(display.scale * fabs(r->quality.size), 2, number),
@@ -50,7 +50,7 @@ static const char *size_of(const calibrate_result *r, char text[64])
 
 static void describe_drift(const calibrate_result *r, char text[VERDICT_MAX])
 {
-    const told_unit display = calibrate_display_unit(r);
+    const display_unit display = calibrate_display_unit(r);
     char number[3][FIGURE_MAX];
     char size[64];
 

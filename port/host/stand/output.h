@@ -11,7 +11,7 @@
 #include "text/json_write.h"
 #include "fit/nominal.h"
 #include "stand/stand.h"
-#include "cli/told.h"
+#include "cli/unit_style.h"
 
 #define STAND_SIGNIFICANCE 0.01 /* of group_series.chance: below it the groups contradict */
 #define STAND_TEXT_MAX 512
@@ -44,6 +44,6 @@ void stand_json(json_writer *w, const stand *s, const nominal_choice *nominal);
  * x     the nine parameters from the lengths, for comparison.
  * unit  of offsets, of scale errors, of angles. */
 void stand_print(FILE *file, const stand *s, const nominal_choice *nominal,
-                 const double x[INVCAL_PARAMETERS], const told_unit unit[3]);
+                 const double x[INVCAL_PARAMETERS], const display_unit unit[3]);
 
 #endif

@@ -8,7 +8,7 @@
 
 #define LABEL 14u /* columns before a line's text */
 
-static void print_mounting(FILE *file, const mounting *m, told_unit unit)
+static void print_mounting(FILE *file, const mounting *m, display_unit unit)
 {
     char text[FIGURE_MAX];
 
@@ -30,7 +30,7 @@ static void print_mounting(FILE *file, const mounting *m, told_unit unit)
 }
 
 static void print_vertical(FILE *file, const stand_vertical *v, const nominal_choice *nominal,
-                           const double x[INVCAL_PARAMETERS], const told_unit unit[3])
+                           const double x[INVCAL_PARAMETERS], const display_unit unit[3])
 {
     static const char *const names[] = {"offset x", "offset y", "offset z", "scale x", "scale y",
                                         "scale z",  "angle xy", "angle xz", "angle zy"};
@@ -129,7 +129,7 @@ static void print_series(FILE *file, const group_series *s, int has_nominal)
 }
 
 void stand_print(FILE *file, const stand *s, const nominal_choice *nominal,
-                 const double x[INVCAL_PARAMETERS], const told_unit unit[3])
+                 const double x[INVCAL_PARAMETERS], const display_unit unit[3])
 {
     char text[STAND_TEXT_MAX];
 

@@ -230,7 +230,7 @@ static double bar_share(double x)
 
 /* A figure and its bar. interval  below 0: not known; wanted  0: anything. */
 static void draw_known(canvas *c, unsigned line, const char *what, double interval, double wanted,
-                       told_unit unit)
+                       display_unit unit)
 {
     const int is_known = interval >= 0;
     const int colour =

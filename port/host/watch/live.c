@@ -32,7 +32,7 @@ typedef struct {
     const live_wish *wish;
     rests_summary *summary;
     watch_teller tell;
-    turns *gyro; /* what a gyroscope reads meanwhile; null: there is none, or it is not wanted */
+    gyro_log *gyro; /* what a gyroscope reads meanwhile; null: there is none, or it is not wanted */
     zero_finder zero;
     invcal_calibration known; /* the calibration so far, or the nominal one */
     double told_at;           /* seconds of the log: the last WATCH_PASSED; */
@@ -412,7 +412,7 @@ static int feed(stage *s, const sample *latest)
     }
     s->summary->samples++;
     recording_sample(&live_recording, &live_log, latest);
-    if (s->gyro && turns_add(s->gyro, &live_log, latest)) {
+    if (s->gyro && gyro_log_add(s->gyro, &live_log, latest)) {
         return EXIT_FILE;
     }
     const invcal_event event = invcal_session_feed(&session, latest->raw);
@@ -449,7 +449,7 @@ static int watch(stage *s)
     return EXIT_GOOD;
 }
 
-int live_read(positions *p, const char *path, const live_wish *wish, turns *gyro,
+int live_read(positions *p, const char *path, const live_wish *wish, gyro_log *gyro,
               rests_summary *summary)
 {
     stage s = {.p = p, .wish = wish, .summary = summary, .told_at = -HUGE_VAL};
@@ -469,13 +469,13 @@ int live_read(positions *p, const char *path, const live_wish *wish, turns *gyro
                                .track = &live_recording,
                                .unit = live_log.unit};
     now = (watch_state){.talk = wish->talk,
-                        .told = wish->told,
+                        .units = wish->units,
                         .name = live_log.table.name,
                         .phase = WATCH_MOVING,
                         .need = wish->need};
     memcpy(now.target_sigma, wish->target, sizeof now.target_sigma);
     if (!failure && gyro) {
-        turns_begin(gyro, &live_log);
+        gyro_log_begin(gyro, &live_log);
         s.gyro = live_log.has_gyro ? gyro : NULL;
     }
     failure = failure ? failure : begin(&s);
@@ -484,7 +484,7 @@ int live_read(positions *p, const char *path, const live_wish *wish, turns *gyro
     samples_close(&live_log);
     rests_end(p, &live_log, summary);
     if (s.gyro) {
-        turns_end(gyro);
+        gyro_log_end(gyro);
     }
     return failure;
 }

@@ -15,7 +15,7 @@
  * gyro  as in rests_read.
  *
  * Returns, and is to be released, as rests_read. */
-int live_read(positions *p, const char *path, const live_wish *wish, turns *gyro,
+int live_read(positions *p, const char *path, const live_wish *wish, gyro_log *gyro,
               rests_summary *summary);
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <stdio.h>
 
-#include "cli/told.h"
+#include "cli/unit_style.h"
 #include "design/program.h"
 #include "read/columns.h"
 #include "watch/gyro.h"
@@ -39,7 +39,7 @@ typedef enum {
 
 typedef struct {
     FILE *talk; /* where it is printed */
-    told_style told;
+    unit_style units;
     int is_magnetometer; /* one is waved: positions are cells that have been passed through, and up
                             stands for the field */
     const char *disturbed; /* by what: a clause; "": by nothing */
@@ -104,7 +104,7 @@ double watch_wanted(const watch_state *now, unsigned kind);
 int watch_is_anything_wanted(const watch_state *now);
 
 /* The unit that it is printed in. */
-told_unit watch_unit(const watch_state *now, unsigned kind);
+display_unit watch_unit(const watch_state *now, unsigned kind);
 extern const char *const watch_kinds[WATCH_KINDS];
 
 /* The output. */

@@ -7,7 +7,7 @@
 #include "calibrate/calibrate.h"
 #include "cli/command.h"
 #include "design/design.h"
-#include "read/chosen.h"
+#include "read/columns_option.h"
 #include "read/noise_file.h"
 #include "result/calibration_file.h"
 #include "watch/live.h"
@@ -33,7 +33,7 @@ static void end_talk(FILE *nowhere)
 /* What is asked of both. */
 static live_wish wish_of(const request *r)
 {
-    live_wish wish = {.rate = r->rate, .field = r->settings.field, .told = r->told};
+    live_wish wish = {.rate = r->rate, .field = r->settings.field, .units = r->units};
 
     memcpy(wish.target, r->target, sizeof wish.target);
     wish.need = r->need / r->settings.field;
@@ -42,7 +42,7 @@ static live_wish wish_of(const request *r)
 }
 
 /* The positions that a live stream rests in. */
-static int read_live(const request *r, positions *data, rests_summary *log, turns *gyro)
+static int read_live(const request *r, positions *data, rests_summary *log, gyro_log *gyro)
 {
     invcal_calibration nominal;
     invcal_noise noise[3];
@@ -81,7 +81,7 @@ static int read_live(const request *r, positions *data, rests_summary *log, turn
 /* A magnetometer that is waved. Of a field that is not stated a part is asked for by %, else a
  * number in the unit of the readings. */
 static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
-                      waved *log)
+                      magnetometer_log *log)
 {
     live_wish wish = wish_of(r);
 
@@ -161,7 +161,7 @@ static const char *const watch_help[] = {
     "  --with CAL.json     calibration of the accelerometer in LOG\n"
     "  --thermal 1|2       straight lines or parabolas over temperature\n"
     "  --slope D,K,G       standard deviations of the slopes to expect, per K\n",
-    CHOSEN_OPTION,
+    COLUMNS_OPTION_HELP,
     "  --rate HZ           samples per second; default: from column t, else 100\n"
     "  --clip LOW,HIGH     limits of the sensor's range, in input units\n"
     "  --keep-all          keep outliers: leave no position out\n"

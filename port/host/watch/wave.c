@@ -93,7 +93,7 @@ static void judge(const stage *s, const invcal_magnetometer *m)
 
 /* ---- the stream --------------------------------------------------------------------------------- */
 
-static void begin(stage *s, const waved_moment *at)
+static void begin(stage *s, const magnetometer_moment *at)
 {
     s->has_begun = 1;
     interrupt_stream(at->log->table.file);
@@ -104,7 +104,7 @@ static void begin(stage *s, const waved_moment *at)
     s->tell(&now, WATCH_BEGUN);
 }
 
-static void take(stage *s, const waved_moment *at)
+static void take(stage *s, const magnetometer_moment *at)
 {
     find_covered(at->magnetometer);
     judge(s, at->magnetometer);
@@ -115,7 +115,7 @@ static void take(stage *s, const waved_moment *at)
 }
 
 /* A tenth of a second has passed. */
-static void pass(stage *s, const waved_moment *at)
+static void pass(stage *s, const magnetometer_moment *at)
 {
     const char *before = now.disturbed;
 
@@ -137,7 +137,7 @@ static void pass(stage *s, const waved_moment *at)
     s->tell(&now, WATCH_PASSED);
 }
 
-static void listen(const waved_moment *at, void *who)
+static void listen(const magnetometer_moment *at, void *who)
 {
     stage *const s = who;
 
@@ -155,10 +155,10 @@ static void listen(const waved_moment *at, void *who)
 }
 
 int wave_read(positions *p, const char *path, const invcal_calibration *nominal,
-              const live_wish *wish, waved *out)
+              const live_wish *wish, magnetometer_log *out)
 {
     stage s = {.wish = wish, .told_at = -HUGE_VAL};
-    const waved_wish how = {path, wish->rate, nominal, 1, listen, &s};
+    const magnetometer_log_options how = {path, wish->rate, nominal, 1, listen, &s};
 
     s.tell = screen_is_possible(wish->talk) ? screen_tell : lines_tell;
     if (isatty(fileno(wish->talk))) {
@@ -167,14 +167,14 @@ int wave_read(positions *p, const char *path, const invcal_calibration *nominal,
     }
     interrupt_catch(path);
     now = (watch_state){.talk = wish->talk,
-                        .told = wish->told,
+                        .units = wish->units,
                         .is_magnetometer = 1,
                         .disturbed = "",
                         .phase = WATCH_MOVING,
                         .status = INVCAL_TOO_FEW,
                         .need = wish->need};
     memcpy(now.target_sigma, wish->target, sizeof now.target_sigma);
-    const int failure = waved_read(p, &how, out);
+    const int failure = magnetometer_log_read(p, &how, out);
     interrupt_stream(NULL);
     if (s.has_begun) {
         now.phase = WATCH_ENDED;
