@@ -20,8 +20,9 @@ static void state(const double *of_kind)
     }
 }
 
-/* 10 mg, 1 % and 0.01 rad are limits; offsets are 4 mg, scales 0.4 %, angles 4 mrad, and ± of 95 % half of
- * that: each uses 0.6 of its limit. Lengths are right within 0.5 mg, of which 0.3 are the field's. */
+/* 10 mg, 1 % and 0.01 rad are limits; offsets are 4 mg, scales 0.4 %, angles 4 mrad, and ± of 95 %
+ * half of that: each uses 0.6 of its limit. Lengths are right within 0.5 mg, of which 0.3 are the
+ * field's. */
 void setUp(void)
 {
     const double x[] = {4e-3, -4e-3, 4e-3, -4e-3, 4e-3, 4e-3, 4e-3, 4e-3, -4e-3};
@@ -51,7 +52,7 @@ static void a_limit_holds_value_and_interval(void)
 {
     pass p = pass_judge(&result);
 
-    TEST_ASSERT_TRUE(p.is_asked && p.is_passed);
+    TEST_ASSERT_TRUE(p.has_criteria && p.is_passed);
     TEST_ASSERT_EQUAL_HEX16(0x1FF, p.limited);
     TEST_ASSERT_EQUAL_HEX16(0, p.failed | p.beyond);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
@@ -110,7 +111,7 @@ static void what_is_not_known_or_not_good_passes_nothing(void)
     result.solution.x[0] = NOT_A_NUMBER;
     TEST_ASSERT_EQUAL_HEX16(1, pass_judge(&result).failed & pass_judge(&result).beyond);
     state(NULL);
-    TEST_ASSERT_FALSE(pass_judge(&result).is_asked || pass_judge(&result).is_passed);
+    TEST_ASSERT_FALSE(pass_judge(&result).has_criteria || pass_judge(&result).is_passed);
 }
 
 static void the_line_tells_the_margins(void)

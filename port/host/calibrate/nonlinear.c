@@ -8,8 +8,8 @@ static const char *option_of(unsigned degree)
     return degree > 2 ? "--cubic" : "--quadratic";
 }
 
-/* Which of them stay open. */
-static void say_open(const calibrate_result *r, unsigned degree, char text[REFUSAL_MAX])
+/* Names the terms that are undetermined. */
+static void list_undetermined(const calibrate_result *r, unsigned degree, char text[REFUSAL_MAX])
 {
     const unsigned open =
         nonlinearity_open(r->rejected.kept, r->rejected.kept_count, &r->solution.symmetric, degree);
@@ -36,7 +36,7 @@ static int refuse(calibrate_result *r, unsigned degree, invcal_status status)
         snprintf(why->reason, REFUSAL_MAX, "%s: %u positions are too few: %u or more are needed",
                  option_of(degree), r->rejected.kept_count, nonlinearity_min_positions(degree));
     } else {
-        say_open(r, degree, why->reason);
+        list_undetermined(r, degree, why->reason);
     }
     snprintf(
         why->remedy, REFUSAL_MAX,
@@ -59,7 +59,7 @@ int calibrate_nonlinear(calibrate_result *r, unsigned degree)
     r->is_drift_fitted = 0;
     if (found->systematic == INVCAL_QUADRATIC ||
         (degree > 2 && found->systematic == INVCAL_CUBIC)) {
-        found->systematic = INVCAL_NO_SYSTEMATIC; /* it is reported as such */
+        found->systematic = INVCAL_NO_SYSTEMATIC; /* reported as a nonlinearity instead */
         found->verdict = INVCAL_GOOD;
     }
     found->unchecked &=

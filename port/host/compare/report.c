@@ -24,13 +24,13 @@ static const char *digits(double x, double sigma, figure_sign sign, char text[FI
 
 static void write_verdict(page *p, const compare_result *r)
 {
-    static const page_mood mood[] = {PAGE_GOOD, PAGE_CAUTION, PAGE_CAUTION};
+    static const page_severity severity[] = {PAGE_GOOD, PAGE_CAUTION, PAGE_CAUTION};
     char word[64];
     char text[COMPARE_TEXT_MAX];
     const compare_outcome outcome = compare_judge(r);
 
     snprintf(word, sizeof word, "%s %s", outcome == COMPARE_STEADY ? "✓" : "!", compare_word(r));
-    page_verdict(p, mood[outcome], word, compare_sentence(r, text), compare_next(r));
+    page_verdict(p, severity[outcome], word, compare_sentence(r, text), compare_next(r));
 }
 
 /* ---- history ----------------------------------------------------------------------------------- */

@@ -129,8 +129,8 @@ static void write_sheet(page *p, const turns_plan *plan)
              "Start with %s. Hold still for %.4g s, turn within %.4g s per quarter turn, and hold "
              "still again.",
              turns_up_words(up, side), plan->asked.rest, plan->asked.turn);
-    page_panorama(p, "Orientation of the device, seen from the front: 0 is the start.", draw_boxes,
-                  plan);
+    page_wide_picture(p, "Orientation of the device, seen from the front: 0 is the start.",
+                      draw_boxes, plan);
     page_table_begin(p, &sheet);
     for (unsigned i = 0; i < plan->count; i++) {
         const turns_step *step = &plan->step[i];

@@ -47,7 +47,7 @@ static void write_parameters(page *p, const report_facts *f)
     char name[CELL];
 
     memcpy(m.matrix, g->imu.parameter, sizeof m.matrix);
-    (void)matrix_inverse(&m, inverse); /* near to a unit matrix */
+    (void)matrix_inverse(&m, inverse); /* close to a unit matrix */
     page_table_begin(p, &sheet);
     for (unsigned i = 0; i < 9; i++) {
         const unsigned r = i < 3 ? i : (i - 3) / 2;
@@ -84,14 +84,14 @@ static void write_figures(page *p, const gyro_fit *g)
 
 /* ---- moves -------------------------------------------------------------------------------------- */
 
-static double largest(const gyro_fit *g)
+static double largest_residual(const gyro_fit *g)
 {
-    double most = 0;
+    double max = 0;
 
     for (unsigned i = 0; i < g->moves; i++) {
-        most = g->move[i].why == INVCAL_OK ? fmax(most, g->move[i].residual) : most;
+        max = g->move[i].why == INVCAL_OK ? fmax(max, g->move[i].residual) : max;
     }
-    return MILLI * most;
+    return MILLI * max;
 }
 
 static void draw_moves(FILE *file, const void *data, double width)
@@ -100,7 +100,8 @@ static void draw_moves(FILE *file, const void *data, double width)
     const gyro_fit *g = &f->result->gyro;
     const double step = (width - LEFT - RIGHT) / g->moves;
     const ruler x = {0, 1, LEFT, width - RIGHT, 0, 0};
-    const ruler y = chart_ruler(0, largest(g) > 0 ? largest(g) : 1, TOP + PLOT, TOP, 5);
+    const ruler y =
+        chart_ruler(0, largest_residual(g) > 0 ? largest_residual(g) : 1, TOP + PLOT, TOP, 5);
     double taken = 0;
 
     svg_begin_inline(file, width, TOP + PLOT + AXIS, "Residuals of the moves",
@@ -135,7 +136,7 @@ static void draw_moves(FILE *file, const void *data, double width)
 
 /* ---- bias --------------------------------------------------------------------------------------- */
 
-/* Of a rest less that of the last, degrees/s; without the effect of orientation. */
+/* Bias of a rest minus that of the last one, degrees/s; is_level: without g-sensitivity. */
 static double bias_of(const gyro_fit *g, unsigned i, unsigned axis, int is_level)
 {
     const gyro_rest *last = &g->rest[g->rests - 1];
@@ -148,7 +149,7 @@ static double bias_of(const gyro_fit *g, unsigned i, unsigned axis, int is_level
 }
 
 /* The horizontal axis: temperature, or time. */
-static double place_of(const report_facts *f, unsigned i)
+static double abscissa(const report_facts *f, unsigned i)
 {
     const position_origin *o = &f->result->data->origin[f->result->gyro.rest[i].position];
 
@@ -166,7 +167,7 @@ static void draw_bias(FILE *file, const void *data, double width)
     double range[2][2] = {{HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, -HUGE_VAL}};
 
     for (unsigned i = 0; i < 3 * g->rests; i++) {
-        const double at[2] = {place_of(f, i / 3), bias_of(g, i / 3, i % 3, is_level)};
+        const double at[2] = {abscissa(f, i / 3), bias_of(g, i / 3, i % 3, is_level)};
         for (unsigned k = 0; k < 2 && isfinite(at[0] + at[1]); k++) {
             range[k][0] = fmin(range[k][0], at[k]);
             range[k][1] = fmax(range[k][1], at[k]);
@@ -188,7 +189,7 @@ static void draw_bias(FILE *file, const void *data, double width)
         svg_marker(file, styles[k], shapes[k], LEFT + 8 + 60 * k, 28, 4.5);
         svg_text(file, "ink small", SVG_START, LEFT + 18 + 60 * k, 32, axes[k]);
         for (unsigned i = 0; i < g->rests; i++) {
-            const double at = place_of(f, i);
+            const double at = abscissa(f, i);
             const double value = bias_of(g, i, k, is_level);
             if (isfinite(at + value)) {
                 svg_marker(file, styles[k], shapes[k], chart_pixel(&x, at), chart_pixel(&y, value),
@@ -223,7 +224,7 @@ static void write_g(page *p, const gyro_fit *g)
     page_table_end(p);
 }
 
-/* ---- together ----------------------------------------------------------------------------------- */
+/* ---- the section -------------------------------------------------------------------------------- */
 
 static void write_moves(page *p, const report_facts *f)
 {

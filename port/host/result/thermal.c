@@ -11,7 +11,7 @@
 #include "design/parameters.h"
 
 #define TEXT_MAX 512
-#define LABEL 14u /* columns before a line's text */
+#define LABEL 14u /* columns of the label of a line */
 
 /* The unit of a slope. */
 typedef struct {
@@ -76,7 +76,7 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
     char value[FIGURE_MAX];
 
     if (r->temperature != CALIBRATE_THERMAL) {
-        if (*calibrate_advice(r, text)) {
+        if (*calibrate_temperature_advice(r, text)) {
             wrapped_line(file, 0, 0, text);
         }
         return;
@@ -86,12 +86,12 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
         print_slopes(file, r);
     }
     if (fit->calibration.fitted > 0 && r->quality.dof > 0 && !isnan(fit->without)) {
-        const display_unit told = calibrate_told_field(r);
+        const display_unit display = calibrate_display_unit(r);
         char without[FIGURE_MAX];
         snprintf(text, sizeof text,
                  "Nine parameters without temperature leave an rms of %s %s in the same positions, "
                  "%s times as large.",
-                 figure_digits(told.scale * fit->without, 3, without), told.unit,
+                 figure_digits(display.scale * fit->without, 3, without), display.unit,
                  figure_digits(fit->without / r->quality.rms, 3, value));
         wrapped_line(file, 0, 0, text);
     }

@@ -13,12 +13,13 @@
 #include "watch/live.h"
 #include "watch/wave.h"
 
-/* Where there is talk: to stdout, with JSON to stderr, and with --quiet nowhere, which is to be closed. */
+/* Where there is talk: to stdout, with JSON to stderr, and with --quiet nowhere, which is to be
+ * closed. */
 static FILE *begin_talk(const request *r, live_wish *wish)
 {
-    FILE *nowhere = r->value[ASK_QUIET] ? fopen("/dev/null", "w") : NULL;
+    FILE *nowhere = r->value[OPT_QUIET] ? fopen("/dev/null", "w") : NULL;
 
-    wish->talk = nowhere ? nowhere : r->value[ASK_JSON] ? stderr : stdout;
+    wish->talk = nowhere ? nowhere : r->value[OPT_JSON] ? stderr : stdout;
     return nowhere;
 }
 
@@ -48,23 +49,23 @@ static int read_live(const request *r, positions *data, rests_summary *log, gyro
     live_wish wish = wish_of(r);
 
     wish.unit = r->unit;
-    wish.clip = r->value[ASK_CLIP] ? r->clip : NULL;
+    wish.clip = r->value[OPT_CLIP] ? r->clip : NULL;
     wish.gyro = r->gyro;
     wish.set = r->program;
-    if (r->value[ASK_NOMINAL]) {
-        const int failure = calibration_file_read(r->value[ASK_NOMINAL], &nominal);
+    if (r->value[OPT_NOMINAL]) {
+        const int failure = calibration_file_read(r->value[OPT_NOMINAL], &nominal);
         if (failure) {
             return failure;
         }
         wish.nominal = &nominal;
     }
     wish.sensor = r->sensor;
-    wish.zero = r->value[ASK_ZERO] ? r->zero : NULL;
-    wish.lsb = r->value[ASK_LSB] ? r->lsb : NULL;
+    wish.zero = r->value[OPT_ZERO] ? r->zero : NULL;
+    wish.lsb = r->value[OPT_LSB] ? r->lsb : NULL;
     wish.stated = r->settings.noise;
     wish.mean_sigma = r->mean_sigma;
-    if (r->value[ASK_ALLAN]) {
-        const int failure = noise_file_read(r->value[ASK_ALLAN], noise);
+    if (r->value[OPT_ALLAN]) {
+        const int failure = noise_file_read(r->value[OPT_ALLAN], noise);
         if (failure) {
             return failure;
         }
@@ -72,19 +73,19 @@ static int read_live(const request *r, positions *data, rests_summary *log, gyro
     }
     FILE *nowhere = begin_talk(r, &wish);
     const int failure =
-        live_read(data, r->file, &wish, r->value[ASK_ACCELEROMETER_ONLY] ? NULL : gyro, log);
+        live_read(data, r->file, &wish, r->value[OPT_ACCELEROMETER_ONLY] ? NULL : gyro, log);
     end_talk(nowhere);
     return failure;
 }
 
-/* A magnetometer that is waved. Of a field that is not stated a part is asked for by %, else a number in the unit of
- * the readings. */
+/* A magnetometer that is waved. Of a field that is not stated a part is asked for by %, else a
+ * number in the unit of the readings. */
 static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
                       magnetometer_log *log)
 {
     live_wish wish = wish_of(r);
 
-    if (!r->value[ASK_GRAVITY] && r->value[ASK_NEED] && !strchr(r->value[ASK_NEED], '%')) {
+    if (!r->value[OPT_GRAVITY] && r->value[OPT_NEED] && !strchr(r->value[OPT_NEED], '%')) {
         wish.field = 0;
     }
     FILE *nowhere = begin_talk(r, &wish);

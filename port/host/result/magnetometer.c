@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The result of a magnetometer that was waved, in words.
+ * The result of a magnetometer that was waved, in words and as JSON.
  */
 #include <math.h>
 
@@ -11,7 +11,7 @@
 #include "text/plain.h"
 #include "text/wrapped.h"
 
-void calibrate_waved_print(FILE *file, const calibrate_result *result)
+void calibrate_magnetometer_print(FILE *file, const calibrate_result *result)
 {
     const magnetometer_log *m = result->magnetometer;
     char name[PLAIN_MAX];
@@ -33,7 +33,8 @@ void calibrate_waved_print(FILE *file, const calibrate_result *result)
     }
 }
 
-const char *calibrate_waved_fault(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX])
+const char *calibrate_magnetometer_fault(const calibrate_result *result,
+                                         char text[CALIBRATE_LIMIT_MAX])
 {
     const invcal_magnetometer_found *f = &result->magnetometer->found;
     char words[INVCAL_WORDS];
@@ -64,7 +65,7 @@ const char *calibrate_waved_fault(const calibrate_result *result, char text[CALI
     return text;
 }
 
-/* What limits a rotation, and what to do about it. */
+/* What limits the rotation, and what to do. */
 static const char *axes_advice(const calibrate_result *result)
 {
     const dip_frame *d = &result->dip;
@@ -136,7 +137,7 @@ static void write_axes(json_writer *w, const dip_frame *d)
     json_object_end(w);
 }
 
-void calibrate_waved_json(json_writer *w, const calibrate_result *result)
+void calibrate_magnetometer_json(json_writer *w, const calibrate_result *result)
 {
     static const char *const names[] = {"none", "passing", "places", "step"};
     const invcal_magnetometer_found *f = &result->magnetometer->found;
