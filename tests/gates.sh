@@ -110,7 +110,7 @@ plant libc src/calibrate.c 's/(invcal_real)dof;/tanf((float)dof);/' \
 plant example README.md 's/invcal_session_why(&session)/invcal_session_because(\&session)/' \
     'it compiles: FAIL' unit readme
 plant output README.md 's/invcal_save_session(&board_progress, &session)/(void)0/; s/counts(&calibration, board/counts(\&session.nominal, board/' \
-    'gets calibrated readings: FAIL' unit readme
+    'gets calibrated readings.*: FAIL' unit readme
 plant answer port/manual/errors.md 's/`INVCAL_REST_GAP`/`INVCAL_REST_HOLE`/' \
     'errors: .*: FAIL' unit errors
 plant tutorial port/manual/tutorial.md 's/328\.10/328.11/' \
@@ -166,7 +166,7 @@ plant library Makefile 's|(BUILD)/double/libinvcal.a:lib|(BUILD)/float/libinvcal
 plant version port/cmake/CMakeLists.txt 's/SameMinorVersion/AnyNewerVersion/' \
     'older API: FAIL' packages cmake
 plant mangled include/invcal/invcal.h 's/__cplusplus/__cplus_plus/' \
-    'float: the example prints what it has to: FAIL' packages cplusplus
+    'float: the example prints what it must: FAIL' packages cplusplus
 plant tree port/stage.sh 's/@VERSION@/@VERSIONS@/' 'version of invcal.h: FAIL' packages stage
 
 # ---- proof, coverage, mutation, fuzzing, numerics -----------------------------------------------
