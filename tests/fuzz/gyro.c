@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Moves and both sensors: samples, blocks of rests and of none in any order, gaps, rails; then a solution from
- * any means and settings. The table stays in order; what is delivered is finite, and a refusal says why.
+ * Moves and both sensors: samples, blocks at rest or not in any order, gaps, rails; then a solution from
+ * any means and settings. The table stays in order; a result is finite, and a refusal says why.
  * fuzz: at least 20 inputs a second
  */
 #include <math.h>
@@ -14,11 +14,11 @@ enum { MOST = 40, BITS = 3 };
 
 static invcal_moves moves;
 static invcal_rests rests;
-static double up[3];          /* as the samples turn it, if they are those of a hand */
+static double up[3];          /* as turned by the samples, if a hand makes them */
 static double resting[3];     /* in the newest quiet block */
 static double taken[MOST][3]; /* in the rests */
 
-/* The table is that of its rests, in their order, and nothing lies beyond it. */
+/* The table has its rests in their order, and nothing beyond them. */
 static void look(void)
 {
     unsigned segments = 0;
@@ -35,7 +35,7 @@ static void look(void)
     require_finite(moves.bias, 3);
 }
 
-/* A block, as the detector of rests would tell of it, or not. */
+/* A block, as the detector of rests would report it, or not. */
 static void follow(source *s, unsigned kind)
 {
     invcal_event event = INVCAL_MOVING;
@@ -67,7 +67,7 @@ static void follow(source *s, unsigned kind)
     look();
 }
 
-/* Turns by omega, against which up turns the other way. */
+/* Turns by omega; up turns the opposite way. */
 static void turn(const int32_t raw[3])
 {
     double omega[3], next[3];

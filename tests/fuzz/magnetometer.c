@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * A magnetometer fed with anything: a device that turns about two axes at any rates, samples that are
- * anything in between, the field and its centre changed on the way. After each stretch its counts are
- * consistent; a calibration that it delivers is finite and regular, and what it says of it hangs together.
- * The same for the rotation to the axes of an accelerometer, of any sums.
+ * A magnetometer fed with anything: a device that turns about two axes at any rates, arbitrary samples in
+ * between, changes of the field and its centre. After each stretch its counts are consistent; a calibration
+ * that it delivers is finite and regular, and its quality consistent. The same for the rotation to the axes
+ * of an accelerometer, from any sums.
  * fuzz: at least 50 inputs a second
  */
 #include <math.h>
@@ -58,7 +58,7 @@ static void require_solved(const invcal_magnetometer *m)
     REQUIRE(covered == found.covered);
 }
 
-/* A stretch of motion, of which every so-many-th sample is anything. */
+/* A stretch of motion, with an arbitrary sample at regular intervals. */
 static void wave(invcal_magnetometer *m, source *s)
 {
     const unsigned count = 1 + take_byte(s) * STRETCH / 255;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Command lines that may be anything. Every line is an argument; behind an empty line there is the
- * standard input. Arguments may name the files of tool.c, and write others beside them.
+ * Any command lines. Every line is an argument; standard input follows an empty line. Arguments may name
+ * the files of tool.c, and write others next to them.
  * fuzz: at least 5 inputs a second
  */
 #include <dirent.h>
@@ -21,7 +21,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
     return 0;
 }
 
-/* Paths lead nowhere: units and /dev/null are all that may have a slash. */
+/* No paths: only units and /dev/null may contain a slash. */
 static void disarm(char *argument)
 {
     static const char *const good[] = {"m/s2", "m/s^2", "/dev/null"};
@@ -37,7 +37,7 @@ static void disarm(char *argument)
     }
 }
 
-/* Is it one of the files that tool.c has made? */
+/* Is it one of the files that tool.c made? */
 static int is_kept(const char *name)
 {
     static const char *const kept[] = {"log.csv",       "rest.csv",       "cal.json",
@@ -66,7 +66,7 @@ static void remove_others(void)
     }
 }
 
-/* Is one of them to be written? The next input needs it as it is. */
+/* Would one of them be written? The next input needs it as it is. */
 static int spoils(int argc, char **argv)
 {
     static const char *const writes[] = {"--out", "--report", "--svg", "--truth"};

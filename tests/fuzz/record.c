@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * Bytes that may be anything as a record, with temperature or without, or of both sensors, as a session, with
- * moves or without, and as the two slots of a flash memory.
- * What is accepted packs again to the same bytes, and is sane; a session that is accepted goes on
- * being fed. The store finds what was saved before or what is saved now, wherever power fails; load
- * makes of it what decode does.
+ * Any bytes as a record, with temperature or without, or of both sensors; as a session, with moves or
+ * without; and as the two slots of a flash memory.
+ * What is accepted encodes to the same bytes, and is sane; an accepted session can be fed further. The
+ * store finds what was saved before or what is being saved, wherever power fails; load reads it as decode
+ * does.
  * fuzz: at least 20 inputs a second
  */
 #include <stdlib.h>
@@ -19,7 +19,7 @@
 
 enum { RECORD_AT = 4, LEAST = 4 + INVCAL_CRC_SIZE }; /* in a thermal record; of all */
 
-/* Puts the right CRC where the length says that there is one. */
+/* Puts the right CRC where the length says. */
 static void repair(uint8_t *bytes, size_t size)
 {
     const size_t length = size >= LEAST ? invcal_get_u16(bytes + 2) : 0;
@@ -30,8 +30,8 @@ static void repair(uint8_t *bytes, size_t size)
     }
 }
 
-/* Records of version 1 were in the unit of their field: made again they may be other bytes, and, as
- * reals are stored as float, from a double build even none. */
+/* Records of version 1 were in the unit of their field: encoded again they may have other bytes, and, as
+ * reals are stored as float, a double build may not even be able to encode them. */
 static int is_old(const uint8_t *bytes, uint32_t size)
 {
     return size >= 2 && bytes[1] == 1;
@@ -129,8 +129,8 @@ static void look_at_imu(const uint8_t *bytes, uint32_t size)
     REQUIRE(size >= sizeof again && memcmp(bytes, again, sizeof again) == 0);
 }
 
-/* Head, rests and as many segments as there are bytes, in front of a session with two means; what is accepted is
- * solved, and fed what is behind. */
+/* Head, rests and as many segments as there are bytes, before a session with two means; what is accepted is
+ * solved, and fed the bytes that follow. */
 static void look_at_both(const uint8_t *bytes, uint32_t size)
 {
     static invcal_imu_session both;
@@ -164,7 +164,7 @@ static void look_at_both(const uint8_t *bytes, uint32_t size)
     }
 }
 
-/* Bytes behind those of the session lead it on, if all its means are readings. */
+/* The bytes after those of the session drive it on, if all its means are readings. */
 static void look_at_session(const uint8_t *bytes, uint32_t size)
 {
     invcal_session begun;
@@ -176,7 +176,7 @@ static void look_at_session(const uint8_t *bytes, uint32_t size)
     mark(&session, sizeof session);
     memcpy(&session, bytes, size < INVCAL_SESSION_SIZE ? size : INVCAL_SESSION_SIZE);
     REQUIRE(invcal_session_init(&begun, 1, 50) == INVCAL_OK);
-    session.layout = begun.layout; /* or almost nothing would get in */
+    session.layout = begun.layout; /* or almost nothing would be accepted */
     const uint32_t length = size < INVCAL_SESSION_SIZE && session.count <= INVCAL_MAX_POSITIONS
                                 ? invcal_session_size(&session)
                                 : size;
@@ -213,7 +213,7 @@ static void unpack(source *s, unsigned how)
     free(bytes);
 }
 
-/* A record of any numbers: what packs can be read. */
+/* A record of any numbers: what can be encoded can be decoded. */
 static void pack(source *s)
 {
     uint8_t bytes[INVCAL_RECORD_SIZE];
@@ -245,14 +245,14 @@ static void pack(source *s)
 
 enum { SLOT_MOST = 160 };
 
-/* The flash memory, and what befalls it. */
+/* The flash memory, and what happens to it. */
 typedef struct {
     source *s;
     uint32_t slot_size, granularity;
     uint8_t cell[2][SLOT_MOST];
-    uint8_t used[2][SLOT_MOST]; /* programmed since the slot was erased: not to be again */
-    unsigned steps;             /* erasures and granules until power fails, */
-    int is_off;                 /* and then nothing goes any more */
+    uint8_t used[2][SLOT_MOST]; /* programmed since the slot was erased: must not be again */
+    unsigned steps;             /* erasures and granules until power fails; */
+    int is_off;                 /* from then on nothing works */
     int misreads;               /* reading may fail */
 } flash;
 
@@ -278,7 +278,7 @@ static int fails(flash *f)
     return f->is_off;
 }
 
-/* Cut off, some bits have changed already. */
+/* Cut off when some bits have already changed. */
 static int flash_erase(void *context, unsigned slot)
 {
     flash *f = context;
@@ -324,7 +324,7 @@ static int flash_program(void *context, unsigned slot, uint32_t offset, const ui
     return 0;
 }
 
-/* The right CRC for what a slot holds, so that it is one of a record. */
+/* The right CRC for what a slot contains, so that it is a record. */
 static void repair_slot(flash *f, unsigned slot)
 {
     uint8_t *cell = f->cell[slot];
@@ -353,7 +353,7 @@ static void load(const invcal_store *store, content *c)
     REQUIRE(c->size <= SLOT_MOST);
 }
 
-/* What load and load_session make of it: as decode would. */
+/* load and load_session read it as decode does. */
 static void load_as(const invcal_store *store, const content *c)
 {
     invcal_calibration calibration;
@@ -431,8 +431,8 @@ static invcal_status save_session(flash *f, const invcal_store *store, content *
     return invcal_save_session(store, &session);
 }
 
-/* One save or erasure, with or without a power cut; what is loaded behind it is what was there, or
- * what was to be there. */
+/* One save or erasure, with or without a power cut; what is loaded after it is either what was there, or
+ * what was being saved. */
 static void change(flash *f, const invcal_store *store)
 {
     const unsigned what = take_byte(f->s);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * A session with any setup, or one in the background, fed with anything: rests and moves as of a
- * person, any int32, gaps, holds, other rails, days that go by, power that goes. After every event its
- * counts are consistent; a calibration that it delivers is finite and positive definite.
+ * A session with any setup, or one in the background, fed with anything: rests and moves like a person's,
+ * any int32, gaps, holds, other rails, days that pass, power that fails. After every event its counts are
+ * consistent; a calibration that it delivers is finite and positive definite.
  * fuzz: at least 10 inputs a second
  */
 #include <string.h>
@@ -18,7 +18,7 @@ static unsigned take_rate(source *s, unsigned unusual)
     return unusual & RATE ? take_u32(s) % 10000 : rate[unusual >> 6];
 }
 
-/* Returns 1 if it has begun; what is refused is untouched. */
+/* Returns 1 if it has begun; a refusal leaves it untouched. */
 static int begin(invcal_background *b, source *s, unsigned unusual)
 {
     const conditions c = take_conditions(s);

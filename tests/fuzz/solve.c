@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sums, rows, readings and conditions that may be anything: if a calibration is delivered, it is
- * finite, positive definite, and its sigma finite and not negative; if not, the outputs are untouched.
- * The same for the other functions: known directions, a prior, judgement, temperature, guidance, Allan
- * deviation, programs, and what is done with a calibration.
+ * Any sums, rows, readings and conditions: a calibration is finite, positive definite, and its sigma
+ * finite and not negative; without one, the outputs are untouched. The same for the other functions:
+ * known directions, a prior, judgement, temperature, guidance, Allan deviation, programs, and what is
+ * done with a calibration.
  * fuzz: at least 50 inputs a second
  */
 #include <math.h>
@@ -20,7 +20,7 @@ enum { MOST = 40 }; /* positions */
 
 /* ---- sums --------------------------------------------------------------------------------------- */
 
-/* Whatever may stand in them. */
+/* With any content. */
 static invcal_sums any_sums(source *s)
 {
     invcal_sums sums;
@@ -52,7 +52,7 @@ static void take_reading(source *s, unsigned number, invcal_real raw[3])
     }
 }
 
-/* Sums of rows with weights, or of readings; a reading that is refused leaves them as they are. */
+/* Sums of rows with weights, or of readings; a refused reading leaves them as they are. */
 static invcal_sums sums_of_rows(source *s, const conditions *c)
 {
     const unsigned count = take_byte(s) % MOST;
@@ -180,7 +180,7 @@ static void solve_full_vector(source *s)
 
 /* ---- position means --------------------------------------------------------------------------- */
 
-/* Some thousand counts, a triad's or anybody's. Returns how many. */
+/* Some thousand counts, from a triad or arbitrary. Returns how many. */
 static unsigned take_means(source *s, invcal_real mean[MOST][3])
 {
     const unsigned count = take_byte(s) % (MOST + 1);
@@ -201,7 +201,7 @@ static unsigned take_means(source *s, invcal_real mean[MOST][3])
     return count;
 }
 
-/* What is said of a refusal, and what comes next. */
+/* The reason for a refusal, and what comes next. */
 static void look_at_guidance(const invcal_real *raw, unsigned count, const conditions *c, source *s)
 {
     const int is_nominal = invcal_nominal_check(&c->nominal) == INVCAL_OK;
@@ -253,7 +253,7 @@ static void calibrate(source *s)
         invcal_mask of_these = left_out & all;
         of_these &= count < INVCAL_MAX_POSITIONS ? ((invcal_mask)1 << count) - 1 : all;
         REQUIRE(quality.left_out == (left_out & all));
-        quality.left_out = of_these; /* what stands behind the last position leaves nothing out */
+        quality.left_out = of_these; /* bits beyond the last position leave nothing out */
         require_quality(&quality, count);
         require_noise(&quality, c.noise);
         look_at_offset(&quality, &c);
@@ -264,7 +264,7 @@ static void calibrate(source *s)
     look_at_guidance(&mean[0][0], count, &c, s);
 }
 
-/* The verdict is not about angles, and only these are held. */
+/* The verdict is not about angles, and these alone are held. */
 static void calibrate_six_faces(const invcal_real *mean, unsigned count, const conditions *c)
 {
     const unsigned angles = 7u << INVCAL_GAMMA_XY;
@@ -325,7 +325,7 @@ static void calibrate_with_prior(source *s)
     }
 }
 
-/* In the order in which they were visited: what contradicts the others is left out. */
+/* In the order of the visits: what contradicts the others is left out. */
 static void calibrate_judged(source *s)
 {
     invcal_real mean[MOST][3];
@@ -382,7 +382,7 @@ static void look_at_thermal(const invcal_thermal *thermal, const invcal_quality 
     }
 }
 
-/* Positions at some temperatures, each a little wrong by them. Returns how many. */
+/* Positions at some temperatures, each with a small error from them. Returns how many. */
 static unsigned take_thermal_means(source *s, invcal_real mean[MOST][3],
                                    invcal_real temperature[MOST])
 {
@@ -417,7 +417,7 @@ static void calibrate_thermal(source *s)
     look_at_thermal(&thermal, &quality, count, s);
 }
 
-/* Of nothing, of slopes, or of anything. */
+/* A prior of nothing, of slopes, or of anything. */
 static invcal_thermal_prior take_thermal_prior(source *s)
 {
     enum { VALUES = 1, SLOPES = 2, BENDS = 4 };
@@ -433,7 +433,7 @@ static invcal_thermal_prior take_thermal_prior(source *s)
     return prior;
 }
 
-/* The same by parts: from a base, in turns. */
+/* The same in parts: from a base, in turns. */
 static void renew_thermal(source *s)
 {
     invcal_real mean[MOST][3];
@@ -615,7 +615,7 @@ static void look_at_plan(source *s)
     } else {
         require_mark(&position, sizeof position);
     }
-    const uint8_t axes = invcal_axis_up(position.vertical); /* be it what it may */
+    const uint8_t axes = invcal_axis_up(position.vertical); /* any */
     REQUIRE((axes & (axes - 1)) == 0 && axes < 1u << INVCAL_AXES);
     if (invcal_plan_starts(plan.per_group, plan.start) == INVCAL_OK) {
         REQUIRE(invcal_plan_check(&plan) == INVCAL_OK);

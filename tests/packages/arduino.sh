@@ -233,7 +233,7 @@ browser_stores() {
         "$out/browser"
 }
 
-# The one for both sensors is not for an Uno: it says so.
+# The example for both sensors says that it is not for an Uno.
 builds_gyroscope() {
     mkdir -p "$out/Gyroscope" && cp "$library"/examples/Gyroscope/* "$out/Gyroscope/" &&
         builds mega:cpu=atmega2560 Gyroscope
@@ -257,19 +257,19 @@ near_both_truths() {
         END { exit n != 10 || good != 10 }' "$session"
 }
 
-# RAM with the deepest stack; half a kilobyte is left for the user's code.
+# RAM including the deepest stack; half a kilobyte is left for the user's code.
 fits_mega() {
     awk '/^world: RAM / { print $3 + 0, $5; exit !($3 > 0 && $3 + $5 <= 7680) }' "$session"
 }
 
 check "it can be staged" stage_library
 check "library.properties keeps to the specification" properties
-check "a sketch sees one header of it, no others" one_header
+check "a sketch sees only one of its headers" one_header
 check "the example builds for $board, without a warning" builds_example
-check "a macro reaches library and sketch" takes_options
+check "a macro reaches the library and the sketch" takes_options
 check "the simulated board builds" builds_simulation
 check "the image runs on it, from power-on to the end" runs_on_board "$mcu" Calibrate
-check "it asks, takes positions, and is content" said '^stored calibration: none$' \
+check "it asks for positions, takes them, and ends with a good verdict" said '^stored calibration: none$' \
     '^calibration begins$' '^next: [+]z up$' '^good: move on$' '^positions taken: 4$' \
     '^world: reset' '^goes on, positions taken: 4$' '^next: .*tilt' '^world: power fails' \
     '^goes on, positions taken: ' '^verdict: good$' '^calibration stored$' '^world: power returns$' \
@@ -277,9 +277,9 @@ check "it asks, takes positions, and is content" said '^stored calibration: none
 check "after a reset and a power cut it goes on with what was stored" went_on
 check "a position that is wrong by 50 mg is left out" outlier
 check "samples were lost, as the chip does not wait" said 'nobody has read: [1-9]'
-check "what it has stored is true within 2 mg" near_truth
+check "what it stored is true within 2 mg" near_truth
 check "after the last power-on it finds and applies what was stored" readings
-check "README.md says what it takes" costs
+check "README.md states its costs" costs
 [ "$board" = mega ] || check "it leaves an Uno 4 KB of flash and 400 bytes of RAM" fits_uno
 check "an Uno stores, finds and applies a calibration" applies_on_uno
 check "the sketch of port/manual/arduino.md builds, without a warning" builds_page
@@ -287,14 +287,14 @@ check "the example for the page in a browser builds, without a warning" builds_b
 check "it prints readings, stores what the page sends, and refuses what is damaged" browser_stores
 check "the example for both sensors builds for a Mega, without a warning" builds_gyroscope
 check "its image runs there, from power-on to the end" runs_on_board atmega2560 Gyroscope gyroscope
-check "it asks for the tour, goes round for what is missing, and begins again on request" said \
+check "it asks for the tour, then for the missing turns, and begins again on request" said \
     '^stored calibration: none$' '^calibration begins$' '^next: [+]z up$' '^good: move on$' '^next: [+]x up$' \
     '^turns made, of 12: 0$' '^turns made, of 12: 1$' '^move refused: ' '^turns made, of 12: 10$' \
     '^next: [+]x up$' '^turns made, of 12: 11$' '^turns made, of 12: 12$' '^verdict: good$' \
     '^calibration stored$' '^world: power returns$' '^stored calibration: found$' '^rate, mrad/s: ' \
     '^calibration begins$'
-check "the moves that are spoilt are refused" refused_moves
-check "what it has stored of both sensors is true" near_both_truths
+check "the spoilt moves are refused" refused_moves
+check "what it stored of both sensors is true" near_both_truths
 check "after the last power-on it finds and applies that" readings
 check "it leaves a Mega half a kilobyte of RAM" fits_mega
 check "it says that an Uno is too small" too_large_for_uno

@@ -6,7 +6,7 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
 // eva: -eva-split-return-function invcal_observe:0,invcal_positions_sum:0,invcal_positions_compare:0,invcal_factor:0,invcal_ellipsoid:0,invcal_behind:0,invcal_residuals_end:0,invcal_determine:0,solve:0
-// No more degrees of freedom than positions: a difference of two counts that no interval sees.
+// No more degrees of freedom than positions: a difference of two counts that intervals cannot express.
 
 enum { COUNT = 100 };
 

@@ -310,7 +310,7 @@ static avr_cycle_count_t end_writing(avr_t *of, avr_cycle_count_t when, void *co
     return 0;
 }
 
-/* The simulator has written already. While power fails the byte becomes any. */
+/* The simulator has already written. If power fails, the byte becomes something else. */
 static void write_byte(avr_t *of, avr_io_addr_t address, uint8_t value, void *context)
 {
     static int is_cut;
@@ -332,11 +332,11 @@ static void write_byte(avr_t *of, avr_io_addr_t address, uint8_t value, void *co
     }
 }
 
-/* ---- the serial port, and who reads it ------------------------------------------------------------ */
+/* ---- the serial port, and its reader -------------------------------------------------------------- */
 
 static int is_reset;   /* somebody has pressed the button */
-static int is_stored;  /* the sketch has come to its end, */
-static int has_begun;  /* or begins (again) */
+static int is_stored;  /* the sketch has stored its calibration, */
+static int has_begun;  /* or begins one (again) */
 static unsigned shown; /* calibrated readings */
 
 static int begins(const char *line, const char *with)
@@ -399,7 +399,7 @@ static void hear_byte(avr_irq_t *irq, uint32_t value, void *context)
 
 /* ---- the power supply --------------------------------------------------------------------------- */
 
-enum { PAINT = 0xA5 }; /* what is in RAM when power comes */
+enum { PAINT = 0xA5 }; /* fills RAM at power-on */
 static unsigned deepest;
 
 static unsigned first_free(void)
