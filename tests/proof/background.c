@@ -22,7 +22,7 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
     return INVCAL_BAD_NOMINAL;
 }
 
-/* Only this event takes a place in the table. */
+/* Takes a place in the table only if the event says so. */
 invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3])
 {
     const unsigned count = session->count;
