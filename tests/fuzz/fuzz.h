@@ -58,13 +58,13 @@ void require_sigma(const invcal_real *x, unsigned count);
 /* A calibration that is stored, or nominal: finite, its matrix regular. */
 void require_regular(const invcal_calibration *calibration);
 
-/* A solution: finite, against its nominal positive definite, no semi-axis shorter than 0.1, the centre
- * within 10; of one that was made of X = (delta, dk, gamma), 1/30, and 10 on each axis. Where nominal
- * is all but singular rounding hides what it is: finite. */
+/* A solution: finite, positive definite relative to its nominal, no semi-axis shorter than 0.1, the centre
+ * within 10; for one that was made of X = (delta, dk, gamma) these are 1/30, and 10 on each axis. If
+ * nominal is nearly singular, rounding hides all but that it is finite. */
 void require_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal,
                          int is_of_angles);
 
-/* The same; and as much when it is turned and in a unit, as the conditions want it. */
+/* The same; and it can be made triangular and scaled, as the conditions say. */
 void require_solution(const invcal_calibration *calibration, const conditions *c);
 
 /* The quality of count positions with some left out is consistent. */

@@ -105,7 +105,7 @@ right "a table that tilts between visits" 1.5
 run calibrate "$work/fault.csv"
 check "fault: a hand: good, if it is as noisy in rests as between them" matches "$work/stdout" '^Good: '
 run calibrate "$work/fault.csv" --json
-check "fault: a hand: does no harm that sigma does not tell" is_offset 20 123
+check "fault: a hand: errors stay within sigma" is_offset 20 123
 
 # ---- the clock ---------------------------------------------------------------------------------------
 

@@ -99,21 +99,21 @@ left() { ls -A "$work/out" | tr '\n' ' '; }
     exec "$0" calibrate "$1" --out cal.json' "$tool" "$l") > "$work/stdout" 2> "$work/stderr"
 code=$?
 pid=$(cat "$work/pid")
-check "what a killed run left does not stand in the way" succeeded
-check "it is left alone, and nothing else is left" [ "$(left)" = "cal.json cal.json.tmp-$pid " ]
+check "a file of a killed run is not in the way" succeeded
+check "it is left alone, and there is no other" [ "$(left)" = "cal.json cal.json.tmp-$pid " ]
 check "the file is there" is_json "$work/out/cal.json"
-check "what is not ours is as it was" [ "$(cat "$work/out/cal.json.tmp-$pid")" = stale ]
+check "a foreign file is unchanged" [ "$(cat "$work/out/cal.json.tmp-$pid")" = stale ]
 rm -f "$work"/out/*
 (cd "$work/out" && sh -c 'for n in "" $(seq -f -%g 99); do echo stale > cal.json.tmp-$$$n; done
     exec "$0" calibrate "$1" --out cal.json' "$tool" "$l") > "$work/stdout" 2> "$work/stderr"
 code=$?
-check "a hundred of them do, and one is named" \
+check "a hundred of them are, and one is named" \
     was_refused 3 'cal\.json: cannot be written: cal\.json\.tmp-[0-9]+-99 exists'
 rm -f "$work"/out/*
 
 ln -s out/target.json "$work/link.json"
 accepts "a link to a file that is not there yet" calibrate "$l" --out "$work/link.json" --quiet
-check "the link is one still" [ -L "$work/link.json" ]
+check "the link is still a link" [ -L "$work/link.json" ]
 check "its target is made" is_json "$work/out/target.json"
 ln -s link.json "$work/link2.json"
 rm "$work/out/target.json"
@@ -145,11 +145,11 @@ for line in "calibrate never --out" "watch never --report" "allan never --out" \
 done
 ln -s out/cal.json "$work/to_old.json"
 run calibrate "$l" --out "$work/to_old.json"
-check "what is read-only is refused through a link" kept_old 3 'to_old\.json: is read-only'
+check "a read-only file is refused through a link" kept_old 3 'to_old\.json: is read-only'
 chmod 644 "$work/out/cal.json"
 timeout 10 "$tool" calibrate "$work/never" --out "$work/nowhere/x" > "$work/stdout" 2> "$work/stderr"
 code=$?
-check "a folder that is not there is told before any work" \
+check "a missing folder is reported before any work" \
     was_refused 3 'nowhere/x: cannot be written: No such file'
 rm -f "$work"/out/*
 
@@ -171,11 +171,11 @@ tells_finite() { { [ "$code" -eq 0 ] && is_finite "$work/stdout" && is_finite "$
 for rate in 1e-300 1e-12 1e12; do
     head -n 20000 "$work/rest.csv" > "$work/part.csv"
     run allan "$work/part.csv" --rate $rate --report "$work/page.html"
-    check "allan --rate $rate tells finite numbers" tells_finite
+    check "allan --rate $rate prints finite numbers" tells_finite
 done
 run allan "$work/part.csv" --rate 1e-300
-check "a time of more digits than tell anything is in seconds" matches "$work/stdout" '[0-9]e\+30[0-9] s'
-check "and none is a number that overflowed" lacks "$work/stdout" '[0-9]{15}'
+check "a time with more digits than make sense is in seconds" matches "$work/stdout" '[0-9]e\+30[0-9] s'
+check "and no number has overflowed" lacks "$work/stdout" '[0-9]{15}'
 refuses "a field that may be wrong by more than itself" 2 '--gravity: .*below the length' \
     calibrate "$l" --gravity 9.8+-1e300
 
@@ -220,7 +220,7 @@ refuses "a reading that no figure can tell" 1 'huge\.csv:40: the reading of posi
 { cat "$xsens"; echo 1e20,33330,33330,1,1,1,100; } > "$work/huge.csv"
 # shellcheck disable=SC2086
 run calibrate "$work/huge.csv" $nominal --report "$work/page.html"
-check "a reading that one can is left out, in finite numbers" tells_finite
+check "a reading that can be left out is, with finite numbers" tells_finite
 check "it is named" matches "$work/stdout" '^Left out: position 39 \(line 40\)'
 
 # ---- the terminal ------------------------------------------------------------------------------------
@@ -243,15 +243,15 @@ clean() { # clean SENTENCE ARGUMENTS ...
     shift
     run "$@"
     check "$sentence: it has something to say" [ -s "$work/stdout" ] || complain
-    check "$sentence: no command gets to the terminal" is_clean
+    check "$sentence: no control sequence reaches the terminal" is_clean
 }
 shown='a\?\[2Jb\?\?2Jc\?2Jd\?e'
 clean "calibrate of a log" calibrate "$work/$escape.csv" --out "$work/out/$escape.json" \
     --report "$work/out/$escape.html"
-check "the names can still be told" matches "$work/stdout" "^Saved in .*/$shown\.json\.\$"
-check "that of the page as well" matches "$work/stdout" "^Report in .*/$shown\.html\.\$"
-check "and the command that comes next" matches "$work/stdout" "invcal apply '.*/$shown\.json' LOG"
-check "the file has the name that was asked for" is_json "$work/out/$escape.json"
+check "the names are still readable" matches "$work/stdout" "^Saved in .*/$shown\.json\.\$"
+check "so is the page's" matches "$work/stdout" "^Report in .*/$shown\.html\.\$"
+check "and the next command" matches "$work/stdout" "invcal apply '.*/$shown\.json' LOG"
+check "the file has the requested name" is_json "$work/out/$escape.json"
 check "the page is clean, too" has_no_command "$work/out/$escape.html"
 rm -f "$work"/out/*
 clean "calibrate of positions" calibrate "$work/$escape.positions" --positions
@@ -289,7 +289,7 @@ END
 printf 'x,y,z,temperature\n20,1,1,90\n' > "$work/beyond.csv"
 for kind in warm bent; do
     run apply "$work/$kind.json" "$work/beyond.csv"
-    check "apply warns of what is beyond: $kind" says '^invcal: warning: '
+    check "apply warns of a reading beyond the range: $kind" says '^invcal: warning: '
     cp "$work/stdout" "$work/loud"
     accepts "apply --quiet does not: $kind" apply "$work/$kind.json" "$work/beyond.csv" --quiet
     check "and prints the same: $kind" same "$work/stdout" "$work/loud"
@@ -413,12 +413,12 @@ with_rests() { # the same directions, five seconds each at 10 samples a second
         }
         x = $1; y = $2; z = $3 }' "$work/long.csv" > "$work/rests.csv"
 }
-check "positions take as long as they are many, wrong ones among them" \
+check "time is proportional to the number of positions, some of them wrong" \
     takes_its_length 16000 with_wrong calibrate "$work/long.csv" --positions --gravity 9.8
-check "so do misset ones of a stand" \
+check "of positions on a stand, some of them misset" \
     takes_its_length 16000 with_angles calibrate "$work/long.csv" --positions --gravity 9.8 --stand
-check "so does watch" takes_its_length 1000 with_rests watch "$work/rests.csv" --gravity 9.8
-check "so does watch with a program" \
+check "of positions in watch" takes_its_length 1000 with_rests watch "$work/rests.csv" --gravity 9.8
+check "of positions in watch with a program" \
     takes_its_length 1000 with_rests watch "$work/rests.csv" --gravity 9.8 --plan edges
 
 # ---- facts of a report and of the result ---------------------------------------------------------------
@@ -447,10 +447,10 @@ for row in 'offset x=20=327.68' 'offset y=-15=-245.76' 'offset z=30=491.52' 'sca
     'scale y=-0.8=1657.337' 'scale z=1.2=1690.751' 'angle xy=0.57296=' 'angle xz=-0.34377=' \
     'angle zy=0.45837='; do
     name=${row%%=*} values=${row#*=}
-    check "report: the table tells the $name of the sensor" shows "$work/rows" "$name" "${values%=*}" 0.02
-    check "report: and so does the picture" shows "$work/bars" "$name" "${values%=*}" 0.02
+    check "report: the table has the $name of the sensor" shows "$work/rows" "$name" "${values%=*}" 0.02
+    check "report: and so has the picture" shows "$work/bars" "$name" "${values%=*}" 0.02
     [ -z "${values#*=}" ] ||
-        check "report: and what it reads: $name" shows "$work/rows" "$name" "${values#*=}" 0.3
+        check "report: and the readings: $name" shows "$work/rows" "$name" "${values#*=}" 0.3
 done
 for axis in x y z; do
     check "report: the nominal scale of $axis" shows "$work/rows" "scale $axis" 1670.703 0.06
@@ -481,12 +481,12 @@ long n=24 angles=1 seed=8
 awk -F , -v OFS=, 'NR == 4 { for (i = 1; i <= 3; i++) $i *= 1.005 } NR == 12 { $4 += 2 } { print }' \
     "$work/long.csv" > "$work/moved.csv"
 run calibrate "$work/moved.csv" --positions --gravity 9.8 --stand
-check "so has one of a stand that is misset" matches "$work/stdout" '^Misset: position 11 \(line 12\)|^Misset: position 11 '
+check "so has the misset one of a stand" matches "$work/stdout" '^Misset: position 11 \(line 12\)|^Misset: position 11 '
 
 # Noise of the samples: 1 mg, over the root of the 350 to 500 samples that a rest of five seconds has.
 "$tool" simulate --plan edges --noise 0.001 > "$work/noisy.csv"
 run calibrate "$work/noisy.csv" --gravity 9.80665
-check "the noise of a mean is that of its samples over the root of their number" awk '
+check "the noise of a mean is that of its samples over the root of their count" awk '
     match($0, /\(of samples: [0-9.e-]*\)/) {
         n = 0.00980665 / substr($0, RSTART + 13, RLENGTH - 14); found = n * n > 350 && n * n < 500
     }
@@ -555,7 +555,7 @@ thermal_alarms() {
         [ $alarms -le 3 ] || { echo "    $alarms false alarms of $n positions" >&2; return 1; }
     done
 }
-check "--thermal leaves out no good one, even of the fewest" thermal_alarms
+check "--thermal leaves out no good position, even of the fewest" thermal_alarms
 # Of 21 positions one that is wrong by 3 %, three hundred times the noise, which two degrees of freedom can
 # tell, but not one.
 thermal_finds() { # AT MOST so many of 40 are missed
@@ -605,7 +605,7 @@ if ! ${CC:-cc} -shared -fPIC -w -o "$shim" "$work/count.c" -ldl 2> /dev/null ||
 else
     COUNTED=$work/counted LD_PRELOAD=$shim "$tool" calibrate "$l" --quiet \
         --out "$work/out/cal.json" --report "$work/out/page.html"
-    check "both files are brought to the disk before either gets its name" \
+    check "both files are flushed to disk before either gets its name" \
         [ "$(tr '\n' ' ' < "$work/counted")" = 'fsync fsync rename rename ' ]
     rm -f "$work"/out/*
 fi

@@ -79,7 +79,7 @@ check "--dwell counts in the time" member_is seconds 70
 # ---- words -------------------------------------------------------------------------------------
 
 accepts "plan --moves: it prints" plan --moves tour12
-check "it begins where it begins" matches "$work/stdout" '^Start with \+z up\.'
+check "it names its start" matches "$work/stdout" '^Start with \+z up\.'
 check "a quarter turn in words" matches "$work/stdout" '^ +1 \+x up: a quarter turn about y +18 '
 check "sigma in units" matches "$work/stdout" '^  gyro scale x  +0\.5[0-9]+ +0\.015[0-9] %$'
 accepts "plan --moves with --units ins" plan --moves tour12 --units ins
@@ -108,7 +108,7 @@ check "one axis: what is open is named" member_is undetermined "[$one_axis]"
 check "one axis: no sigma" [ "$(numbers sigma | tr -d ' ')" = null,null,null,null,null,null,null,null,null,null,null,null,null,null,null,null,null,null ]
 check "one axis: said in one line" says '8 turns determine 8 of 18 parameters; undetermined: gyro angle xy, .*, angle xz\. Turn next: .* up: '
 run plan --moves x:90,x:90,x:90,x:90
-check "the table is printed all the same" matches "$work/stdout" '^ +4 \+z up: a quarter turn about x +12 '
+check "the table is printed anyway" matches "$work/stdout" '^ +4 \+z up: a quarter turn about x +12 '
 check "and no sigma" lacks "$work/stdout" 'sigma'
 plan x:90,x:90,x:90,x:90,y:90,y:90,y:90,y:90
 check "two axes: rank 14" member_is rank 14
@@ -119,12 +119,12 @@ check "two axes: what is open is named" member_is undetermined \
 
 accepts "plan --moves --report" plan --quiet --moves tour16 --report "$work/turns.html"
 check "it is a page" is_page "$work/turns.html"
-check "which tells its command" tells_command "$work/turns.html" invcal plan --quiet --moves tour16 --report "$work/turns.html"
+check "which shows its command" tells_command "$work/turns.html" invcal plan --quiet --moves tour16 --report "$work/turns.html"
 check "and the verdict" matches "$work/turns.html" '16 turns determine all 18 parameters'
 check "and each turn" [ "$(grep -c '☐' "$work/turns.html")" -eq 16 ]
 run plan --quiet --moves x:90,x:90 --report "$work/open.html"
-check "what is refused has a page, too" is_page "$work/open.html"
-check "with what is open" matches "$work/open.html" 'Undetermined'
+check "a refusal has a page, too" is_page "$work/open.html"
+check "with the open parameters" matches "$work/open.html" 'Undetermined'
 
 # ---- refusals ----------------------------------------------------------------------------------
 

@@ -133,7 +133,7 @@ makes_page "rests too short for a log" --dwell 1.5 --move 3
 check "report: it says so" tells 'holding two seconds or more'
 check "report: begins with tenths" test "$(row 2 | cut -d '|' -f 2)" = 0:04.5
 makes_page "an odd number" --per-group 7
-check "report: it says what is missing, and why" \
+check "report: it names what is missing, and why" \
     tells 'Never along gravity: +x +y -z; an odd number per group'
 # +x, -x, +y, -y, +z, -z by what stands at +1 g (the right end, 672) and -1 g (34).
 covered() {
@@ -151,7 +151,7 @@ makes_page "start angles" --start 0,10,0
 check "report: they miss axes" tells 'its start angles miss them'
 
 makes_page "a choice" --limits 0.4,0.6,1 --budget 600
-check "report: it shows what was chosen" tells 'free directions, chosen|19|'
+check "report: it shows the choice" tells 'free directions, chosen|19|'
 check "report: and the other" tells '3 x 8|24|'
 check "report: the limit in the table" test "$(row 'scale x' | cut -d '|' -f 2)" = 0.600
 makes_page "limits not met" --optimal 9 --limits 0.4,0.4,0.4
@@ -168,10 +168,10 @@ makes_page "angles" --optimal 12 --grid 30 --need-axes
 check "report: of a grid" test "$(row 1 | cut -d '|' -f 3,4 | grep -c '^-*[0-9]*0|-*[0-9]*0$')" -eq 1
 makes_page "shares" --edges --weights --dwell 9
 # A face has 18/30 of 9 s, an edge 18/15.
-check "report: how long to stay" test "$(words | awk -F '|' '$2 == "☐" { print $9 }' | sort | uniq -c |
+check "report: the dwell of each position" test "$(words | awk -F '|' '$2 == "☐" { print $9 }' | sort | uniq -c |
     tr -s ' \n' ' ')" = " 12 10.8 s 6 5.4 s "
 check "report: on the average" tells 'for 9 s in each position on average'
-check "report: what it wins" tells "with equal ones ln det H&#39;H is 9.36426; for any 18 positions it is at most 9.46494"
+check "report: the gain" tells "with equal ones ln det H&#39;H is 9.36426; for any 18 positions it is at most 9.46494"
 makes_page "bounds" --bound 0.001
 check "report: bounds of 3 x 6" test "$(words | grep '^offset x|1\.244|')" = 'offset x|1.244|1.24 mg|'
 makes_page "a warm-up" --warm-up 600
@@ -274,7 +274,7 @@ ends_at_tick() {
         END { if (far(left, at["0.75"]) || far(right, at["1.00"])) exit 1 }' "$work/out/ratios.svg"
 }
 check "report: the bar of 0.75 ends at its tick" ends_at_tick
-check "report: bars go by the logarithm of the ratio" has_true_bars
+check "report: the length of a bar is the logarithm of its ratio" has_true_bars
 makes_page "equal sets" --compare edges edges
 check "report: they are equally good" tells 'A and B are equally good'
 makes_page "better in all" --compare "directions:$work/cap.csv" optimal:11 --noise 0.001
@@ -283,15 +283,15 @@ check "report: A is weak" tells 'A is weak'
 makes_page "worse in all" --compare optimal:11 "directions:$work/cap.csv"
 check "report: A is better" tells 'A is better'
 makes_page "far apart" --compare per-group:1000 optimal:9
-check "report: the one of nine is unchecked" tells 'B has no redundancy'
+check "report: the one with nine positions is unchecked" tells 'B has no redundancy'
 
 # ---- names and files ---------------------------------------------------------------------------
 
 awk '{ print NR * $1, NR * $2, NR * $3 }' "$work/cap.csv" > "$work/out/<b>&\"'x.csv"
 makes_page "a hostile name" --directions "$work/out/<b>&\"'x.csv"
 check "report: it is escaped" lacks "$page" '<b>&|&"'
-check "report: and there" matches "$page" '&lt;b&gt;&amp;&quot;&#39;x\.csv'
-check "report: in the command it stands in quotes" tells_command "$page" invcal plan --directions \
+check "report: and shown" matches "$page" '&lt;b&gt;&amp;&quot;&#39;x\.csv'
+check "report: in the command it is quoted" tells_command "$page" invcal plan --directions \
     "$work/out/<b>&\"'x.csv" --report "$page"
 makes_page "a hostile name to compare" --compare "directions:$work/out/<b>&\"'x.csv" edges
 check "report: it is escaped, too" lacks "$page" '<b>&|&"'
@@ -299,7 +299,7 @@ check "report: it is escaped, too" lacks "$page" '<b>&|&"'
 run plan --json
 cp "$work/stdout" "$work/plain.json"
 makes_page "with JSON" --json
-check "report: JSON is as without" same "$work/stdout" "$work/plain.json"
+check "report: JSON is the same without it" same "$work/stdout" "$work/plain.json"
 
 rm -f "$work"/out/*
 cp "$work/cap.csv" "$work/out/own.csv"
@@ -313,14 +313,14 @@ check "report: they are still there" same "$work/cap.csv" "$work/out/own.csv"
 rm -f "$work"/out/*
 refuses "report: one file for both" 2 'report: is the file of --svg' plan --svg "$page" \
     --report "$page"
-check "report: neither is there" test -z "$(ls -A "$work/out")"
+check "report: neither exists" test -z "$(ls -A "$work/out")"
 echo old > "$work/out/cal.json"
 run plan --faces --report "$work/out/cal.json"
 check "report: a refusal leaves the page as it was" is_untouched
 run plan --svg "$work/out/cal.json" --report "$work/nowhere/x.html"
-check "report: a page where none can be leaves the picture as it was" kept_old 3 'nowhere/x\.html'
+check "report: if the page cannot be written, the picture stays as it was" kept_old 3 'nowhere/x\.html'
 run plan --report "$work/out/cal.json" --svg "$work/nowhere/x.svg"
-check "report: and the other way round" kept_old 3 'nowhere/x\.svg'
+check "report: and vice versa" kept_old 3 'nowhere/x\.svg'
 "$tool" plan --report "$work/out/cal.json" --svg "$work/out/x.svg" >&- 2> "$work/stderr"
 code=$?
 check "report: an output that fails leaves everything as it was" \

@@ -51,18 +51,18 @@ printf '%s\n' 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 
 check "refusal: too few" told 'too few' "$work/few.csv" --positions
 check "refusal: seven to add" test "$(wc -l < "$work/add")" -eq 7
 check "refusal: they are in the map, and those taken" test "$(marks 'c3 full')" -eq 7 -a "$(marks 'c1 full')" -eq 5
-check "refusal: what is not determined is told" shows 'Undetermined: '
+check "refusal: what is not determined is reported" shows 'Undetermined: '
 words > "$work/words"
-check "refusal: the file that is not there is named" grep -Fq "$work/out/cal.json was not written." "$work/words"
+check "refusal: the file that was not written is named" grep -Fq "$work/out/cal.json was not written." "$work/words"
 check "refusal: undetermined" told undetermined "$work/plane.csv" --positions
-check "refusal: the advice of the map is that of the words" grep -q '^+z up$' "$work/add"
+check "refusal: the map gives the same advice as the text" grep -q '^+z up$' "$work/add"
 positions hyperboloid 18 1 > "$work/saddle.csv"
 check "refusal: not an ellipsoid" told 'not an ellipsoid' "$work/saddle.csv" --positions
 check "refusal: one position again and again" told undetermined "$work/one.csv" --positions
-check "refusal: six faces of a log" told 'too few' "$work/faces.csv"
-check "refusal: with the log in the page" shows 'The log 4[0-9]* samples'
+check "refusal: six faces in a log" told 'too few' "$work/faces.csv"
+check "refusal: with the log on the page" shows 'The log 4[0-9]* samples'
 check "refusal: a log without a rest" told 'no rest' "$work/restless.csv"
-check "refusal: which has twelve to add" test "$(wc -l < "$work/add")" -eq 12
+check "refusal: with twelve to add" test "$(wc -l < "$work/add")" -eq 12
 check "refusal: a wrong unit" told 'out of range' "$data/xsens_mti_positions.csv" --positions --zero 0,0,0 --lsb 1
 check "refusal: the position is crossed, and named" shows 'Position 1 reads 6.*e[+]03 of the field .* refused'
 check "refusal: in the map" test "$(marks 'c2 full')" -eq 1
@@ -70,8 +70,8 @@ sed 's/^/1e300,/; s/,[^,]*$//' "$work/few.csv" | head -n 1 > "$work/huge.csv"
 cat "$work/thirteen.csv" >> "$work/huge.csv"
 check "refusal: a reading that is too large" told 'out of range' "$work/huge.csv" --positions --zero 0,0,0 \
     --lsb 1 --keep-all
-check "refusal: no number of its page is none" lacks "$work/words" '[^a-z](nan|inf)[^a-z]'
-check "refusal: its length is told so" shows 'far off refused'
+check "refusal: every number of its page is finite" lacks "$work/words" '[^a-z](nan|inf)[^a-z]'
+check "refusal: its length is reported in words" shows 'far off refused'
 check "refusal: all rests drift" told 'too few' "$work/drift.csv" --thermal 1
 check "refusal: positions that drifted are crossed, none are to be added" test "$(wc -l < "$work/add")" -eq 0 -a \
     "$(marks 'c2 full')" -ge 12
@@ -80,14 +80,14 @@ check "refusal: one to add" test "$(wc -l < "$work/add")" -ge 1
 check "refusal: --cubic in a plane and a circle" told 'too few' "$work/sixteen.csv" --positions --cubic
 awk -v trouble=columns -v seed=1 -f "$here/stand.awk" > "$work/stand.csv"
 check "refusal: angles of another stand" told angles "$work/stand.csv" --positions --stand --frame stand
-check "refusal: FAIL, too, where something was asked" told 'too few' "$work/few.csv" --positions --need 1mg
+check "refusal: FAIL, too, if there is a need" told 'too few' "$work/few.csv" --positions --need 1mg
 check "refusal: in its box" shows 'No calibration: too few ✗ FAIL: there is no calibration\. 5 positions'
 run calibrate "$work/few.csv" --positions --report "$page"
 check "refusal: without --json the page is named" grep -Fxq "Report in $page." "$work/stdout"
 run calibrate "$work/few.csv" --positions --report "$page" --quiet
 check "refusal: --quiet says nothing but the reason" was_refused 1 'too few'
 run calibrate "$work/few.csv" --positions --report "$work/nowhere/page.html" --json
-check "refusal: where no page can be, that is told before any work" sh -c \
+check "refusal: a page that cannot be written is reported before any work" sh -c \
     'test "$1" -eq 3 && grep -q "nowhere" "$2"' sh "$code" "$work/stderr"
 in=$work/faces.csv
 run watch - --report "$page" --quiet
@@ -117,7 +117,7 @@ check "refusal: a circle" is_enough good "$work/circle.txt"
 printf '%s\n' '0 0 1' '0.2 0 1' '0 0.2 1' '-0.2 0.1 1' > "$work/cap.txt"
 check "refusal: a cap" is_enough good "$work/cap.txt"
 head -n 5 "$work/six.txt" > "$work/five.txt"
-check "refusal: none to begin with but five, for a quadratic" is_enough good "$work/five.txt"
+check "refusal: five positions, for a quadratic" is_enough good "$work/five.txt"
 { cat "$work/six.txt"; printf '%s\n' '1 1 0' '-1 1 0' '1 0 1' '0 1 1' '1 1 1' '-1 -1 1'; } > "$work/dozen.txt"
 check "refusal: a quadratic of twelve" is_enough good "$work/dozen.txt" --quadratic
 check "refusal: a cubic of twelve" is_enough good "$work/dozen.txt" --cubic

@@ -68,7 +68,7 @@ for file in "$releases"/*-nonlinear.json; do
     accepts "${file##*/} is read" apply "$file" "$work/bent.csv"
     check "and gives the directions back" near 1e-8 "$(rows "$work/stdout")" "1 0 0 .6 .8 0 0 0 -1"
     run export "$file" --format c
-    check "and is not exported, which is said" [ "$code" -ne 0 ]
+    check "and is not exported, which is reported" [ "$code" -ne 0 ]
 done
 
 # A magnetometer.
@@ -107,7 +107,7 @@ for file in "$releases"/*-noise.json; do
     expected=$(awk -v seconds="$(json "$work/stdout" dwell)" '/"white": / && $2 + 0 > white { white = $2 + 0 }
         /^  "gravity"/ { g = $2 + 0 }
         END { printf "%.12g\n", white / sqrt(seconds) / g }' "$file")
-    check "and tells how long to stay" near 1e-12 "$(json "$work/stdout" dwell_sigma)" "$expected"
+    check "and gives the dwell" near 1e-12 "$(json "$work/stdout" dwell_sigma)" "$expected"
 done
 
 finish

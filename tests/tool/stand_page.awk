@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 #
-# Every figure of the section "At the stand" of a page is that of the JSON of the same run, to its last digit:
+# Every figure in the section "At the stand" of a page is that of the JSON of the same run, to its last digit:
 #
 #     awk -f figures.awk -f stand_page.awk result.json page.html
 #
-# Says how many figures it has compared, or what differs.
+# Prints how many figures it compared, or what differs.
 function same_with_sigma(cell, value, sigma, wide, what) { same_spread(cell, value, wide * sigma, what) }
 BEGIN {
-    # which coefficients tell a parameter: group, first, sign, second, sign
+    # which coefficients determine a parameter: group, first, sign, second, sign
     split("2 3 -1 0 0 3 3 1 0 0|1 2 1 0 0 3 2 1 0 0|1 3 1 0 0 2 2 -1 0 0|" \
         "2 1 1 4 -1 3 1 1 4 -1|1 1 1 4 1 3 1 1 4 1|1 1 1 4 -1 2 1 1 4 1", tells, "|")
 }

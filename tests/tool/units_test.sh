@@ -50,7 +50,7 @@ factor() { # factor LABEL FACTOR
     run calibrate $xsens
     cp "$work/stdout" "$work/everyday"
     run calibrate $xsens --units everyday
-    check "everyday is the default" same "$work/everyday" "$work/stdout"
+    check "everyday units are the default" same "$work/everyday" "$work/stdout"
     run calibrate $xsens --units ins
     cp "$work/stdout" "$work/ins"
     run calibrate $xsens --units ins --json
@@ -77,7 +77,7 @@ check "residual in micro-g" agrees "$(told 'residual rms' "$work/ins" | cut -d '
 check "and its unit" test "$(told 'residual rms' "$work/ins" | cut -d ' ' -f 2)" = µg
 check "residual: 1000 times that in mg" agrees "$(told 'residual rms' "$work/everyday" | cut -d ' ' -f 1)" \
     "$(awk -v r="$rms" 'BEGIN { printf "%.9f", r / 1000 }')"
-check "the same lines otherwise" test "$(grep -c . "$work/ins")" -eq $(($(grep -c . "$work/everyday") + 3))
+check "the other lines are the same" test "$(grep -c . "$work/ins")" -eq $(($(grep -c . "$work/everyday") + 3))
 check "no milli-g, percent or degree is left in the table" lacks "$work/ins" ' (mg|degrees off square|% in the)'
 
 # ---- the page ----------------------------------------------------------------------------------
@@ -93,7 +93,7 @@ ninety_five() { awk -v s="$(number "$1" "$2" "$3" 1)" -v k="$(json "$work/result
 check "page: scale in ppm" matches "$work/ins.text" "scale y -2176 ± $(ninety_five dk 2 1000000) ppm"
 check "page: angle in arcsec" matches "$work/ins.text" "angle zy \\+4397 ± $(ninety_five gamma 3 206264.80624709636) arcsec"
 check "page: no milli-g" lacks "$work/ins.text" '[0-9] mg|, mg'
-check "page: no degrees but of directions" lacks "$work/ins.text" '[0-9] °'
+check "page: no degrees except for directions" lacks "$work/ins.text" '[0-9] °'
 # The residuals of all positions: the last cells of their rows.
 residuals() { awk '$NF ~ /^[-+][0-9.]+$/ && $(NF - 1) ~ /^[-+][0-9.]+$/ { print $(NF - 1), $NF }' "$1"; }
 residuals "$work/ins.text" > "$work/a"
@@ -120,7 +120,7 @@ third() { awk -v name="$1" 'index($0, "  " name) == 1 { sub("  " name, ""); prin
     run plan $plan
     cp "$work/stdout" "$work/everyday"
     run plan $plan --units everyday
-    check "plan: everyday is the default" same "$work/everyday" "$work/stdout"
+    check "plan: everyday units are the default" same "$work/everyday" "$work/stdout"
     accepts "plan: a page" plan $plan --units ins --report "$work/plan.html"
 }
 check "plan: the noise" matches "$work/stdout" ', which is 50 µg$'
@@ -133,7 +133,7 @@ done
 check "plan: quadratic, 50 times the root of 8/3" matches "$work/stdout" '^  quadratic .* 81\.65 µg per g² '
 check "plan: bounds, 200 times 1.244, 1.5333 and 0.4763" test "$(
     sed -n 's/.*at most \([0-9.]* [^ ]*\)$/\1/p' "$work/stdout" | tr '\n' ' ')" = '248.8 µg 306.7 ppm 95.27 arcsec '
-check "plan: no milli-g, percent or degree but of the stand" lacks "$work/stdout" ' mg| %|(angles|at most) .*degrees'
+check "plan: no milli-g, percent or degree except for the stand" lacks "$work/stdout" ' mg| %|(angles|at most) .*degrees'
 text "$work/plan.html" > "$work/plan.text"
 check "plan: page: no milli-g" lacks "$work/plan.text" '[0-9] mg|, mg|in mg'
 check "plan: page: nor percent" lacks "$work/plan.text" '[0-9.] %'

@@ -51,7 +51,7 @@ has_same() { "$tool" "$@" | cmp -s - "$work/stdout"; }
 for c in $commands; do
     accepts "$c --help succeeds" "$c" --help
     check "$c --help is one screen" is_screen
-    check "$c --help is all, or names the rest" names_rest "$c"
+    check "$c --help is complete, or names the rest" names_rest "$c"
     check "help $c is the same" has_same help "$c"
     sed '1,/^examples*:$/d; /^$/,$d; s/^  //' "$work/stdout" > "$work/run"
     check "the example of $c --help works" sh -c '
@@ -194,7 +194,7 @@ is_as() { # COLUMNS FILE
 check "60 columns are not 80" sh -c '! cmp -s sixty eighty'
 check "fewer than 60 are 60" is_as 20 sixty
 for senseless in 0 -5 wide 80x 99999999999; do
-    check "COLUMNS=$senseless does not count" is_as $senseless eighty
+    check "COLUMNS=$senseless is ignored" is_as $senseless eighty
 done
 # A terminal tells its own width.
 # shellcheck disable=SC2016 # for the shell inside
@@ -205,7 +205,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     run_in 60 plan --programs
     check "a terminal of 60 columns" same typed "$work/stdout"
     run plan --programs
-    check "a file has 80 all the same" same plain "$work/stdout"
+    check "a file has 80 anyway" same plain "$work/stdout"
 else
     echo "tool: the width of a terminal is not tried: script is not installed"
 fi
