@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of allan from outside: allan_test.sh path/to/invcal builddir
+# Tests of allan by its command line: allan_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -73,7 +73,7 @@ check "no unit: it is in counts" inside white 1.59 1.69
 check "no unit: it says so" matches "$work/stdout" '"unit": "input"'
 check "no sigma, no floor: the longest time" matches "$work/stdout" '"dwell_end": "longest"'
 
-# White noise alone: what is not visible is 0.
+# Only white noise: terms that are not visible are 0.
 awk 'function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }
     BEGIN {
         srand(1)
@@ -105,7 +105,7 @@ check "a random walk: it makes the floor" matches "$work/stdout" '"dwell_limit":
 accepts "it prints" allan "$work/walk.csv"
 check "the table names its units" matches "$work/stdout" 'white noise N, µg/√Hz'
 check "the table has the velocity random walk" matches "$work/stdout" 'm/s/√h'
-# (In the POSIX locale the blank that does not break is two characters for grep.)
+# (In the POSIX locale a non-breaking space is two characters for grep.)
 check "it says how long to hold" matches "$work/stdout" \
     "^Hold each position 1[0-9](\\.[0-9])?$(printf '\302\240')s: "
 run allan "$work/walk.csv" --sigma 1e-6
@@ -178,9 +178,9 @@ refuses "a long time off the grid" 2 'must be a multiple of 0.02 s' allan "$work
 refuses "times that descend" 2 '--tau: must ascend' allan "$work/rest.csv" --tau 1,0.1
 refuses "a time that is no number" 2 'is not a decimal number' allan "$work/rest.csv" --tau 1,b
 refuses "sigma 0" 2 '--sigma 0: must be above 0' allan "$work/rest.csv" --sigma 0
-refuses "a unit that is none" 2 '--unit ft: must be g' allan "$work/rest.csv" --unit ft
+refuses "an unknown unit" 2 '--unit ft: must be g' allan "$work/rest.csv" --unit ft
 refuses "two units" 2 '--lsb: states the unit' allan "$work/rest.csv" --unit g --lsb 1
-# A gyroscope: the unit is in its header alone. The figures are those of the table without a header.
+# A gyroscope: only its header has the unit. The figures are those of the table without a header.
 sed 's/^t,x,y,z/t,gx,gy,gz/' "$work/rest.csv" > "$work/turn.csv"
 for unit in rad/s deg/s mdeg/s; do
     sed "1s|gx,gy,gz|gx ($unit),gy ($unit),gz ($unit)|" "$work/turn.csv" > "$work/turn_unit.csv"
@@ -234,7 +234,7 @@ rows() { # rows FAMILY: positions, dwell, sigma, seconds of its rows
 }
 # The closed form of white noise: a program of n = 3 N positions has sigmas of sqrt(1 / N),
 # sqrt(7 / (5 N)), sqrt(8 / N) times the noise of a position mean, N / sqrt(dwell), and 2 s are
-# the least. Prints the number and time of the least.
+# the minimum. Prints the number and time at the minimum of the total time.
 least() { # least WHITE SETTLE MOVE DELTA DK GAMMA
     echo "$@" | awk '{
         for (n = 15; n <= 144; n += 3) {
@@ -287,7 +287,7 @@ noise 0.001 0.0002 0.000004
 # shellcheck disable=SC2086
 run plan $limits --allan "$work/noise.json" --json
 check "labour: all three" barnes stand 1e-4 2e-5 4e-7
-# With time lost a random walk goes on: n means of T, P apart, scatter by K^2 (P (n + 1) - T) / 6.
+# A random walk continues during lost time: n means of T, P apart, scatter by K^2 (P (n + 1) - T) / 6.
 noise 0.000001 0 0.000004
 run plan --limits 3e-5,3e-5,1e-4 --move 30 --settle 3 --allan "$work/noise.json" --json
 walked() {
@@ -310,7 +310,7 @@ check "labour: the report says why" matches "$work/out/labour.html" 'Number and 
 rm -f "$work"/out/*
 "$tool" allan "$work/rest.csv" --lsb $lsb --out "$work/real.json" --quiet
 accepts "labour takes what allan --out wrote" plan --limits 1e-4,1e-4,2e-4 --allan "$work/real.json"
-refuses "labour: no dwell can do it" 1 'no dwell meet the limits: the noise has a floor; ' \
+refuses "labour: no dwell is long enough" 1 'no dwell meet the limits: the noise has a floor; ' \
     plan --limits 1e-6,1e-6,1e-6 --allan "$work/noise.json"
 noise 0.001 0 0
 refuses "labour: white noise has no floor" 1 'no dwell up to 1e6 s meet the limits; 144 positions' \

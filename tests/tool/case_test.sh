@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# calibrate --case: the axes of the case, against a rotation that is known: case_test.sh path/to/invcal builddir
+# calibrate --case: the axes of the case, against a known rotation: case_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
 # Readings over g of a perfect sensor in a case: 18 edges, then each of three faces twice on a table that leans
-# by LEAN degrees, turned by half between. R, case = R sensor: 90 degrees about z, then 3 about x.
+# by LEAN degrees, with half a turn between them. R, case = R sensor: 90 degrees about z, then 3 about x.
 positions() { # LEAN
     awk -v lean="$1" '
         function put(x, y, z) { # up in the case: the reading is R^T up

@@ -1,10 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of what the tool is to its surroundings: help, manual, completion, installation, silence,
+# Tests of how the tool fits into its environment: help, man page, completion, installation, silence,
 # colours, progress. citizen_test.sh path/to/invcal builddir
-# What needs `script` (a terminal) or bash is left out, with a line that says so, where they are
-# missing.
+# Skips what needs `script` (a terminal) or bash if they are missing, with a line that says so.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -21,7 +20,7 @@ in_order() { # usage first; exit codes; an example last
         /^examples?:$/ { example = NR }
         END { exit !(codes > 1 && example > codes && NR > example) }' "$1"
 }
-# Blanks, the option and what it takes; then, from column 23 on or on the next line, what it means.
+# Blanks, the option and its value; then, from column 23 on or on the next line, what it means.
 has_layout() {
     awk 'alone && (substr($0, 1, 22) ~ /[^ ]/ || substr($0, 23, 1) == " ") { print "no text: " $0; bad = 1 }
         { alone = 0 }
@@ -193,7 +192,7 @@ fi
 # ---- installation ------------------------------------------------------------------------------
 
 unset MAKEFLAGS MFLAGS MAKELEVEL
-# Folders as they are called from the root: make takes no blank in BUILD, and a $ for its own.
+# Folders by their paths from the root, as make accepts no blank in BUILD, and expands a $.
 below() { printf %s "${1#"$root"/}"; }
 installs() { # TARGET PREFIX
     (cd "$root" && make -s "$1" BUILD="$(below "$(dirname "$tool")")" \
@@ -234,7 +233,7 @@ check "columns count characters, not bytes" awk '
 terminal() { # terminal COMMAND: for a shell, in which $tool is invcal
     PATH=$work/bin:$PATH script -qec "$1" /dev/null < /dev/null > "$work/typed"
     code=$?
-    # A carriage return goes back to the first column, and what comes then stands over the old.
+    # After a carriage return, text overwrites the old from the first column on.
     tr -d '\000' < "$work/typed" | LC_ALL=C awk '{
         n = split($0, piece, "\r")
         line = ""

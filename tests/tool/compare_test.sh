@@ -56,7 +56,7 @@ run compare middle.json new.json --same-field --json
 check "JSON: offset x drifts by 0.005" near 0.0001 "$(member delta | sed -n 1p)" "0.005, 0, 0"
 check "JSON: scale z by 0.0005 / 1.012" near 0.0001 "$(member dk | sed -n 1p)" "0, 0, 0.000494"
 check "JSON: angles do not" near 0.0003 "$(member gamma | sed -n 1p)" "0, 0, 0"
-# Without what the field may be wrong by sigma is what calibrate says of a field that is exact.
+# Without the field's uncertainty, sigma is what calibrate gives for an exact field.
 sigma_of() { "$tool" simulate --plan edges "$@" | "$tool" calibrate - --gravity 9.80665 --json |
     sed -n '/"sigma"/,/}/s/^ *"dk": \[\(.*\)\],*$/\1/p'; }
 sigma_of --seed 2 > "$work/sigmas"
@@ -72,7 +72,7 @@ check "a file and itself: steady" matches "$work/stdout" '"changed": \[\]'
 run compare old.json middle.json
 check "what has not changed is steady" matches "$work/stdout" '^Steady: Nothing has changed significantly since'
 
-# The same log against other nominals, which turn the frame by a little, is the same calibration.
+# The same log against other nominals, which rotate the frame slightly, gives the same calibration.
 "$tool" simulate --plan edges --gamma 0.05,-0.04,0.03 > "$work/raw.csv"
 "$tool" calibrate raw.csv --quiet --out one.json
 "$tool" calibrate raw.csv --quiet --zero 300,-200,500 --lsb 0.00055,0.00065,0.0006 --out other.json
@@ -94,7 +94,7 @@ run compare blind.json middle.json
 check "without a ± nothing is reported as changed" matches "$work/stdout" '^Unknown: Nothing has changed as far as is known'
 check "and a drift has none" matches "$work/stdout" '^offset x .* [+-][0-9.]+ ± \? +\?$'
 
-# A file of the first release, which knew neither record nor gravity_sigma, of the same positions.
+# A file of the first release, which had neither record nor gravity_sigma, from the same positions.
 release=$here/../reference/releases/0.1.0-calibration.json
 "$tool" calibrate "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --zero 33123,33276,32360 \
     --lsb 0.002409639,0.002421308,0.002409639 --quiet --out today.json
@@ -170,7 +170,7 @@ check "page: of a fleet: the outlier" says_page 'serial D13 offset y \+[0-9.]+ m
 marks() { sed -n '/<title>Distance of the devices from the median/,/<\/svg>/p' page.html | grep -c "$1"; }
 check "page: of a fleet: a marker for each device and parameter" [ "$(marks 'c1 hollow') $(marks 'c2 full')" = "358 2" ]
 printf old > "$work/out/cal.json"
-refuses "page: not in place of an input" 2 '--report: would overwrite new.json' compare old.json new.json --report new.json
+refuses "page: not over an input" 2 '--report: would overwrite new.json' compare old.json new.json --report new.json
 odd=$(printf '\033[31m<b>.json')
 cp one.json "$odd"
 run compare "$odd" other.json --report page.html
@@ -201,7 +201,7 @@ check "refused: as JSON, too" matches "$work/stdout" '"error": "not comparable"'
 together "temperature" 'only one of them includes temperature' thermal.json
 sed 's/"greatest": [0-9.]*/"greatest": 20/' thermal.json > cold.json
 refuses "refused: temperatures that do not overlap" 1 'it holds from .* to 20 °C, and the other at' compare thermal.json cold.json
-accepts "two of temperature are compared at one" compare thermal.json thermal.json
+accepts "two with temperature are compared at one of them" compare thermal.json thermal.json
 "$tool" simulate --plan grid:30:18 > "$work/raw.csv"
 "$tool" calibrate raw.csv --quiet --gravity 9.80665 --quadratic --out bent.json
 together "nonlinearity" 'includes nonlinearity' bent.json
@@ -212,12 +212,12 @@ refuses "refused: the standard input twice" 2 'only one input' compare - -
 in=old.json
 accepts "the standard input once" compare - middle.json
 in=/dev/null
-refuses "refused: another kinship" 2 '--as cousins: must be serial, history or fleet' compare old.json new.json --as cousins
+refuses "refused: an unknown --as" 2 '--as cousins: must be serial, history or fleet' compare old.json new.json --as cousins
 "$tool" simulate --truth truth.json > /dev/null
-refuses "refused: no file of calibrate" 3 'truth\.json: the field or the frame is missing' compare truth.json old.json
+refuses "refused: not a file of calibrate" 3 'truth\.json: the field or the frame is missing' compare truth.json old.json
 refuses "refused: no such file" 3 'none\.json: cannot be read' compare old.json none.json
 echo '{"offset": [1, 2, 3], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}' > bare.json
-refuses "refused: a file that tells no field" 3 'the field or the frame is missing' compare bare.json bare.json
+refuses "refused: a file without a field" 3 'the field or the frame is missing' compare bare.json bare.json
 
 # ---- magnetometers -------------------------------------------------------------------------------
 

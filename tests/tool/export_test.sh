@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of export from outside: export_test.sh path/to/invcal builddir
-# CC and CFLAGS as for the library; the libraries lie beside the tool.
+# Tests of export by its command line: export_test.sh path/to/invcal builddir
+# CC and CFLAGS as for the library; the libraries are next to the tool.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -79,8 +79,8 @@ truth 20000 1 "$zero" "$lsb" > "$work/sphere"
 
 numbers() { tr -c '0-9.eE+-' ' '; echo; }
 
-# parameters SEPARATOR KEY VALUE NAME ...: of a file of names and values in these columns, those of
-# the names in this order
+# parameters SEPARATOR KEY VALUE NAME ...: from a file with names and values in these columns, the
+# values of the names, in this order
 parameters() {
     separator=$1
     key=$2
@@ -508,9 +508,9 @@ check "hostile texts stay inside a # comment" awk \
 # ---- refusals ----------------------------------------------------------------------------------
 
 see='see invcal export --help'
-refuses "no format is refused" 2 "--format: must be one of c, .*$see" export "$work/cal.json"
-refuses "another format is refused" 2 '--format: must be one of c' export "$work/cal.json" --format matlab
-refuses "no file is refused" 2 'CAL.json is missing' export --format c
+refuses "a missing format is refused" 2 "--format: must be one of c, .*$see" export "$work/cal.json"
+refuses "an unknown format is refused" 2 '--format: must be one of c' export "$work/cal.json" --format matlab
+refuses "a missing file name is refused" 2 'CAL.json is missing' export --format c
 refuses "a file that is not there is refused" 3 'nowhere.json' export nowhere.json --format c
 for name in 1st a-b 'a b' int '_a' 'x*/' "$(printf 'a%060d' 0)"; do
     refuses "the name '$name' is refused" 2 '--name: must be a C identifier' \
@@ -525,7 +525,7 @@ refuses "px4: --name is refused" 2 '--name: --format px4 does not use it' \
 refuses "--lsb alone is refused" 2 '--lsb: state both' export "$work/cal.json" --format px4 --lsb 1
 refuses "a scale of 0 is refused" 2 '--lsb: a scale must not be 0' \
     export "$work/cal.json" --format px4 --zero 0,0,0 --lsb 0
-refuses "a scale no calculation can bear is refused" 2 'the scale of the driver is out of range' \
+refuses "a scale too large to compute with is refused" 2 'the scale of the driver is out of range' \
     export "$work/cal.json" --format ros --zero 0,0,0 --lsb 1e-320
 refuses "--out over CAL.json is refused" 2 '--out: would overwrite CAL.json' \
     export "$work/cal.json" --format c --out "$work/cal.json"
@@ -544,7 +544,7 @@ for members in '"sigma": {"dk": [1, 2]},' '"sigma": {"dk": [1, 2, "x"]},' '"posi
 done
 calibration '"sigma": {"offset": [null, null, null], "dk": [null, 1, 2]},' "$gravity" 1 \
     > "$work/null.json"
-accepts "sigma that is not known is accepted" export "$work/null.json" --format c
+accepts "unknown sigma is accepted" export "$work/null.json" --format c
 check "and reported" matches "$work/stdout" 'standard deviations: unknown'
 printf '{"offset": [0,0,0], "matrix": [[1,2,3],[2,4,6],[0,0,1]], "gravity": 1}' > "$work/flat.json"
 refuses "a singular matrix is refused" 3 'singular' export "$work/flat.json" --format c

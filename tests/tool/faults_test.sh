@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of faults that were found and mended: what is written over, numbers out of range, what gets to
-# the terminal, logs of great length, and facts of a report that nothing else looks at.
+# Tests of faults that were found and fixed: overwritten files, numbers out of range, control sequences on
+# the terminal, very long logs, and facts in a report that no other test checks.
 # faults_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
@@ -14,9 +14,9 @@ xsens=$data/xsens_mti_positions.csv
 "$tool" allan "$work/rest.csv" --to 299 --lsb 0.0006 --out "$work/noise.json" > /dev/null
 "$tool" plan --csv > "$work/angles.csv"
 
-# ---- what is read is not written over ------------------------------------------------------------
+# ---- input files are not overwritten --------------------------------------------------------------
 
-# saves FILE SENTENCE PATTERN ARGUMENTS ...: refused as usage, and the file is as it was.
+# saves FILE SENTENCE PATTERN ARGUMENTS ...: refused as a usage error, and the file is as it was.
 saves() {
     file=$1 sentence=$2 pattern=$3
     shift 3
@@ -94,7 +94,7 @@ refuses "watch: one standard input for samples and nominal" 2 '--nominal: only o
 # ---- writing ---------------------------------------------------------------------------------------
 
 left() { ls -A "$work/out" | tr '\n' ' '; }
-# A run that was killed left a file; the next has the same number, as always in a container.
+# A killed run left a file; the next run has the same process ID, as in a container.
 (cd "$work/out" && sh -c 'echo stale > cal.json.tmp-$$; echo $$ > ../pid
     exec "$0" calibrate "$1" --out cal.json' "$tool" "$l") > "$work/stdout" 2> "$work/stderr"
 code=$?
@@ -132,7 +132,7 @@ rm -f "$work"/out/*
 
 echo old > "$work/out/cal.json"
 chmod 444 "$work/out/cal.json"
-# LOG is a pipe that nobody writes into: who reads it first would wait for ever.
+# LOG is a pipe without a writer: reading it first would wait forever.
 mkfifo "$work/never"
 for line in "calibrate never --out" "watch never --report" "allan never --out" \
     "export never --format c --out" "plan --svg" "simulate --truth"; do
@@ -176,7 +176,7 @@ done
 run allan "$work/part.csv" --rate 1e-300
 check "a time with more digits than make sense is in seconds" matches "$work/stdout" '[0-9]e\+30[0-9] s'
 check "and no number has overflowed" lacks "$work/stdout" '[0-9]{15}'
-refuses "a field that may be wrong by more than itself" 2 '--gravity: .*below the length' \
+refuses "a field whose error may exceed it" 2 '--gravity: .*below the length' \
     calibrate "$l" --gravity 9.8+-1e300
 
 calibration() { # OFFSET DIAGONAL GRAVITY
@@ -215,7 +215,7 @@ refuses_nonfinite fusion 1 "a cross term that overflows"
 nominal='--positions --gravity 9.81744 --zero 33123,33276,32360 --lsb 0.0024'
 { cat "$xsens"; echo 1e200,33330,33330,1,1,1,100; } > "$work/huge.csv"
 # shellcheck disable=SC2086
-refuses "a reading that no figure can tell" 1 'huge\.csv:40: the reading of position 39 is too large' \
+refuses "a reading too large to report" 1 'huge\.csv:40: the reading of position 39 is too large' \
     calibrate "$work/huge.csv" $nominal
 { cat "$xsens"; echo 1e20,33330,33330,1,1,1,100; } > "$work/huge.csv"
 # shellcheck disable=SC2086
@@ -294,14 +294,14 @@ for kind in warm bent; do
     accepts "apply --quiet does not: $kind" apply "$work/$kind.json" "$work/beyond.csv" --quiet
     check "and prints the same: $kind" same "$work/stdout" "$work/loud"
 done
-refuses "apply --quiet tells an error" 3 'no\.csv: cannot be read' \
+refuses "apply --quiet reports an error" 3 'no\.csv: cannot be read' \
     apply "$work/warm.json" "$work/no.csv" --quiet
 
-# ---- logs of great length ------------------------------------------------------------------------------
+# ---- very long logs ------------------------------------------------------------------------------------
 
-# The six faces and twelve edges again and again, or with random=1 any direction: x y z, normal noise of
-# 1 mm/s^2. With share=S every one of that share, at random, reads 20 mm/s^2 too much: their numbers go to
-# the file wrong. With angles=1 angles of 15 degrees, the wrong ones 15 degrees off.
+# The six faces and twelve edges repeatedly, or with random=1 any directions: x y z, normal noise of
+# 1 mm/s^2. With share=S a random share S of them reads 20 mm/s^2 too much: their numbers go to the file
+# wrong. With angles=1 with angles in steps of 15 degrees, the wrong ones off by 15 degrees.
 cat > "$work/long.awk" << 'END'
 function gauss() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand()) }
 function put(x, y, z, rest) {
@@ -345,7 +345,7 @@ long() { # NAME=VALUE ...
 }
 of_long() { run calibrate "$work/long.csv" --positions --gravity 9.8 "$@"; }
 long n=65535 seed=1
-refuses "more positions than can be are refused with a reason" 3 'long\.csv:65536: more than 65534 positions' \
+refuses "more positions than possible are refused with a reason" 3 'long\.csv:65536: more than 65534 positions' \
     calibrate "$work/long.csv" --positions
 all_good() { # a program that is repeated, so often that any stride meets its period
     long n=20000 seed=1
@@ -379,8 +379,8 @@ check "a few wrong ones of thousands are named, and no others" finds_wrong 0.002
 check "one in ten" finds_wrong 0.1 5000 2
 check "one in ten of a hundred and thirty" finds_wrong 0.1 130 3
 
-# takes_its_length SIZE MAKER ARGUMENTS ...: four times as much of what MAKER SIZE makes takes the processor
-# no more than nine times as long. (In square time it would be sixteen.)
+# takes_its_length SIZE MAKER ARGUMENTS ...: four times as much input from MAKER SIZE takes no more than nine
+# times the processor time. (Quadratic time would be sixteen.)
 spent() { # BEFORE AFTER: seconds that all children have taken in between, by two lists of `times`
     awk 'FNR == 2 { for (i = 1; i <= 2; i++) { split($i, t, /[ms]/); s += (NR == FNR ? -1 : 1) * (60 * t[1] + t[2]) } }
         END { print s }' "$1" "$2"
@@ -428,10 +428,10 @@ check "of positions in watch with a program" \
 "$tool" simulate --plan edges --noise 0.0001 > "$work/known.csv"
 run calibrate "$work/known.csv" --gravity 9.80665 --zero 0,0,0 --lsb 0.00059855041503906 \
     --report "$work/page.html"
-# The rows of the page's tables, one on a line, without tags.
+# The rows of the page's tables, a line each, without tags.
 tr -d '\n' < "$work/page.html" | sed 's/<tr>/\n/g' | sed "s/<\/tr>.*//; s/<[^>]*>/ /g; s/$(printf '\302\240')/ /g; s/−/-/g" \
     > "$work/rows"
-# What the picture of the nine says of itself.
+# The description of the picture of the nine parameters.
 sed -n 's/^<desc>Bars for the nine parameters[^:]*: \(.*\)\.<\/desc>$/\1/p' "$work/page.html" | head -n 1 |
     sed "s/; /\n/g; s/$(printf '\302\240')/ /g; s/−/-/g" > "$work/bars"
 shows() { # FILE NAME NUMBER WITHIN: the line that begins with this name has such a number
@@ -457,7 +457,7 @@ for axis in x y z; do
 done
 
 # Forty directions along a spiral; lengths differ by up to 0.1 mg, but position 3 is wrong by 5 mg, so it is
-# left out, and behind it 11 is worst, by 0.26 mg.
+# left out, and of the others 11 is worst, by 0.26 mg.
 awk 'BEGIN {
     print "x,y,z"
     for (i = 0; i < 40; i++) {
@@ -597,7 +597,7 @@ int rename(const char *from, const char *to)
     return ((int (*)(const char *, const char *))dlsym(RTLD_NEXT, "rename"))(from, to);
 }
 END
-# A name without blanks: the loader takes them for the end of it.
+# A name without blanks, as the loader takes a blank for the end of the name.
 shim=$(mktemp /tmp/invcal-count.XXXXXX)
 if ! ${CC:-cc} -shared -fPIC -w -o "$shim" "$work/count.c" -ldl 2> /dev/null ||
     ! LD_PRELOAD=$shim COUNTED=$work/counted "$tool" --version > /dev/null 2>&1; then

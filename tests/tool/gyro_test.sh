@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 #
 # Tests of the gyroscope, from a log to both calibrations: gyro_test.sh path/to/invcal builddir
-# With the recordings (RECORDINGS, or ../shared/data) also of raw logs of real sensors, against solutions of all samples.
+# With the recordings (RECORDINGS, or ../shared/data) also for raw logs of real sensors, against solutions from all
+# samples.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# Members of "gyroscope", a level deeper than those that json finds: name of the member, all its numbers.
+# Members of "gyroscope", one level deeper than those that json finds: the member's name, all its numbers.
 inner() { # FILE NAME
     awk -v name="$2" '
         /^  "gyroscope": / { inside = 1 }
@@ -84,7 +85,7 @@ run calibrate "$work/outlier.log" --strict --quiet
 check "twelve quarter turns with a wrong rest: --strict" was_refused 1 '--strict: the verdict is rough'
 solve "$work/tour.log" --gravity 9.80665
 check "the JSON says that the moves helped the accelerometer" matches "$work/stdout" '"accelerometer": "rests and moves"'
-refuses "six faces without the gyroscope are as ever" 1 'undetermined: angle xy, angle xz, angle zy' \
+refuses "six faces without the gyroscope work as before" 1 'undetermined: angle xy, angle xz, angle zy' \
     calibrate "$work/tour.log" --accelerometer-only
 "$tool" simulate --dwell 3 --plan edges > "$work/plain.csv"
 "$tool" simulate --gyro --dwell 3 --plan edges --truth "$work/truth.json" > "$work/edges.csv"
@@ -250,7 +251,7 @@ accepts "but not with --accelerometer-only" calibrate "$work/changed.csv" --acce
 
 # ---- logs that end too soon -------------------------------------------------------------------------
 
-# Its data are good, so it must not hear of wrong axes, units or clocks.
+# The data are good, so there must be no message about wrong axes, units or clocks.
 is_not_accused() { # LOG ROWS ARGUMENTS...
     head -n "$2" "$1" > "$work/short.csv"
     shift 2
@@ -273,7 +274,7 @@ head -n 1500 "$work/long.csv" > "$work/short.csv"
 refuses "3 rests: they do not show which way was up" 1 \
     'the 3 rests between the moves do not show the accelerometer.s zero.*hold it still in four directions' calibrate "$work/short.csv"
 head -n 2000 "$work/long.csv" > "$work/short.csv"
-refuses "4 rests in a plane: neither" 1 'the 4 rests .*: the rests are nearly in a plane: turn about all three axes' \
+refuses "nor do 4 rests in a plane" 1 'the 4 rests .*: the rests are nearly in a plane: turn about all three axes' \
     calibrate "$work/short.csv"
 for sensor in mpu0 mpu1; do
     awk -v name=$sensor -v zero=0 -v rate=7505.747 -v noise=10 -v shake=2000 -f "$here/gyro_log.awk" "$here/../unit/gyro_logs.h" > "$work/long.csv"
@@ -289,7 +290,7 @@ paste -d, "$work/acc.csv" "$work/gyro7.csv" | awk -F, 'NF == 7 && $1 != "" && $5
 solve "$work/changed.csv"
 check "the gyroscope of another device: apart" refused_as apart 'one device and one clock'
 
-# ---- what is told of a gyroscope that is not good -------------------------------------------------------
+# ---- reports on a gyroscope that is not good -----------------------------------------------------------
 
 # A range of 30 degrees/s clips all but one of the moves.
 "$tool" simulate --gyro --dwell 3 --plan edges --gyro-range 30 > "$work/clipped.csv"
@@ -385,7 +386,7 @@ run export "$work/dps.json" --format px4 --zero 0,0,0 --lsb 0.000598550415
 check "export --format px4: the bias, rad/s" near 2e-4 "$(sed -n 's/.*CAL_GYRO0_[XYZ]OFF\t\(.*\)\t9$/\1/p' "$work/stdout" | tr '\n' ' ')" '0.0087266 -0.0139626 0.0052360'
 
 
-# A driver delivers rad/s: counts have no bias in them, which is told, not passed over.
+# A driver delivers rad/s: the bias in counts is of no use for it, which must be reported.
 left_out() { # WHY: in a comment and a warning
     matches "$work/stdout" "^# The gyroscope is left out: $1\.$" && lacks "$work/stdout" 'GYR.*OFF' &&
         matches "$work/stderr" "warning: .*json: the gyroscope is left out: $1$"
@@ -418,9 +419,9 @@ run calibrate "$work/changed.csv" --strict --quiet
 check "--strict: a gyroscope that is not calibrated" was_refused 1 "--strict: the gyroscope is not calibrated: .*y never changes"
 accepts "--strict: a good one" calibrate "$work/edges.csv" --strict
 
-# ---- g-sensitivity taken off ----------------------------------------------------------------------------
+# ---- g-sensitivity corrected ----------------------------------------------------------------------------
 
-# In each rest of the truth nothing turns. Large errors of the scale, so that it matters what is taken off first.
+# In each rest of the truth nothing turns. Large scale errors, so that the order of the corrections matters.
 "$tool" simulate --gyro --dwell 3 --plan per-group:8 --gyro-g 0,0.1,0,-0.2,0,0,0,0,0.15 --gyro-scale 0.1,-0.08,0.06 \
     --gyro-noise 0.005 --gyro-lsb 0.001 --truth "$work/truth.json" > "$work/g.csv"
 at_rest() { # BOUND ARGUMENTS...: mean rates, degrees/s
@@ -444,7 +445,7 @@ check "without it there is one" near 0.05 "$(awk -f "$here/gyro_rests.awk" "$wor
 cut -d, -f1,5-7 "$work/g.csv" > "$work/gyro.csv"
 run apply "$work/g.json" "$work/gyro.csv" --gyro
 check "apply --gyro: without an accelerometer it is not corrected, which is reported" says "gyro\.csv: the gyroscope's g-sensitivity is not corrected"
-accepts "apply --gyro --quiet: not a word of it" apply "$work/g.json" "$work/gyro.csv" --gyro --quiet
+accepts "apply --gyro --quiet: no warning about it" apply "$work/g.json" "$work/gyro.csv" --gyro --quiet
 run export "$work/g.json" --format c --name imu
 sed -n '/^static const invcal_real imu_gyro_g/,$p' "$work/stdout" | sed '1d; /^#/d' | tr -d 'INVCALRE_()f' | numbers > "$work/nine"
 check "export --format c: the nine numbers" near 1e-15 "$(cat "$work/nine")" "$(inner "$work/g.json" g_correction | numbers)"
@@ -485,7 +486,7 @@ refuses "--gyro of positions" 2 'leave out --positions' calibrate "$work/edges.c
 refuses "--gyro with --accelerometer-only" 2 'leave out --accelerometer-only' calibrate "$work/acc.csv" --gyro "$work/gyro.csv" --accelerometer-only
 refuses "a gyroscope's file that is not there" 3 'none\.csv' calibrate "$work/acc.csv" --gyro "$work/none.csv"
 
-# ---- real sensors, of which only rests and moves are here ---------------------------------------------
+# ---- real sensors, from their rests and moves ----------------------------------------------------------
 
 real() { awk -v name="$1" -v zero="$2" -v rate="$3" -v noise="$4" -v shake="$5" -f "$here/gyro_log.awk" "$here/../unit/gyro_logs.h" > "$work/real.csv"; }
 reference() { sed -n "/$1/,/;/p" "$here/../reference/gyro_samples.h" | sed 's/.*=//' | tr -d '{};\n'; }

@@ -1,16 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of the tables that people have: input_test.sh path/to/invcal builddir
-# The same readings in every dress must give the same calibration; what was recognised is told; what
-# is no such table is refused, with the reason and what to do.
+# Tests of the tables that users have: input_test.sh path/to/invcal builddir
+# The same readings in every form must give the same calibration, and a report of what was recognised;
+# what is not such a table is refused, with the reason and what to do.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
 field() { json "$work/stdout" "$1"; }
 
-# ---- one log in every dress ---------------------------------------------------------------------
+# ---- one log in every form ----------------------------------------------------------------------
 
 # Counts of 0.0006 m/s^2: t in seconds, x, y, z.
 "$tool" simulate --truth "$work/truth.json" > "$work/plain.csv"
@@ -23,8 +23,8 @@ ms2=0.0006
 g=$(awk 'BEGIN { printf "%.17g", 0.0006 / 9.80665 }')
 mg=$(awk 'BEGIN { printf "%.17g", 0.6 / 9.80665 }')
 
-# told NAME RECOGNISED NEXT: the first lines of the table, as one, are NAME and what was recognised;
-# then comes what begins with NEXT.
+# told NAME RECOGNISED NEXT: the first lines of the table, joined, are NAME and what was recognised;
+# the line after them begins with NEXT.
 told() { tr '\n' ' ' < "$work/stdout" | grep -Fq -- "$1 $2 $3"; }
 
 # write_dress SCALE HEADER ROW: $work/dress.csv from the plain log; ROW is an expression of awk in t
@@ -215,19 +215,19 @@ dress_positions "--unit m/s2" 9.80665 'm/s^2' option unit \
     'CSV with commas, no header; x y z in m/s² (--unit)' '' "$x" --unit m/s2
 dress_positions "--unit counts keeps the range" 1000 counts option range \
     'CSV with commas, no header; x y z in counts (--unit)' '' "$x" --unit counts
-dress_positions "--unit knows better than the header" 1000 mg option unit \
+dress_positions "--unit overrides the header" 1000 mg option unit \
     'CSV with commas, header in line 1; x y z in mg (--unit)' 'x (g),y (g),z (g)' "$x" --unit mg
 dress_positions "a stated unit with --zero" 1 g header 'given unit' \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x" --zero 0,0,0.1
 dress_positions "a stated unit with --lsb" 1 g header 'unit given' \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x" --lsb 9.8
-dress_positions "a field of 1 is one in g" 1 g header unit \
+dress_positions "a field of 1 means g" 1 g header unit \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x" --gravity 1
-dress_positions "a magnetometer: no size tells a unit" 48.5 unknown none range \
+dress_positions "a magnetometer: the size gives no unit" 48.5 unknown none range \
     'CSV with commas, header in line 1; mx my mz' 'mx,my,mz' "$x" --gravity 48.5
-dress_positions "a unit that is not known is not guessed" 1 unknown none range \
+dress_positions "an unknown unit is not guessed" 1 unknown none range \
     'CSV with commas, header in line 1; mx my mz' 'mx (oersted),my (oersted),mz (oersted)' "$x"
-dress_positions "that of a magnetometer is told, and tells no scale" 1 gauss header range \
+dress_positions "a magnetometer's unit is reported, and gives no scale" 1 gauss header range \
     'CSV with commas, header in line 1; mx my mz in gauss' 'mx (gauss),my (gauss),mz (gauss)' "$x"
 dress_positions "every line ends with a separator, but the header" 1 g header unit \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x \",\""
@@ -294,7 +294,7 @@ in=/dev/null
 
 # ---- refusals -----------------------------------------------------------------------------------
 
-# bad_line SENTENCE PATTERN BYTES: the bytes by printf, as a log and as positions, and for apply
+# bad_line SENTENCE PATTERN BYTES: the bytes, through printf, as a log, as positions, and for apply
 bad_line() {
     printf "$3" > "$work/bad.csv"
     refuses "calibrate LOG: $1" 3 "$2" calibrate "$work/bad.csv"
@@ -362,7 +362,7 @@ bad_line "phyphox with decimal commas" \
 bad "LabVIEW" 'bad\.csv: this is a LabVIEW measurement file: delete the lines before' \
     'LabVIEW Measurement\t\nWriter_Version\t2\t\n'
 printf 't,x,y,z\n01.05.2026 10:00:00,1,2,3\n' > "$work/bad.csv"
-refuses "a date in another form is no time, and what to do is reported" 3 \
+refuses "a date in another form is not a time, and it says what to do" 3 \
     "column 1 \(t\): '01.05.2026 10:00:00' is not a decimal number: convert it to seconds, or ignore the column with --columns t=none$" \
     calibrate "$work/bad.csv"
 run apply "$work/simple.json" "$work/bad.csv" --columns t=none
@@ -373,10 +373,10 @@ refuses "the same without a header" 3 'convert it to seconds, or ignore the colu
 run apply "$work/simple.json" "$work/bad.csv" --columns 2,3,4
 check "the same, ignored" test "$(head -n 1 "$work/stdout")" = x,y,z
 
-# ---- a temperature that is none -------------------------------------------------------------------
+# ---- an unknown temperature -----------------------------------------------------------------------
 
-# PX4 writes nan until a driver knows the temperature, others leave the cell empty: what nobody asked for must
-# not cost the log.
+# PX4 writes nan until a driver knows the temperature, others leave the cell empty: a column that is not needed
+# must not cost the log.
 write_dress 1 't,x,y,z,temperature' "t \",\" $ax \",\" (n < 50 ? \"nan\" : 35.5)"
 mv "$work/dress.csv" "$work/nan.csv"
 not_finite="temperature ignored: 'nan' in column 5 is not a finite number$"
@@ -415,7 +415,7 @@ printf 'x,y,z,temp\n1,2,3,warm\n' > "$work/bad.csv"
 run calibrate "$work/bad.csv"
 check "a temperature that is a word is ignored, too" matches "$work/stderr" \
     "bad\.csv:2: temperature ignored: 'warm' in column 4 is not a decimal number$"
-refuses "but refused where it is asked for" 3 \
+refuses "but refused where it is needed" 3 \
     "'warm' is not a decimal number: correct the line, or ignore the column with --columns temperature=none$" \
     calibrate "$work/bad.csv" --thermal 1
 run apply "$work/simple.json" "$work/bad.csv" --columns temperature=none
@@ -457,7 +457,7 @@ refuses "an option that states another unit" 1 'with the scale of the stated uni
 run calibrate "$work/pos.csv" --positions --unit g --json
 check "--unit corrects it" near 1e-9 "$(field offset)" '0.02 -0.03 0.05'
 
-# What a header holds is shown, but nothing of it reaches the terminal but text.
+# A header is shown, but only its text reaches the terminal.
 write_positions 1 'x\0177\0303\0274 (g),y (g),z (g)' "$x"
 sed 's/^x/ax/; 1s/,y/,ay/; 1s/,z/,az/' "$work/pos.csv" > "$work/odd.csv"
 in=$work/odd.csv
@@ -470,10 +470,10 @@ check "a heading of 300 letters is ignored" matches "$work/stdout" 'ignored: 1 o
 printf 'x(,y),z[],((,)),[,]\n1,2,3,4,5,6,7\n' > "$work/bad.csv"
 refuses "brackets that do not match do no harm" 3 "'x\(' and 'z\[\]' are in different units" calibrate "$work/bad.csv"
 
-# ---- what the manual has for other logs ---------------------------------------------------------
+# ---- the manual's remedies for other logs -------------------------------------------------------
 
 manual=$here/../../port/manual/tool.md
-# remedied SENTENCE FILE OPTIONS: the manual's command for such a log, run beside it, makes the plain one of it again
+# remedied SENTENCE FILE OPTIONS: the manual's command for such a log, run in its folder, restores the plain log
 remedied() {
     remedy=$(sed -n "/^| $1/s/[^\`]*[\`]\([^\`]*> [^\`]*\)[\`].*/\1/p" "$manual")
     check "$1: the manual has a command" test -n "$remedy"

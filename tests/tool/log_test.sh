@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of raw logs from outside: simulate, calibrate LOG, watch: log_test.sh path/to/invcal builddir
+# Tests of raw logs by the command line: simulate, calibrate LOG, watch: log_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -15,7 +15,7 @@ log() {
     "$tool" simulate --truth "$work/$name.json" "$@" > "$work/$name.csv"
 }
 
-# The offset agrees with the truth to so many counts.
+# The offset agrees with the truth to that many counts.
 right_offset() { # NAME COUNTS
     near "$2" "$(field offset)" "$(json "$work/$1.json" offset)"
 }
@@ -32,7 +32,7 @@ log other --seed 2
 differs() { ! cmp -s "$1" "$2"; }
 check "simulate: another seed gives another log" differs "$work/plain.csv" "$work/other.csv"
 check "simulate: the truth is JSON" is_json "$work/plain.json"
-# What the truth says takes the errors out: in the rests all lengths are 1 g.
+# The truth corrects the errors: in the rests all lengths are 1 g.
 accepts "simulate: apply reads the truth" apply "$work/plain.json" "$work/plain.csv"
 rests_are_1g() {
     awk -F, 'NR > 1 { i = NR - 2; if (i % 700 < 500) { n++
@@ -47,7 +47,7 @@ check "simulate: and goes from first to last" test \
     "$(sed -n 2p "$work/warm.csv" | cut -d, -f5)" = 10.000 -a "$(tail -n 1 "$work/warm.csv" | cut -d, -f5)" = 40.000
 log angles --stand --plan per-group:6 --temperature 20,21
 check "simulate: angles have columns" test "$(head -n 1 "$work/angles.csv")" = t,x,y,z,temperature,alpha,beta
-# Table 2: the angles of each rest, 700 samples after the one before; on the way the shorter way round.
+# Table 2: the angles of each rest, 700 samples after the previous one; moves take the shorter way.
 angles_are_those_of_table_2() {
     awk -F, 'function off(a, b) { a = (a - b) % 360; return a > 0.0001 && a < 359.9999 || a < -0.0001 && a > -359.9999 }
         NR == 1 { next }
@@ -73,7 +73,7 @@ for bad in '--rate 0' '--rate nan' '--noise -1' '--dwell 0' '--offset 1,2' '--of
 done
 refuses "simulate: an unknown set" 2 'is not a set' simulate --plan dodecahedron
 refuses "simulate: too small a program" 1 'too few' simulate --plan per-group:4
-refuses "simulate: a truth where none can be" 3 'nowhere' simulate --truth "$work/nowhere/t.json"
+refuses "simulate: a truth that cannot be written" 3 'nowhere' simulate --truth "$work/nowhere/t.json"
 
 # ---- calibrate LOG -----------------------------------------------------------------------------
 
@@ -135,7 +135,7 @@ check "calibrate LOG: two wrong positions are left out" near 0 "$(field rejected
 check "calibrate LOG: and cause no error" right_offset wrong 2
 run calibrate "$work/wrong.csv"
 check "calibrate LOG: they are named" test "$(grep -c '^Left out: position' "$work/stdout")" -eq 2
-# The line that is named lies in the rest that is wrong, whatever is lost before it.
+# The line that is named is in the wrong rest, whatever was lost before it.
 names_rest() { # LINE BEGIN END: the time in that line is within the rest, or a second
     awk -F, -v line="$1" -v begin="$2" -v end="$3" 'NR == line { ok = $1 > begin - 0.2 && $1 < end } END { exit !ok }' "$work/lost.csv"
 }
@@ -174,7 +174,7 @@ cut -d ' ' -f 1-3 "$work/boot.txt" > "$work/zeros.txt"
 run calibrate "$work/zeros.txt" --json
 check "calibrate LOG: 300 zeros before decimals" near 0.0012 "$(field offset)" \
     "$(json "$work/plain.json" offset | tr -d '[]' | awk -F, '{ print $1 * 0.0006, $2 * 0.0006, $3 * 0.0006 }')"
-# Samples that come ten at a time with one time.
+# Samples in groups of ten with the same time.
 awk -F, 'NR == 1 { print; next } { printf "%.2f,%s,%s,%s\n", int((NR - 2) / 10) / 10, $2, $3, $4 }' \
     "$work/plain.csv" > "$work/batches.csv"
 run calibrate "$work/batches.csv" --json
@@ -185,7 +185,7 @@ awk -F, 'NR == 1 { print; next } { printf "%.2f,%s,%s,%s\n", NR == 6000 ? 1 : $1
     "$work/plain.csv" > "$work/backwards.csv"
 run calibrate "$work/backwards.csv"
 check "calibrate LOG: times that go back are reported" matches "$work/stdout" '^ +2 gaps in the stream'
-# One rest that reads almost nothing, besides 18 good ones.
+# One rest that reads almost nothing, with 18 good ones.
 { cat "$work/blank.txt"; awk 'BEGIN { for (i = 0; i < 500; i++) print i % 3, 2 - i % 5, i % 2 }'; } > "$work/drop.txt"
 run calibrate "$work/drop.txt" --json
 check "calibrate LOG: a rest without any reading is left out" near 0 "$(field rejected)" 19
@@ -226,7 +226,7 @@ run watch - --mean-sigma 0.0001
 check "watch: one that needs longer is refused" matches "$work/stdout" \
     '^refused: too short: hold it still longer'
 check "watch: and none is taken" lacks "$work/stdout" '^position .* taken'
-# By noise that was measured: white noise N needs (N / sigma)^2, the worst axis decides.
+# With measured noise: white noise N needs (N / sigma)^2, the worst axis decides.
 noise() { # noise WHITE_OF_Z INSTABILITY_OF_X: m/s^2/sqrt(Hz), m/s^2
     printf '{"gravity": 9.80665, "noise": {"x": {"white": 0.001, "instability": %s, "walk": 0},
         "y": {"white": 0.001, "instability": 0, "walk": 0},
@@ -306,7 +306,7 @@ in=/dev/null
 check "watch: a hundred such lines end it" test "$code" -eq 3
 check "watch: and the last line is the error" matches "$work/stderr" '^invcal: '
 check "watch: without an empty line after it" test -n "$(tail -n 1 "$work/stderr")"
-# Ctrl-C gives the result of what there is.
+# Ctrl-C gives the result so far.
 mkfifo "$work/port"
 "$tool" watch - --json < "$work/port" > "$work/stdout" 2> "$work/stderr" &
 watcher=$!
@@ -319,7 +319,7 @@ code=$?
 exec 3>&-
 check "watch: an interrupt ends the stream, with the result" test "$code" -eq 0
 check "watch: it is that of the samples so far" test "$(field positions)" -ge 14
-# Whenever it comes: while the tool waits, or while it is at work.
+# At any time: while the tool waits, or while it computes.
 ends_on_interrupt() {
     for pause in 0 0 0 0 0.01 0.02 0.03 0.05; do
         timeout --foreground -s KILL 30 "$tool" watch - --json < "$work/port" > "$work/stdout" 2> "$work/stderr" &

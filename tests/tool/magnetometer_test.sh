@@ -1,15 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# calibrate --magnetometer: logs of one that is waved, with a truth: magnetometer_test.sh path/to/invcal builddir
-# With the recordings (RECORDINGS, or ../shared/data) also a real one, against fits of all of its samples.
+# calibrate --magnetometer: logs of a waved magnetometer with a known truth: magnetometer_test.sh path/to/invcal builddir
+# With the recordings (RECORDINGS, or ../shared/data) also a real one, against fits to all of its samples.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# Gauss, in 100 samples a second: the field 0.48 turned about two axes, hard iron 0.1 -0.3 0.05, y scaled by 1.1;
-# noise of 0.5 % of the field. A magnet makes the field 1 + MAGNET times as long for 2 s; from STEP s on another 0.1
-# of offset x; HALF: z > 0 only.
+# Gauss, 100 samples a second: a field of 0.48 turned about two axes, hard iron 0.1 -0.3 0.05, y scaled by 1.1;
+# noise of 0.5 % of the field. A magnet makes the field 1 + MAGNET times as large for 2 s; from STEP s on, offset x is
+# 0.1 more; HALF: z > 0 only.
 waved() { # MAGNET STEP HALF
     awk -v magnet="$1" -v step="$2" -v half="$3" 'BEGIN {
         srand(1); print "ax (g),ay (g),az (g),mx (G),my (G),mz (G)"
@@ -76,7 +76,7 @@ refuses "a field in a magnetometer's unit, of something else" 2 'is not a decima
 run calibrate --magnetometer "$work/row.csv" --json
 check "magnetometer: units in a row of their own" matches "$work/stdout" '"unit": "uT"'
 run calibrate --magnetometer "$work/log.csv" --gravity 1 --out "$work/out/one.json"
-refuses "magnetometer: a field of 1 is no g" 2 'px4 is for accelerometers' export "$work/out/one.json" --format px4
+refuses "magnetometer: a field of 1 does not mean g" 2 'px4 is for accelerometers' export "$work/out/one.json" --format px4
 accepts "magnetometer: as a constant" export "$work/out/one.json" --format c
 in=$work/log.csv
 accepts "magnetometer: from the standard input" calibrate --magnetometer - --json
@@ -105,7 +105,7 @@ printf 'ax,ay,az\n0,0,1\n' > "$work/none.csv"
 refuses "magnetometer: none there" 3 'none.csv:1: the header names no columns of a magnetometer' \
     calibrate --magnetometer "$work/none.csv"
 printf 'x,y,z,mx,my,mz\n0,0,1,1,2,3\n' > "$work/twice.csv"
-refuses "magnetometer: two sets that may be meant" 3 "x, y and z are there twice .'mx' and 'x'." \
+refuses "magnetometer: two possible sets of columns" 3 "x, y and z are there twice .'mx' and 'x'." \
     calibrate --magnetometer "$work/twice.csv"
 for option in --positions --robust --six-faces --cubic '--thermal=1' '--noise=1' '--case=+z' '--prior=1,1,1' '--sensor=mpu6050'; do
     refuses "magnetometer: and $option" 2 "--magnetometer: cannot be combined with ${option%=*}" \
@@ -114,7 +114,7 @@ done
 refuses "magnetometer: watch needs no noise" 2 '--magnetometer: cannot be combined with --mean-sigma' \
     watch --magnetometer "$work/log.csv" --mean-sigma 1
 
-# Without the option it is looked for rests, of which a waved one has none.
+# Without the option the tool looks for rests, and a waved magnetometer has none.
 "$tool" simulate --magnetometer > "$work/named.csv"
 cut -d, -f5-7 "$work/named.csv" | sed 1d > "$work/unnamed.csv"
 advice='; for a magnetometer in motion: --magnetometer$'
@@ -184,7 +184,7 @@ both() { # OFFSET SEED
         function n() { return (rand() + rand() + rand() + rand() - 2) * 1.732 }'
 }
 both 0 1 > "$work/both.csv"
-# The rotation is Rz(90) Rx(3): its columns are what the axes of the magnetometer are in those of the accelerometer.
+# The rotation is Rz(90) Rx(3): its columns are the axes of the magnetometer in those of the accelerometer.
 accepts "magnetometer: with an accelerometer" calibrate --magnetometer "$work/both.csv" --json
 rows() { sed -n '/"rotation"/,/\]$/p' "$work/stdout" | sed 1d | tr -d '[] \n' | sed 's/,$//'; }
 check "magnetometer: the rotation between the two" near 0.02 "$(rows)" \
@@ -204,7 +204,7 @@ check "magnetometer: then the angle between up and the field is constant" test "
     d = ($2 * $9 + $3 * $10 + $4 * $11) / l + 0.866; s += d; q += d * d; n++ }
     END { print n, (s / n < 0.01 && s / n > -0.01 && sqrt(q / n) < 0.05) }')" = "6000 1"
 
-# Sigma is what twenty of them scatter by: three angles each, within 3 sigma but for one.
+# Sigma is the scatter of twenty logs: three angles each, all but one within 3 sigma.
 for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
     both 0 "$seed" > "$work/one.csv"
     run calibrate --magnetometer "$work/one.csv" --json

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of plan --moves from outside: plan_moves_test.sh path/to/invcal builddir
-# Figures are those of tests/reference/turns_design.h, and closed form.
+# Tests of plan --moves by the command line: plan_moves_test.sh path/to/invcal builddir
+# Expected figures are those of tests/reference/turns_design.h, and closed forms.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -65,9 +65,9 @@ plan faces
 check "faces: rank 18" member_is rank 18
 check "faces: 12 turns" [ "$(values words | wc -l)" -eq 13 ] # and the next
 
-# An angle of a turn has the variance 2 a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2: with a turn that takes twice
-# the time, and noise of the rate alone, everything is known beforehand of the scale, whose sigma is
-# sqrt(variance) / pi where the accelerometer is as good as perfect.
+# The angle of a turn has the variance 2 a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2: with a turn that takes twice
+# the time, and only noise of the rate, the sigma of the scale is known in advance: sqrt(variance) / pi, if the
+# accelerometer is nearly perfect.
 run plan --json --moves tour12 --noise 0.000001 --dwell 1 --rate-noise 0.01 --instability 0 --move 2
 check "sigma of the scale with a noise of the rate" near 0.0001 \
     "$(numbers expected | awk '{ print 1000 * $1 }')" \

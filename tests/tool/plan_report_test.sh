@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of plan --report and of pictures of a comparison, from outside:
+# Tests of plan --report and of pictures of a comparison, by the command line:
 # plan_report_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
@@ -17,7 +17,7 @@ makes_page() { # makes_page SENTENCE ARGUMENTS ...: the tool accepts them and wr
     check "report: $what: well-formed, self-contained" is_page "$page"
 }
 
-# The page's words, a line for each element; cells of a row stand together, with | between.
+# The page's words, a line for each element; the cells of a row are on one line, separated by |.
 words() {
     sed -n '/^<body>/,$p' "$page" | sed -e "s/$(printf '\302\240')/ /g" \
         -e 's/<\/t[hd]>/|/g' -e 's/<[^>]*>//g' -e 's/−/-/g' -e '/^ *$/d'
@@ -108,7 +108,7 @@ check "report: |a| is known best along an axis" test "${bounds% *}" = \
 check "report: sigma of |a|, the least" tells "of a corrected reading is ±${bounds% *} × noise"
 check "report: sigma of |a|, the most" tells "±${bounds#* } × noise in the worst"
 
-# The check of pages must see what it is for.
+# The check of pages must detect these faults.
 sees() { # sees FAULT SED-COMMAND
     check "report: the test sees $1" test -n "$(sed "$2" "$page" | awk -f "$here/page.awk")"
 }
@@ -135,7 +135,7 @@ check "report: begins with tenths" test "$(row 2 | cut -d '|' -f 2)" = 0:04.5
 makes_page "an odd number" --per-group 7
 check "report: it names what is missing, and why" \
     tells 'Never along gravity: +x +y -z; an odd number per group'
-# +x, -x, +y, -y, +z, -z by what stands at +1 g (the right end, 672) and -1 g (34).
+# +x, -x, +y, -y, +z, -z by the markers at +1 g (the right end, 672) and -1 g (34).
 covered() {
     sed -n '/>The range of each axis</,/^<\/svg>/p' "$page" | awk '
         /class="c3 over"|class="c2 hollow"/ && rows > 0 {
@@ -246,7 +246,7 @@ is_svg() {
         tail -n 1 "$1" | grep -q '^</svg>$' && ! grep -Eq '<script|href=|url\(|@import' "$1"
 }
 check "report: the picture alone" is_svg "$work/out/ratios.svg"
-# sqrt(24/18) is half as far from 1 as 18/24, on a logarithmic axis; bars jut out by a pixel.
+# sqrt(24/18) is half as far from 1 as 18/24 on a logarithmic axis; bars extend by a pixel.
 has_true_bars() {
     sed -n 's/^<rect class="\(c[12]\) bar".* width="\([0-9.]*\)".*/\1 \2/p' "$work/out/ratios.svg" |
         awk 'NR > 2 { style[++n] = $1; width[n] = $2 - 2 }

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of plan from outside: plan_test.sh path/to/invcal builddir
+# Tests of plan by its command line: plan_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# Runs plan --json and judges its directions again: $judged, see directions.awk.
+# Runs plan --json and evaluates its directions independently: $judged, see directions.awk.
 judge() {
     run plan --json "$@"
     judged=$(awk -f "$here/directions.awk" "$work/stdout")
@@ -140,8 +140,8 @@ refuses "plan: too many directions" 3 '3001 directions; the maximum is 3000' pla
 
 # ---- optimal -----------------------------------------------------------------------------------
 
-# Bound of a spherical 4-design: within 0.05 from 14 positions on. The paper's programs, whose ln
-# det is 0.517 below it for every N, are passed.
+# Bound of a spherical 4-design: within 0.05 from 14 positions on. They are better than the paper's
+# programs, whose ln det is 0.517 below the bound for every N.
 n=9
 while [ $n -le 48 ]; do
     judge --optimal $n
@@ -188,12 +188,12 @@ check "plan: limits: the stand program takes 24" near 0 24 "$(member labour 2)"
 # 18 directions would not be: delta is at least sqrt(3 / 18) for any 18.
 judge --limits 0.4083,0.49,1.2
 check "plan: limits: at equal labour the set inside them is taken" holds 'n <= 18 && dk <= 0.49'
-# Nine are never chosen unasked: nothing would check them.
+# Nine are never chosen by default, as nothing would check them.
 judge --limits 10,10,10
 check "plan: limits: twelve are the minimum, with a redundancy of three" holds 'n == 12'
 judge --limits 10,10,10 --spare 0
 check "plan: limits: nine are the minimum without redundancy" holds 'n == 9'
-# Found by another optimiser: sets of this size are within these limits, to the third digit.
+# Another optimiser found sets of this size within these limits, to the third digit.
 judge --limits .605,.86,1.356 --spare 0
 check "plan: limits: nine where nine are enough" holds 'n == 9'
 judge --limits 1.32,.66,1.584 --spare 0
@@ -242,9 +242,9 @@ check "plan: a redundancy of seven" holds 'n == 16'
 check "plan: it says so" test "$(field redundancy)" = 7
 judge --budget 200 --spare 11
 check "plan: a redundancy of eleven in a budget" holds 'n == 20'
-refuses "plan: twelve to spare in it" 1 '20 positions fit .* the minimum is 21, nine and a redundancy of 12' plan \
+refuses "plan: a redundancy of twelve in it" 1 '20 positions fit .* the minimum is 21, nine and a redundancy of 12' plan \
     --budget 200 --spare 12
-refuses "plan: more to spare than --optimal leaves" 2 'spare 4: --optimal 12 has a redundancy of only 3' plan \
+refuses "plan: more redundancy than --optimal allows" 2 'spare 4: --optimal 12 has a redundancy of only 3' plan \
     --optimal 12 --spare 4
 judge --optimal 12 --spare 3
 check "plan: as many as it allows" holds 'n == 12'
@@ -255,7 +255,7 @@ for set in '--limits 0.4,0.6,1' '--limits 10,10,10' '--budget 300' '--optimal 11
     check "plan: $set: each axis up and down" test "$(field missing)" = '[]'
     check "plan: $set: and the figures are true" holds 'n >= 11'
 done
-# Whatever an odd number of positions in each group would do, an even one is taken.
+# Even if an odd number of positions in each group were enough, an even one is taken.
 judge --limits 0.4,0.46,1.07 --need-axes
 run plan --limits 0.375,0.45,1.07 --need-axes
 check "plan: programs with all axes have even groups" matches "$work/stdout" '^3 x 8 '
@@ -269,7 +269,7 @@ check "plan: with the axes, 12 cannot be an icosahedron" holds 'below > 0.3'
 
 # ---- a stand -----------------------------------------------------------------------------------
 
-# ln det is told by the closed form: of 3 x 6 each axis takes 1 from an offset, ...
+# ln det has a closed form: from 3 x 6, each axis takes 1 from an offset, ...
 judge --stand-12
 check "plan: stand-12: ln det 5.801, sigma" holds 'n == 12 && delta == 0.5 && gamma == 1.154700538 &&
     (below - 5.815754 + 5.801363) ^ 2 < 1e-11'
@@ -298,7 +298,7 @@ for option in --need-axes '--spare 4'; do
     refuses "plan: $option of a given set" 2 'needs --limits' plan --edges $option
 done
 for bad in -1 136 1.5 x; do
-    refuses "plan: $bad to spare" 2 'spare' plan --limits 1,1,1 "--spare=$bad"
+    refuses "plan: --spare $bad" 2 'spare' plan --limits 1,1,1 "--spare=$bad"
 done
 
 # ---- shares of the dwell, bounds ---------------------------------------------------------------
@@ -393,7 +393,7 @@ accepts "plan: labour compared" plan --compare stand-24 per-group:6 --warm-up 60
 check "plan: minutes compared" matches "$work/stdout" '^minutes  *13\.9167  *12\.9167  *0\.9281$'
 judge --budget 800 --warm-up 600
 check "plan: a budget includes the warm-up" holds 'n == 20'
-refuses "plan: a budget that the warm-up eats" 1 '0 positions fit into 600 s' plan --budget 600 \
+refuses "plan: a budget that the warm-up uses up" 1 '0 positions fit into 600 s' plan --budget 600 \
     --warm-up 700
 refuses "plan: a negative warm-up" 2 'warm-up' plan --warm-up=-1
 
@@ -528,7 +528,7 @@ is_svg() { # an SVG document that is closed, with nothing from elsewhere
 accepts "plan: a picture of a sweep" plan --sweep 5:16 --svg "$work/out/fig2.svg"
 check "plan: it is SVG" is_svg "$work/out/fig2.svg"
 check "plan: its axis is labelled" matches "$work/out/fig2.svg" 'number of positions'
-# Other programs beside the curves: those of 12 positions left of 15, faces and edges at 18.
+# Other programs next to the curves: those of 12 positions left of 15, faces and edges at 18.
 centre() { # centre CLASS: the middle of the first diamond of this class
     sed -n "s/^<polygon class=\"$1\" points=\"\([^\"]*\)\".*/\1/p" "$work/out/fig2.svg" |
         awk 'NF == 4 { gsub(/,/, " "); printf "%.1f %.1f", ($1 + $5) / 2, ($2 + $6) / 2; exit }'
@@ -563,7 +563,7 @@ rm -f "$work"/out/*
 echo old > "$work/out/cal.json"
 run plan --faces --svg "$work/out/cal.json"
 check "plan: a refusal leaves the picture as it was" is_untouched
-refuses "plan: a picture where none can be" 3 'nowhere/x\.svg' plan --svg "$work/nowhere/x.svg"
+refuses "plan: a picture that cannot be written" 3 'nowhere/x\.svg' plan --svg "$work/nowhere/x.svg"
 accepts "plan: a picture of a comparison" plan --compare edges icosahedron --svg "$work/x.svg"
 check "plan: it is SVG as well" is_svg "$work/x.svg"
 

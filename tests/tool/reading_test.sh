@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of what other people's logs need: reading_test.sh path/to/invcal builddir
-# Which columns are meant, lines that are cut, rates that nobody states, rests that are missing, files
-# that are no tables, and options that are easily misunderstood.
+# Tests of what logs from elsewhere need: reading_test.sh path/to/invcal builddir
+# Which columns are meant, truncated lines, rates that are not stated, missing rests, files that are not
+# tables, and options that are easily misunderstood.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -65,7 +65,7 @@ check "EuRoC: the offset is the true one" near 0.0012 "$(json "$work/stdout" off
     "$(echo "$truth" | tr -d '[],' | awk '{ print $1 * 0.0006, $2 * 0.0006, $3 * 0.0006 }')"
 check "EuRoC: the unit is that of the header" test "$(json "$work/stdout" unit)" = '"m/s^2"'
 
-# ROS, flat: what it calls linear acceleration holds gravity; that of a phone does not.
+# ROS, flat: its linear acceleration includes gravity; a phone's does not.
 write "stamp,linear_acceleration_x,linear_acceleration_y,linear_acceleration_z,angular_velocity_x,magnetic_field_x,magnetic_field_y,magnetic_field_z" \
     't "," x * 0.0006 "," y * 0.0006 "," z * 0.0006 ",1,4,5,6"'
 run calibrate "$work/log.csv" --rate 100
@@ -161,7 +161,7 @@ check "apply: both are reported" test "$(grep -c ' line is cut off, and ignored$
 { cat "$work/plain.csv"; printf '124.00,37'; } > "$work/log.csv"
 is_right "a last line that is cut, below a header"
 { cat "$work/rows"; printf '124.00,37\n'; cat "$work/rows"; } > "$work/log.csv"
-refuses "a line that is cut in the middle is none at the end" 3 \
+refuses "a line cut in the middle is not one cut at the end" 3 \
     'log\.csv:12401: 2 columns, but line 1 has 4, separated by commas: correct the line, or delete it$' \
     calibrate "$work/log.csv"
 { cat "$work/rows"; printf '124.00,37,1,x\n'; } > "$work/log.csv"
@@ -173,7 +173,7 @@ refuses "a last line with a word is not cut" 3 "log\.csv:12401: column 4 \(z\): 
 { cat "$data/mpu9150_0_positions.csv"; printf '1,2'; } > "$work/log.csv"
 refuses "position means stay strict" 3 ': 2 columns, but line .* has' calibrate "$work/log.csv" --positions
 
-# ---- a rate that nobody states ----------------------------------------------------------------------
+# ---- a rate that is not stated ----------------------------------------------------------------------
 
 rate_log() { # HZ DWELL: 18 rests without times
     "$tool" simulate --rate "$1" --dwell "$2" | sed 1d | cut -d, -f2- > "$work/log.csv"
@@ -217,7 +217,7 @@ check "too few: what to do" says '; hold each position still for 3 s or longer$'
 run calibrate "$work/log.csv" --json
 check "too few: the JSON says the same" matches "$work/stdout" '"reason": "[34] positions are too few.*; found: line '
 
-# ---- files that are none ----------------------------------------------------------------------------
+# ---- files that are not tables ----------------------------------------------------------------------
 
 no_table() { # SENTENCE PATTERN BYTES
     printf "$3" > "$work/bad"
@@ -238,11 +238,11 @@ no_table "MAT" 'a MATLAB file: save the table' 'MATLAB 5.0 MAT-file, Platform'
 no_table "SQLite" 'an SQLite database' 'SQLite format 3\000'
 no_table "JSON" 'JSON: a table with one sample per line is needed' '{"offset": [1, 2, 3]}\n'
 printf '1,2,3\n\001\002\003\n' > "$work/bad"
-refuses "what is no text otherwise" 3 'not a text file; export the readings as CSV$' calibrate "$work/bad"
+refuses "other data that is not text" 3 'not a text file; export the readings as CSV$' calibrate "$work/bad"
 : > "$work/bad"
 refuses "an empty file" 3 'bad: is empty: was it copied whole\?$' calibrate "$work/bad"
 
-# ---- position means that are samples ----------------------------------------------------------------
+# ---- samples given as position means ----------------------------------------------------------------
 
 awk 'NR > 1 && NR % 12 == 0' "$work/plain.csv" | cut -d, -f2- > "$work/samples.csv"
 run calibrate "$work/samples.csv" --positions

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of what a calibration is filed under, and of one object on a line: record_test.sh path/to/invcal builddir
+# Tests of the record in a calibration, and of JSON with one object per line: record_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -63,7 +63,7 @@ planted "a day that does not exist" '"date" of "record" is not a date' 's/2026-1
 planted "an escape sequence" '"serial" of "record" is not plain' 's/0047/\\u001b[31m/'
 planted "a text that is too long" '"note" of "record" is too long' "s/on the bench/$(printf %0160d 1)/"
 
-# ---- one line for each -------------------------------------------------------------------------
+# ---- one line each -----------------------------------------------------------------------------
 
 # shellcheck disable=SC2086
 run $calibrate --json-lines
@@ -85,7 +85,7 @@ check "lines: a refusal is one line" refusal 1 'too few'
 run calibrate "$work/none.csv" --json-lines
 check "lines: an unreadable file is one line" refusal 3 unreadable
 check "lines: with the message" matches "$work/stdout" '"reason": "[^"]*none\.csv: cannot be read'
-refuses "lines: a mistake of the command line is none" 2 'its value is missing' calibrate "$log" --json-lines --serial
+refuses "lines: a usage error is not one line of JSON" 2 'its value is missing' calibrate "$log" --json-lines --serial
 run calibrate "$log" --json-lines --out "$work/laid.json"
 check "lines: the file of --out is laid out for people" matches "$work/laid.json" '^  "invcal": "[0-9.]*",$'
 

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Refusals: each is told by one line, by JSON and by a page that says the same, and leaves --out alone; the positions
-# that it asks for make a calibration: refusal_test.sh path/to/invcal builddir
+# Refusals: one line, the JSON and a page say the same, and --out is left alone; with the positions that it asks for,
+# there is a calibration: refusal_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -29,10 +29,10 @@ told() { # WORD ARGUMENTS
     next=$(text next)
     grep -Fq -- "$reason${next:+; $next}" "$work/stderr" || { echo "    $reason; $next" >&2; return 1; }
     words > "$work/words"
-    # a page begins its sentence with a large letter
+    # on the page the sentence begins with a capital letter
     grep -Fq -- "${reason#?}. Next: $next" "$work/words" && grep -q "✗ No calibration: $word " "$work/words" &&
         grep -q 'class="verdict bad"' "$page" || { head -c 600 "$work/words" >&2; return 1; }
-    # the rows of what is to be added are the JSON's, and so many targets are in the map
+    # the rows of positions to add are the JSON's, and the map has that many targets
     sed -n 's/^ *"words": "\(.*\)"$/\1/p' "$work/stdout" > "$work/add"
     sed -n '/<h2>Positions to add/,/<\/table>/p' "$page" | grep '^<tr><th scope="row"' |
         sed 's/^[^>]*>[^>]*>[a-z]<\/th><td class="text">\([^<]*\)<.*/\1/' | sed 's/−/-/g' > "$work/rows"
@@ -95,9 +95,9 @@ in=/dev/null
 check "refusal: watch makes one, too" shows 'No calibration: too few'
 check "refusal: its title" shows '^ Calibration of standard input'
 
-# ---- what is to be added is enough ---------------------------------------------------------------
+# ---- the positions to add are enough -------------------------------------------------------------
 
-# Directions taken and those of "add", measured by a simulated sensor: a calibration.
+# With the directions taken and those of "add", a simulated sensor gets a calibration.
 is_enough() { # VERDICT FILE-OF-DIRECTIONS [ARGUMENTS]
     verdict=$1
     taken=$2

@@ -3,7 +3,7 @@
 #
 # Tests of the page that calibrate --report writes: report_test.sh path/to/invcal builddir
 #
-# What it looks like is seen by tests/pages.sh, in a browser.
+# Its looks are checked by tests/pages.sh, in a browser.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -63,9 +63,9 @@ check "report: a noise that was not stated is not called stated" says_page \
     'noise 0\.000872 m/s² of a position mean, from the scatter'
 makes_page "MPU-9150" "$data/mpu9150_0_positions.csv" --positions --gravity 9.81
 
-# ---- the file that it was ------------------------------------------------------------------------
+# ---- the identity of the file --------------------------------------------------------------------
 
-# gzip knows the CRC-32 and the size of what it packs.
+# gzip stores the CRC-32 and the size of what it packs.
 gzip -c "$data/mpu9150_0_positions.csv" | tail -c 8 | od -An -tu1 > "$work/trailer"
 crc=$(awk '{ printf "%02x%02x%02x%02x", $4, $3, $2, $1 }' "$work/trailer")
 size=$(awk '{ print $5 + 256 * ($6 + 256 * ($7 + 256 * $8)) }' "$work/trailer")
@@ -113,7 +113,7 @@ rests_are_true() {
     } END { exit NR != 18 }'
 }
 check "report: each rest lies within the true one, with its temperature" rests_are_true
-# At rest the calibrated length is that of the field, to 15 pixels of 150; before it is not. Bands are rests.
+# At rest the calibrated length is that of the field, to 15 pixels of 150; uncalibrated it is not. Bands are rests.
 lengths_are_true() {
     sed -n '/<title>The log and the rests in it</,/<\/svg>/p; /<title>Length of the readings/,/<\/svg>/p' "$page" |
         tr '"' ' ' | awk '/<title>The log/ { log_pictures++ }
@@ -145,8 +145,8 @@ makes_page "a log with a pause" "$work/pause.csv"
 check "report: it says how the pause is drawn" says_page \
     '1 gap in the times; those of more than a minute are left out here\.'
 
-# A sensor that ends at 0.95 g, and nobody has said so. Its counts are too coarse for one to notice
-# that an axis at the end has no noise.
+# A sensor that clips at 0.95 g, which is not stated. Its counts are too coarse to notice that an axis
+# that clips has no noise.
 "$tool" simulate --plan per-group:6 --range 0.95 --lsb 0.006 > "$work/clipped.csv"
 makes_page "clipped readings" "$work/clipped.csv"
 check "report: positions that disagree confirm nothing" says_page \
@@ -154,7 +154,7 @@ check "report: positions that disagree confirm nothing" says_page \
 check "report: and the table gives a possible reason" matches "$work/stdout" \
     '^The residuals are [0-9]* times as large'
 
-# Which of them are wrong, four residuals as large as one another do not tell.
+# Four residuals of the same size do not show which positions are wrong.
 "$tool" simulate --plan per-group:5 --outliers 3 --seed 33 --noise 0.002 > "$work/doubt.csv"
 makes_page "outliers not to be told" "$work/doubt.csv"
 check "report: then the verdict is not good" says_page \
@@ -171,7 +171,7 @@ positions sphere 9 1 > "$work/nine-means.csv"
 makes_page "nine means, no noise known" "$work/nine-means.csv" --positions
 check "report: without a noise there is no ±" says_page 'There is no ±'
 
-# A prior far below what the noise lets the positions tell.
+# A prior far narrower than what the positions can determine with their noise.
 positions sphere 18 1 > "$work/prior.csv"
 makes_page "angles from a prior" "$work/prior.csv" --positions --zero 0,0,0 --lsb 1 --noise 0.1 \
     --prior 0.1,0.1,0.0001
@@ -230,9 +230,9 @@ makes_page "a name that is no UTF-8" "$work/icosahedron.csv" --positions --noise
 is_utf8() { iconv -f UTF-8 -t UTF-8 "$page" > "$work/converted" && same "$page" "$work/converted"; }
 check "report: the page is UTF-8 anyway" is_utf8
 
-# ---- to take away ---------------------------------------------------------------------------------
+# ---- to copy --------------------------------------------------------------------------------------
 
-# What stands in the boxes to copy, one behind the other.
+# The contents of the boxes to copy, one after the other.
 boxes() {
     awk '/<pre class="code"/ { on = 1 } on { print } /<\/pre>/ { on = 0 }' "$page" | sed 's/<[^>]*>//g' | plainly
 }
@@ -274,7 +274,7 @@ in=/dev/null
 check "report: then LOG stands for it" matches "$page" '>invcal apply .*out/cal\.json[^ ]* LOG &gt; calibrated\.csv</pre>'
 rm -f "$work/out/cal.json"
 
-# ---- nothing can be written (what is refused has a page of its own: refusal_test.sh) --------------
+# ---- nothing can be written (for pages of refusals see refusal_test.sh) ----------------------------
 
 echo old > "$work/out/cal.json"
 rm -f "$page"

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Everything that the tool prints as JSON against port/host/schema.json: schema.sh path/to/invcal builddir
-# Needs Debian's python3-jsonschema, so it is no part of `make test`. Prints a line for each check.
+# Checks all JSON of the tool against port/host/schema.json: schema.sh path/to/invcal builddir
+# Needs Debian's python3-jsonschema, so it is not part of `make test`. Prints a line for each check.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"

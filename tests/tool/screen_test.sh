@@ -19,7 +19,7 @@ cp "$work/stdout" "$work/plain"
 check "no escapes, no bells where there is no terminal" lacks "$work/plain" "$escape|$bell"
 check "but the lines" matches "$work/plain" '^next: '
 
-# All that a terminal of this size gets to see is in $work/typed.
+# Everything that a terminal of this size receives is in $work/typed.
 size='rows 24 cols 80'
 terminal() { # terminal COMMAND: for a shell, in which $tool is invcal
     PATH=$work/bin:$PATH script -qec "stty $size; $1" /dev/null < /dev/null > "$work/typed"
@@ -46,11 +46,11 @@ frames() {
         }'
 }
 count() { grep -ao "$1" "$work/typed" | wc -l; }
-# Lines of frames that are wider than so many columns; a byte that continues a character has none.
+# Lines of frames that are wider than that many columns; a byte that continues a character has none.
 wider_than() {
     cat "$work/frames"/* | LC_ALL=C awk -v most="$1" '{ gsub(/[\200-\277]/, "") } length($0) > most' | wc -l
 }
-# Whatever comes behind the last frame, the cursor is there and colours are off.
+# After the last frame the cursor is visible and colours are off.
 is_restored() {
     [ "$(count "$escape\[?25l")" -gt 0 ] && [ "$(count "$escape\[?25l")" -eq "$(count "$escape\[?25h")" ] &&
         tr -d '\r' < "$work/typed" | LC_ALL=C awk -v escape="$escape" '
@@ -120,14 +120,14 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
         /^(HOLD STILL|MOVE ON)/ { if (going) moves++; if (going && first > 40 && first < 95 && last < 24) right++; going = 0 }
         END { exit !(moves == 17 && right == 17) }' "$work/frames"/*
 
-    # Where the device points, in words, in frames that say MOVE ON: what it was carried through.
+    # The orientations that the device was carried through, in words, from frames that say MOVE ON.
     printf '%s\n' x,y,z 1,0,0 0,-1,0 0,0,1 -1,0,0 0,1,0 0,0,-1 > "$work/faces.csv"
     "$tool" simulate --plan directions:"$work/faces.csv" --zero 33000,32800,32500 > "$work/turned.csv"
     terminal 'invcal watch "$work/turned.csv" --zero 33000,32800,32500'
     frames
     check "the present orientation is the true one" test "+x -y +z -x +y -z " = \
         "$(cat "$work/frames"/* | awk '/^MOVE ON/ { on = 1 } /^@ now/ && on { on = 0; if ($3 != was && $4 == "up" && NF == 4) printf "%s ", was = $3 }')"
-    # A rest that creeps is nothing to be used.
+    # A rest that drifts cannot be used.
     awk -F, -v OFS=, 'NR > 60 && NR < 500 { $2 += (NR - 60) * 5 } { print }' "$work/edges.csv" > "$work/creep.csv"
     head -n 600 "$work/creep.csv" > "$work/creeps.csv"
     run watch "$work/creeps.csv"
@@ -135,7 +135,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     check "what is refused is reported" matches "$work/typed" 'NOT GOOD.*it drifts'
     check "and rings the bell" test "$(count "$bell")" -eq "$(grep -c '^refused:' "$work/stdout")"
 
-    # With a gyroscope it tells turns, and which move does not count.
+    # With a gyroscope it asks for turns, and shows which move does not count.
     "$tool" simulate --gyro --plan edges --dwell 3 | awk -F, -v OFS=, '
         NR > 1 { for (i = 5; i <= 7; i++) $i = $i > 9000 ? 9000 : $i < -9000 ? -9000 : $i } { print }' > "$work/turned.csv"
     terminal 'invcal watch "$work/turned.csv"'
@@ -145,7 +145,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
         'Position 5 taken: the move from position 1 to 2 is refused: at the end' "$work/frames"/*
     check "turns: frames are as wide as before" test "$(wider_than 79)" -eq 0
 
-    # It is no screen everywhere.
+    # Where there is no screen.
     terminal 'invcal watch "$work/edges.csv" --quiet'
     check "--quiet: nothing" is_empty "$work/typed"
     terminal 'invcal watch "$work/edges.csv" --json > "$work/json"'
@@ -161,7 +161,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     done
     size='rows 24 cols 80'
 
-    # Ctrl-C and SIGTERM end it with the result; a second one at once.
+    # Ctrl-C and SIGTERM end it with the result; a second signal ends it at once.
     mkfifo "$work/port"
     interrupt() { # SIGNAL
         rm -f "$work/pid"
@@ -181,7 +181,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     interrupt KILL
     check "KILL: even then the terminal is as it was" is_restored
 
-    # A window that is made too small says so, and is drawn again when it is large.
+    # A window that is too small says so, and is redrawn when it is large enough.
     rm -f "$work/pid"
     terminal 'echo $$ > "$work/pid"; tty > "$work/tty"; exec invcal watch - < "$work/port"' &
     exec 3> "$work/port"

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of what the sensor was to read: by --sensor, by the unit, or by nothing at all; then no number is
-# told that would mean nothing. sensor_test.sh path/to/invcal builddir
+# Tests of the nominal sensor: from --sensor, from the unit, or unknown; then no meaningless number is
+# printed. sensor_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -15,7 +15,7 @@ says_page() { words | grep -Eq -- "$1" || { { words | head -c 600; echo; } >&2; 
 says_not() { ! words | grep -Eq -- "$1"; }
 made() { "$tool" simulate --plan edges "$@" > "$work/log.csv"; } # made OPTIONS ...: a log
 
-# JSON on one line each: offset, matrix, sigma ... of the run.
+# Members of the run's JSON, a line each: offset, matrix, sigma ...
 member() { json "$work/stdout" "$1"; }
 nominal() { # nominal MEMBER: one of nominal
     sed -n '/^  "nominal": {/,/^  }/p' "$work/stdout" | sed -n "s/^    \"$1\": \(.*[^,]\),*\$/\1/p"
@@ -114,7 +114,7 @@ compares "mg by header" unit "$work/unit.csv"
 
 # ---- data sheets --------------------------------------------------------------------------------
 
-# Counts a g as the sheets have them: NAME COUNTS, what of the truth is beyond
+# Counts per g as in the data sheets: NAME COUNTS, and which true values are beyond its limits
 while read -r name counts beyond; do
     made --lsb "$(awk -v c="$counts" 'BEGIN { printf "%.17g", 9.80665 / c }')"
     compares "$name" sensor "$work/log.csv" --sensor "$name"
@@ -213,7 +213,7 @@ check "at a stand: JSON has no deviations" [ "$(grep -c '"d[ek][a-z]*": \[null' 
 run calibrate "$work/stand.csv" --stand --zero 0,0,0 --lsb 0.0005
 check "at a stand, and a nominal: all of it" matches "$work/stdout" '^group 1 +[-+][0-9.]+e'
 
-# ---- what it cannot be ----------------------------------------------------------------------------
+# ---- refusals --------------------------------------------------------------------------------------
 
 made
 echo old > "$work/out/cal.json"

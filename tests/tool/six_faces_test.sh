@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Six faces, which tell no angles: six_faces_test.sh path/to/invcal builddir. The simulated sensor has
-# the offsets 0.02 -0.015 0.03 g, the scale errors 0.01 -0.008 0.012, the angles 0.01 -0.006 0.008 rad.
+# Six faces, which determine no angles: six_faces_test.sh path/to/invcal builddir. The simulated sensor has
+# offsets 0.02 -0.015 0.03 g, scale errors 0.01 -0.008 0.012, angles 0.01 -0.006 0.008 rad.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -124,7 +124,7 @@ run calibrate "$log" --six-faces --prior 0,0,0.02 --json
 check "six faces: another data sheet" near 2e-4 0.171914 "$(member length95)"
 "$tool" simulate --plan edges --seed 3 > "$work/edges.csv"
 "$tool" calibrate "$work/edges.csv" --out "$work/before.json" --quiet
-# The first row beside the diagonal, about 3e-6 and 2e-6.
+# The first row off the diagonal, about 3e-6 and 2e-6.
 beside_diagonal() { sed -n '/^  "matrix"/{n;s/^ *\[[^,]*, \(.*\)\],$/\1/p;q;}' "$1" | tr ',' ' '; }
 run calibrate "$log" --six-faces --nominal "$work/before.json" --json
 check "six faces: the angles of an earlier calibration stay as they were" near 1e-9 \
@@ -132,7 +132,7 @@ check "six faces: the angles of an earlier calibration stay as they were" near 1
 run calibrate "$log" --six-faces --nominal "$work/before.json"
 check "six faces: and it says so" matches "$work/stdout" 'in the earlier calibration, ±0\.57'
 
-# ---- what does not do ----------------------------------------------------------------------------
+# ---- refusals --------------------------------------------------------------------------------------
 
 set_of 0,0,1 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 > "$work/z_up.csv"
 # shellcheck disable=SC2086

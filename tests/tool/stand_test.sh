@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# What the angles of a stand tell, file by file: stand_test.sh path/to/invcal builddir. Simulated stands
+# What the angles of a stand show, file by file: stand_test.sh path/to/invcal builddir. Simulated stands
 # with each of the troubles of port/manual/errors.md, "The stand"; five files of each.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
@@ -17,7 +17,7 @@ make_file() { # TROUBLE SEED [plain=1 ...]
 }
 calibrate() { run calibrate "$@" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --gravity 9.80665; }
 
-# each TROUBLE PATTERN [OPTIONS]: five files are called that, and are still good
+# each TROUBLE PATTERN [OPTIONS]: five files get that message, and are still good
 each() {
     trouble=$1
     pattern=$2
@@ -174,7 +174,7 @@ check "stand: at rest a centre of rotation that is 0.3 m off does nothing" log o
 
 # ---- the table of the manual ---------------------------------------------------------------------------
 
-# What a row of errors.md, "The stand", quotes is printed, in this order; "nothing" is no word of the stand's.
+# What a row of errors.md, "The stand", quotes is printed, in this order; "nothing" means no message about the stand.
 sed -n '/^### The stand/,/^### The clock/p' "$here/../../port/manual/errors.md" | grep '^| ' | sed 1d > "$work/rows"
 row() { # TROUBLE CODE ARGUMENTS ...: the first cell, and what calibrate is called with
     row=$(grep -F "| $1 |" "$work/rows")

@@ -16,7 +16,7 @@ sensor() { # sensor STATIONS SEED [WRONG]: position means, noise 1e-4 g
         -f "$here/thermal.awk" "$reference"
 }
 
-# Zero and scale as they are: what is found is what the sensor has.
+# Zero 0 and scale 1, so that the results are the sensor's errors.
 fit() { # fit FILE ARGUMENTS ...
     file=$1
     shift
@@ -92,7 +92,7 @@ done
 sensor -20,25,70 9 4,5,40 > "$work/three.csv"
 fit "$work/three.csv" --thermal 1 --json
 check "three that are wrong do not hide one another" near 0 "$(json "$work/stdout" rejected)" 4,5,40
-# All by the same length: its error is told beside the good ones, not beside the other two.
+# All by the same length: the error of each is relative to the good ones, not to the other two.
 fit "$work/three.csv" --thermal 1
 check "and the error of each is reported" near 0.05 \
     "$(sed -n 's/^Left out: .*off by \([0-9.-]*\) % of the field$/\1/p' "$work/stdout" | tr '\n' ' ')" \
@@ -100,7 +100,7 @@ check "and the error of each is reported" near 0.05 \
 fit "$work/wrong.csv" --thermal 1 --keep-all --json
 check "--keep-all keeps it" lacks "$work/stdout" '"rejected": \[.+\]'
 
-# ---- what tells no slopes -----------------------------------------------------------------------
+# ---- without slopes -----------------------------------------------------------------------------
 
 falls_back() { # STATIONS REASON
     sensor "$1" 7 > "$work/few.csv"
@@ -182,7 +182,7 @@ sed 's/,temperature$//; s/,70$//' "$work/edge.csv" > "$work/expected.csv"
 check "which does the same as the column" same "$work/expected.csv" "$work/stdout"
 refuses "a calibration without slopes has no use for one" 2 '--temperature: .*--thermal' \
     apply "$work/nine.json" "$work/bare.csv" --temperature 70
-# Between two temperatures: a log of which each line has its own.
+# Between two temperatures: a log in which each line has its own.
 sed -n '1p; 2,55{p;}' "$work/positions.csv" | awk -F, 'NR == 1 { print; next }
     { line[++n] = $0 } END { for (i = 0; i < n; i++) print line[1 + 19 * i % n] }' > "$work/mixed.csv"
 run apply "$work/thermal.json" "$work/mixed.csv"
@@ -195,7 +195,7 @@ for damage in 's/"span": [0-9.]*/"span": 0/' '/"least"/d' 's/"degree": 1/"degree
         apply "$work/damaged.json" "$work/at.csv"
 done
 
-# ---- other commands take the file, too ----------------------------------------------------------
+# ---- other commands read the file, too ----------------------------------------------------------
 
 run export "$work/thermal.json" --format c-arrays
 check "export says at which temperature it holds" warns 'terms are not exported; .* 25 °C'
@@ -228,7 +228,7 @@ check "noise of the thermometer is not drift" near 0 "$(json "$work/steps.json" 
 run watch "$work/steps.csv" --thermal 1 --json
 check "watch finds the same" same "$work/stdout" "$work/steps.json"
 
-# ---- what it says where --thermal was not asked -------------------------------------------------
+# ---- what it says without --thermal -------------------------------------------------------------
 
 fit "$work/positions.csv"
 check "residuals that depend on temperature are reported" prints \

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of calibrate and apply from outside: tool_test.sh path/to/invcal builddir
+# Tests of calibrate and apply by the command line: tool_test.sh path/to/invcal builddir
 # Needs a POSIX shell, coreutils, awk and sed. Prints a line for each check.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
@@ -126,7 +126,7 @@ reference() {
         'grep -A3 "\"matrix\"" "$1" | awk "NR == 3 && \$1 != \"[0,\" || NR == 4 &&
             (\$1 != \"[0,\" || \$2 != \"0,\") { exit 1 }"' sh "$work/stdout"
 }
-# As tests/reference/reference.py has it; those in m/s^2 with zero 0 and scale 1 in place of its nominal().
+# From tests/reference/reference.py; those in m/s^2 with zero 0 and scale 1 in place of its nominal().
 reference xsens_mti 9.81744 '33123.83073 33275.15503 32364.49374' 0.000006 \
     99.857e-6 0.0006e-6 214.43e-6 0.006e-6 rough
 reference mpu9150_0 9.81 '0.1024225 0.0969186 0.3443504' 0.00000006 \
@@ -202,7 +202,7 @@ done
 check "the JSON has no source without a prior" lacks "$work/cal.json" '"source"'
 check "the JSON has no NaN or infinity" sh -c '! grep -Eiq "nan|inf[^o]" "$1"' sh \
     "$(sed '/"invcal"/d' "$work/cal.json" > "$work/numbers"; echo "$work/numbers")"
-# of 38 hand-held positions 16 are further than 5 degrees from all before them
+# of 38 hand-held positions 16 are more than 5 degrees from all previous ones
 check "degrees of freedom are directions less nine" \
     [ "$(json "$work/cal.json" degrees_of_freedom)" = 7 ]
 check "residual_worst counts from one" sh -c '
@@ -217,7 +217,7 @@ accepts "--out writes a file" calibrate "$data/xsens_mti_positions.csv" --positi
 check "--out writes the same as --json" same "$work/saved.json" "$work/cal.json"
 check "the table says where it was saved" grep -Fq "Saved in $work/saved.json" \
     "$work/stdout"
-# In its folder, as the path to there may have a blank or a quote itself.
+# In its folder, as the path to it may contain a blank or a quote.
 saves() { # NAME: prints the command behind `Next:`
     (cd "$work" && "$tool" calibrate xsens.csv --positions --out "$1" --report odd.html) |
         sed -n 's/^Next: correct readings with: invcal //p'
@@ -234,14 +234,14 @@ check "both hold the same" same "$work/saved.json" "$work/stdout"
 run calibrate "$work/xsens.csv" --positions --gravity 9.81744 --json
 check "without std and n the same parameters come out" near 0 "$(json "$work/stdout" offset)" \
     "$(json "$work/cal.json" offset)"
-# rms over positions and axes of std lsb / sqrt(n), by hand
+# rms over positions and axes of std lsb / sqrt(n), computed here
 by_hand=$(awk -F, 'NR > 1 { for (i = 4; i <= 6; i++) { s += ($i * 0.0024) ^ 2 / $7 / 3 } }
     END { printf "%.3g", sqrt(s / (NR - 1)) }' "$data/xsens_mti_positions.csv")
 run calibrate "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --lsb 0.0024
 check "the noise from std and n is as computed by hand" matches "$work/stdout" "\(of samples: $by_hand\)"
 run calibrate "$work/xsens.csv" --positions --gravity 9.81744 --json
 observed=$(json "$work/stdout" noise)
-# As four residuals beside 29; but what is ten times of what they show is not believed.
+# It counts as four residuals with 29 others; but one that is ten times what they show is not believed.
 noise_of() { # TIMES EXPECTED: times what is observed
     run calibrate "$work/xsens.csv" --positions --gravity 9.81744 --json \
         --noise "$(awk -v n="$observed" "BEGIN { print $1 * n }")"
@@ -374,7 +374,7 @@ stated "one std may stand for all axes" "$work/f2"
 { echo 'x,y,z,std_x,n'; cat "$f"; } > "$work/f2"
 run calibrate "$work/f2" --positions
 check "std_x alone gives no noise" lacks "$work/stdout" stated:
-# x, y and z have a noise of their own scale
+# x, y and z have noise in proportion to their own scales
 run calibrate "$n7" --positions --lsb 0.0048,0.0012,0.0024
 check "the noise of each axis counts with its scale" matches "$work/stdout" "of samples: $(awk -F, '
     NR > 1 { s += (($4 * 0.0048) ^ 2 + ($5 * 0.0012) ^ 2 + ($6 * 0.0024) ^ 2) / $7 / 3 }

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of `--units ins`: figures in micro-g, ppm and arcsec are those of the JSON, of the default units by
-# exact factors, of closed forms: units_test.sh path/to/invcal builddir
+# Tests of `--units ins`: figures in micro-g, ppm and arcsec agree with the JSON, with the default units by
+# exact factors, and with closed forms: units_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -21,7 +21,7 @@ number() { # number FIELD INDEX FACTOR SIGMA
         index($0, field) && inside == sigma { sub(/.*\[/, ""); sub(/\].*/, ""); split($0, v, /, */)
             printf "%.9f\n", factor * v[n]; exit }' "$work/result.json"
 }
-# So many digits as are told are right: half a unit of the last place.
+# All digits that are printed are right: to half a unit of the last place.
 agrees() { # agrees TOLD TRUE
     awk -v told="$1" -v true="$2" 'BEGIN {
         places = match(told, /\./) ? length(told) - RSTART : 0
@@ -33,7 +33,7 @@ both_agree() { # both_agree LABEL FIELD INDEX FACTOR
     agrees "$(figure "$1" "$work/ins" | cut -d ' ' -f 1)" "$(number "$2" "$3" "$4" 0)" &&
         agrees "$(figure "$1" "$work/ins" | cut -d ' ' -f 2)" "$(number "$2" "$3" "$4" 1)"
 }
-# A figure in the default units times a factor, to the digits that those have.
+# A figure in the default units times a factor, to the digits of both.
 factor() { # factor LABEL FACTOR
     awk -v a="$(figure "$1" "$work/everyday" | cut -d ' ' -f 1)" -v f="$2" \
         -v b="$(figure "$1" "$work/ins" | cut -d ' ' -f 1)" 'BEGIN {

@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# What the tool calls a calibration, file by file: verdict_test.sh path/to/invcal builddir. Ten
-# files of each trouble; the verdict, its cause, and what becomes of the parameters.
+# The tool's verdicts, file by file: verdict_test.sh path/to/invcal builddir. Ten files of each trouble;
+# the verdict, its cause, and the parameters.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# files TROUBLE: $work/TROUBLE.1 ... and what is said of each, .said and .json
+# files TROUBLE: $work/TROUBLE.1 ... and the output for each, .said and .json
 files() {
     for seed in 1 2 3 4 5 6 7 8 9 10; do
         file=$work/$1.$seed
@@ -110,7 +110,7 @@ run calibrate "$work/wrong.1" --positions --zero 0,0,0 --lsb 1 --noise 0.0009806
 check "l1: not where they were kept" matches "$work/stdout" 'it contradicts'
 run calibrate "$work/wrong.1" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --robust --keep-all --json
 check "l1: nor in JSON" matches "$work/stdout" '"answer": "contradicts"'
-# Of offsets 10 mg, which the two wrong ones pull elsewhere, the l1 estimate is near the truth.
+# The two wrong ones pull offsets by 10 mg, but the l1 estimate stays near the truth.
 l1_of() { sed -n '/^  "robust"/,/^  }/s/.*"delta": \[\(.*\)\].*/\1/p' "$work/stdout" | tr -d ,; }
 check "l1: and is right itself" near 0.001 '0.03 -0.02 0.01' "$(l1_of)"
 run calibrate "$work/none.1" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --robust --json
@@ -136,10 +136,10 @@ refuses "nonlinearity: not over temperature" 2 '--quadratic: cannot be combined 
 refuses "l1: nine parameters only" 2 '--robust: needs nine free parameters: leave out --cubic;' \
     calibrate "$work/none.1" --positions --robust --cubic
 
-# ---- nonlinearity, taken off -----------------------------------------------------------------------------
+# ---- nonlinearity, corrected -----------------------------------------------------------------------------
 
-# What a sensor of known errors reads where it feels x y z, in counts: zero + 16384 ((I + S) eta + delta +
-# q eta^2 + c eta^3); and what it feels, m/s^2.
+# The readings of a sensor with known errors in a field x y z, in counts: zero + 16384 ((I + S) eta + delta +
+# q eta^2 + c eta^3); and the field, m/s^2.
 bent() { # bent FILE TIMES
     awk -v times="$2" 'BEGIN { split("0.03 -0.02 0.01 0.02 -0.03 0.01 0.008 0.004 -0.02", X)
             split("0.01 -0.02 0.015", q); split("-0.012 0.02 0.01", c) }
@@ -155,8 +155,8 @@ verticals() { "$tool" plan "$@" --json | sed -n 's/^ *"vertical": \[\(.*\)\],*$/
 verticals --per-group 8 > "$work/program"
 verticals --optimal 40 > "$work/unseen"
 bent program 1 > "$work/bent.csv"
-# The largest error of what apply makes of readings at TIMES the field, of directions or, with a 1, of lengths
-# only; over the field.
+# The largest error after apply, over the field, of readings at TIMES the field: of vectors or, with a 1, only of
+# lengths.
 worst() { # worst CAL TIMES [LENGTHS]
     bent unseen "$2" > "$work/readings.csv"
     run apply "$1" "$work/readings.csv"
@@ -178,7 +178,7 @@ known="--zero 32768,32768,32768 --lsb 0.000598550415"
     run calibrate "$work/bent.csv" --positions --cubic --out "$work/free.json" --quiet
 }
 check "nonlinearity: without it readings are 1 % wrong" below 0.01 "$(worst "$work/linear.json" 1)"
-# What is left is what the fit leaves (it is right to 1e-6); that apply adds nothing test_nonlinear_correction tells.
+# The fit is right to 1e-6; test_nonlinear_correction shows that apply adds nothing to that.
 for at in 1 0.5; do
     check "nonlinearity: apply corrects it, at $at of the field" below "$(worst "$work/symmetric.json" $at)" 2e-6
     check "nonlinearity: in the frame of the stand, too, at $at" below "$(worst "$work/stand.json" $at)" 2e-6
@@ -203,7 +203,7 @@ done
 
 # ---- good enough? ------------------------------------------------------------------------------------
 
-# What lengths are right within, from the sigma in the file; those of dk hold the field's already.
+# The accuracy of lengths, from the sigma in the file; that of dk includes the field's already.
 accuracy() {
     awk -F'[][,:]' '/"sigma"/ { on = 1 } /"interval95"/ { wide = $2 } /"gravity":/ { g = $2 } /"gravity_sigma"/ { f = $2 }
         on && /"(delta|dk|gamma)"/ { for (i = 3; i <= 5; i++) square[$1] += $i * $i }
@@ -267,7 +267,7 @@ log() { # LARGEST ARGUMENTS...
     done
 }
 check "verdict: a hand's tremor is in the noise of its rests" log 4 --tremor 0.003
-# One step is 4 mg, the noise 0.3 mg: no mean of a rest is better than about a quarter of a step.
+# One step is 4 mg, the noise 0.3 mg: the mean of a rest is no better than about a quarter of a step.
 LSB=0.04
 check "verdict: and so are the steps of a coarse sensor" log 0.2 --lsb 0.04 --noise 0.0003
 finish

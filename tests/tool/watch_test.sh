@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of following a program by `watch --plan`, with logs in which positions are exchanged, left out,
-# repeated or turned elsewhere: watch_test.sh path/to/invcal builddir
+# Tests of following a program with `watch --plan`, with logs in which positions are exchanged, left out,
+# repeated or elsewhere: watch_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# The positions of a set as x y z, in lines.
+# The positions of a set, a line x y z each.
 "$tool" plan > "$work/table"
 awk '$2 ~ /^[123]$/ && NF == 7 { print $5, $6, $7 }' "$work/table" > "$work/all"
 check "the program has 18" test "$(wc -l < "$work/all")" -eq 18
@@ -25,7 +25,7 @@ follow() { # follow SET FILE OPTIONS
 line() { sed -n "$1" "$work/stdout"; }
 asked() { sed -n 's/^next: position \([0-9]*\) of .*/\1/p' "$work/stdout" | tr '\n' ' '; }
 
-# ---- as it is asked for ------------------------------------------------------------------------
+# ---- as instructed -----------------------------------------------------------------------------
 
 follow per-group:6 "$work/all"
 check "each position is asked for in turn" test "$(asked)" = "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 "

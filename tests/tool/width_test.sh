@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests that nothing the tool prints for people is wider than the terminal, and that a help is one
-# screen. width_test.sh path/to/invcal builddir
+# Tests that nothing that the tool prints for people is wider than the terminal, and that help fits on
+# one screen. width_test.sh path/to/invcal builddir
 # JSON, CSV and generated sources are not for people.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
@@ -128,7 +128,7 @@ for name in xsens_mti mpu9150_0 mpu9150_1 t265; do
     fits calibrate data/${name}_positions.csv --positions
     fits calibrate data/${name}_positions.csv --positions --units ins --keep-all --need 0.001
 done
-# A refusal prints nothing for people but its line on stderr.
+# A refusal prints for people only its line on stderr.
 run calibrate data/xsens_mti_positions.csv
 check "a refusal prints nothing on stdout" was_refused 1 'no rest'
 
@@ -170,7 +170,7 @@ fits watch edges.csv --plan edges --mean-sigma 0.001
 fits watch edges.csv --plan optimal:18
 fits watch stand.csv --allan noise.json --mean-sigma 0.001
 
-# A command to be copied is not cut in two, or with a backslash.
+# A command to be copied is not broken, or only with a backslash.
 run_in 60 calibrate edges.csv --out calibration_of_the_left_unit.json
 check "a command has a line of its own" matches "$work/stdout" \
     '^  invcal apply calibration_of_the_left_unit\.json LOG$'
@@ -196,7 +196,7 @@ check "fewer than 60 are 60" is_as 20 sixty
 for senseless in 0 -5 wide 80x 99999999999; do
     check "COLUMNS=$senseless is ignored" is_as $senseless eighty
 done
-# A terminal tells its own width.
+# A terminal has its own width.
 # shellcheck disable=SC2016 # for the shell inside
 if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 < /dev/null; then
     export tool
