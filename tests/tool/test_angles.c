@@ -68,8 +68,8 @@ static void quarters_of_a_turn_are_exact(void)
     }
 }
 
-/* A vector of the unit is turned as the direction demands: what it has of up is its product with eta, its length
- * stays, x with beta = 0 keeps its place, and the axes are not mirrored. */
+/* A vector of the unit is turned as the direction requires: its component along up is its product
+ * with eta, its length stays, x with beta = 0 stays in place, and the axes are not mirrored. */
 static void the_unit_turns_as_its_directions_tell(void)
 {
     static const double axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -135,7 +135,7 @@ static void of_the_two_pairs_the_nearer_is_found(void)
             angles_direction(alpha, beta, up);
             const stand_angles a = angles_near(up, near);
             TEST_ASSERT_DOUBLE_WITHIN(1e-9, 0, angles_turn(alpha, a.alpha));
-            if (alpha % 180 != 0) { /* else beta turns nothing */
+            if (alpha % 180 != 0) { /* otherwise beta turns nothing */
                 TEST_ASSERT_DOUBLE_WITHIN(1e-9, 0, angles_turn(beta, a.beta));
             } else {
                 TEST_ASSERT_DOUBLE_WITHIN(1e-9, near.beta, a.beta);

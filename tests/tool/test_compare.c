@@ -90,7 +90,7 @@ static void nine_are_lengths_and_angles_of_the_axes(void)
     double g[3][3];
 
     set_axes(length, gamma, g);
-    for (int k = 0; k < 5; k++) { /* whichever way the result is turned */
+    for (int k = 0; k < 5; k++) { /* however the result is turned */
         const invcal_calibration c = calibration_of(g, 0.1 * k);
         compare_nine(&file, &c, &before);
         expect_nine(length, gamma);
@@ -123,7 +123,7 @@ static void an_axis_may_be_turned_round(void)
     invcal_calibration c = calibration_of(g, 0);
     compare_nine(&file, &c, &before);
     expect_nine(length, seen);
-    strcpy(file.frame, "stand"); /* where its sign says nothing */
+    strcpy(file.frame, "stand"); /* where its sign means nothing */
     compare_nine(&file, &c, &before);
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1200, before.x[INVCAL_DK_Y]);
     TEST_ASSERT_DOUBLE_WITHIN(1e-13, -0.01, before.x[INVCAL_GAMMA_XY]);
@@ -252,7 +252,7 @@ static double chi_square(random_source *random, unsigned dof)
     return sum;
 }
 
-/* Nine that have not changed, with sigma as residuals tell it: 5 % of cases or a little less. */
+/* Nine unchanged parameters, with sigma from residuals: 5 % of cases or slightly less. */
 static void drift_is_seldom_told_by_chance(void)
 {
     random_source random = random_start(1);
@@ -275,7 +275,7 @@ static void drift_is_seldom_told_by_chance(void)
 
 /* ---- fleet ------------------------------------------------------------------------------------- */
 
-/* Rosner's 54 figures; at 5 % three of them are outside, though the first is not by itself. */
+/* Rosner's 54 figures; at 5 % three are outliers, though the first alone is not. */
 static void rosners_example_has_three(void)
 {
     static const double x[54] = {-0.25, 0.68, 0.94, 1.15, 1.20, 1.26, 1.26, 1.34, 1.38, 1.43, 1.49,
@@ -364,7 +364,7 @@ static void one_that_is_off_is_outside(void)
     make_fleet();
     item[13].x[INVCAL_DK_Y] += 60;
     item[4].x[INVCAL_GAMMA_ZY] -= 60;
-    item[9].x[INVCAL_DELTA_X] += 60; /* and is known so badly that this says nothing */
+    item[9].x[INVCAL_DELTA_X] += 60; /* and is known so poorly that this means nothing */
     item[9].sigma[INVCAL_DELTA_X] = 40;
     TEST_ASSERT_TRUE(compare_fleet_find(&fleet));
     for (unsigned k = 0; k < FLEET; k++) {

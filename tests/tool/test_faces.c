@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What angles that are held do to lengths, and to intervals.
+ * How angles that are held affect lengths and intervals.
  */
 #include <math.h>
 #include <string.h>
@@ -51,7 +51,7 @@ static void one_angle_costs_most_on_its_edge(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-7, NORMAL * 0.01 / 2, e.most);
 }
 
-/* On a corner an offset is seen by 1/sqrt(3), an angle by 1/3. */
+/* In a corner an offset counts by 1/sqrt(3), an angle by 1/3. */
 static void an_interval_widens_what_is_estimated_only(void)
 {
     const double offset = 3e-3;
@@ -73,7 +73,7 @@ static void an_interval_widens_what_is_estimated_only(void)
                               uncertainty_half(&u, corner, T4, 0x1FF));
 }
 
-/* Parameters that belong together take their covariance with them. */
+/* Correlated parameters count with their covariance. */
 static void what_is_held_together_counts_together(void)
 {
     uncertainty u = {.unit = 1};

@@ -25,7 +25,7 @@ static void equator_45_degrees_and_poles_are_those_of_wgs84(void)
     TEST_ASSERT_DOUBLE_WITHIN(0, gravity_at(33, 0), gravity_at(-33, 0));
 }
 
-/* The reference takes the gradient of the potential of the rotating ellipsoid itself. */
+/* The reference differentiates the potential of the rotating ellipsoid. */
 static void latitudes_and_heights_agree_with_the_field_of_the_ellipsoid(void)
 {
     const unsigned count = sizeof expected_gravity / sizeof *expected_gravity;

@@ -36,7 +36,7 @@ static fit_settings settings_of(double noise)
     return s;
 }
 
-/* What a triad reads in N positions a group whose axes have these errors too. */
+/* The readings of a triad with these errors, too, in N positions per group. */
 static unsigned measure(random_source *random, const triad_truth *truth, unsigned per_group,
                         unsigned degree, double noise)
 {
@@ -117,7 +117,7 @@ static void without_noise_it_is_exact(void)
     }
 }
 
-/* Of all parameters: the spread is that told. */
+/* For all parameters: the spread is as stated. */
 static void sigma_is_honest(void)
 {
     const fit_settings settings = settings_of(SIGMA);
@@ -170,8 +170,7 @@ static void what_the_positions_do_not_tell_is_refused_by_name(void)
                           nonlinearity_fit(raw, 16, &settings, 3, &s, &q, out, sigma));
     TEST_ASSERT_DOUBLE_WITHIN(0, 7, out[0]);
     TEST_ASSERT_EQUAL_UINT(18, count);
-    for (unsigned i = 0; i < 20;
-         i++) { /* corners and edges: x takes three sizes, so x and x^3 are one */
+    for (unsigned i = 0; i < 20; i++) { /* corners and edges */
         const double f = i < 8 ? sqrt(1 / 3.0) : sqrt(0.5);
         const unsigned axis = (i - 8) / 4 % 3;
         for (unsigned a = 0; a < 3; a++) {
@@ -180,7 +179,7 @@ static void what_the_positions_do_not_tell_is_refused_by_name(void)
         }
     }
     TEST_ASSERT_TRUE(nonlinearity_judge((const double(*)[3])directions, NULL, 20, 2, &p, NULL));
-    for (unsigned i = 0; i < 20; i++) { /* z only up: z^3 and z are one */
+    for (unsigned i = 0; i < 20; i++) { /* z only up: z^2 and z are alike */
         directions[i][2] = 0.6;
         directions[i][0] = 0.8 * cos(i);
         directions[i][1] = 0.8 * sin(i);

@@ -42,7 +42,7 @@ static void a_round_trip_shows_a_drift_as_well_as_can_be(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1, order_hides_drift((const double(*)[3])v, NULL, 24));
 }
 
-/* Nine equations are solved by nine parameters, whatever drifts. */
+/* Nine equations have a solution in nine parameters, whatever drifts. */
 static void nine_positions_hide_a_drift(void)
 {
     double v[9][3];
@@ -51,7 +51,7 @@ static void nine_positions_hide_a_drift(void)
     TEST_ASSERT_TRUE(isinf(order_hides_drift((const double(*)[3])v, NULL, 9)));
 }
 
-/* The figure of the judgement's design for the program as the paper prints it: 1.39. */
+/* The figure for the program as the paper prints it: 1.39. */
 static void the_program_of_the_paper_shows_it_to_1_39(void)
 {
     TEST_ASSERT_DOUBLE_WITHIN(0.005, 1.39, order_hides_drift(expected_plan18, NULL, 18));

@@ -79,8 +79,8 @@ static void no_position_of_stand_12_is_on_an_axis(void)
 
 /* ---- bounds ---- */
 
-/* The errors that a bound is for: of each position, E times the sign of its element of H+. Least squares
- * of them, by elimination, are wrong by the bound. */
+/* The errors that attain a bound: in each position, E times the sign of its element of H+. Least
+ * squares with them, by elimination, are wrong by the bound. */
 static void a_bound_is_reached_by_the_errors_that_it_is_for(void)
 {
     double bound[NINE];

@@ -65,7 +65,7 @@ static void what_is_near_none_is_nowhere(void)
     (void)program_find(&followed, nothing); /* no direction: any answer, but no harm */
 }
 
-/* Steps of 2.5 degrees are less than a stand and unknown offsets may turn a direction by. */
+/* Steps of 2.5 degrees are smaller than the rotation that a stand and unknown offsets may cause. */
 static void the_one_asked_for_is_preferred_within_three_degrees(void)
 {
     begin("per-group:144");
@@ -88,8 +88,7 @@ static void a_position_that_follows_in_the_same_direction_is_not_needed(void)
     TEST_ASSERT_EQUAL_UINT(1, followed.visited[8]);
     TEST_ASSERT_EQUAL_UINT(0, followed.visited[9]);
     TEST_ASSERT_EQUAL_INT(0, followed.is_again);
-    TEST_ASSERT_EQUAL_UINT(8,
-                           program_find(&followed, down)); /* if the user goes there all the same */
+    TEST_ASSERT_EQUAL_UINT(8, program_find(&followed, down)); /* if the user goes there anyway */
     program_visit(&followed, 8, down);
     TEST_ASSERT_EQUAL_INT(1, followed.is_again);
     program_visit(&followed, 8, down);

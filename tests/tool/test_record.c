@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What calibrations are filed under: texts, dates, the line for headings.
+ * The records of calibrations: texts, dates, the line for headings.
  */
 #include "result/record.h"
 
@@ -25,7 +25,7 @@ static int takes(record_text which, const char *text)
     const record before = r;
     const char *problem = record_set(&r, which, text);
 
-    /* either it is there, or nothing has changed */
+    /* either it was added, or nothing has changed */
     TEST_ASSERT_TRUE(problem ? memcmp(&r, &before, sizeof r) == 0
                              : strcmp(r.text[which], text) == 0);
     return problem == NULL;

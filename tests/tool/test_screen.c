@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The picture of a live calibration: marks against the closed form of Lambert's projection, covered areas against
- * those of spherical caps, bars against logarithms, words, and that no line is ever too wide.
+ * The picture of a live calibration: marks against the closed form of Lambert's projection, covered
+ * areas against those of spherical caps, bars against logarithms, words, and no line that is too
+ * wide.
  */
 #include "watch/frame.h"
 
@@ -21,7 +22,7 @@
 static FILE *file; /* no terminal: no colours */
 static watch_state now;
 static char frame[CANVAS_BYTES];
-static char cell[LINES][COLUMNS + 1][5]; /* a character each */
+static char cell[LINES][COLUMNS + 1][5]; /* one character each */
 static unsigned width[LINES];
 static unsigned lines;
 
@@ -144,7 +145,7 @@ static void axes_are_named_on_the_side_where_they_are(void)
 {
     const struct {
         double up[3];
-        unsigned line, column; /* of the name, beside which the mark is */
+        unsigned line, column; /* of the name, next to which the mark is */
         const char *name;
         int beside;
     } axis[] = {{{1, 0, 0}, 11, 26, "+x", -2},
@@ -315,7 +316,7 @@ static void the_title_has_time_and_positions(void)
 
 /* ---- how well ----------------------------------------------------------------------------------- */
 
-/* All three of a kind; the second is the worst. */
+/* All three of one kind; the second is the worst. */
 static void know(double offsets, double scales, double angles)
 {
     const double sigma[3] = {offsets / NORMAL, scales / NORMAL, angles / NORMAL};
@@ -479,7 +480,8 @@ static void no_text_is_too_long_or_does_harm(void)
     is_sound();
 }
 
-/* A magnetometer: the white part of the map is what is left, cells cover 30 degrees around, and words are its own. */
+/* A magnetometer: the white part of the map is still open, a cell covers 30 degrees around it, and
+ * there are different words. */
 static void a_magnetometer_turns_through_the_white_part(void)
 {
     now.is_magnetometer = 1;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What angles of a stand tell: the mounting, J1, series, positions that are misset. Truth is simulated here,
- * figures are closed forms.
+ * What the angles of a stand show: the mounting, J1, series, misset positions. The truth is
+ * simulated here, expected figures are closed forms.
  */
 #include "stand/stand.h"
 
@@ -32,7 +32,7 @@ static position_origin origin[COUNT];
 static positions data;
 static rejection all;
 
-/* Table 2: where the unit is set, in degrees. */
+/* Table 2: where the stand puts the unit, in degrees. */
 static void set_angles(unsigned k, double angle[2])
 {
     const double step = 60.0 * (k % 6);
@@ -54,7 +54,7 @@ static void turn_by(const double t[3], double r[3][3])
     }
 }
 
-/* What a unit reads in the program, and the angles that are stated. `off` is added to the true alpha of
+/* The readings of a unit in the program, and the stated angles. `off` is added to the true alpha of
  * position `wrong`. */
 static void measure(random_source *random, const triad_truth *truth, const double tilt[3],
                     double noise, unsigned wrong, double off)
@@ -121,8 +121,8 @@ static void without_noise_mounting_j1_and_series_are_exact(void)
     stand_free(&s);
 }
 
-/* The same sums, solved by 9x9 rows h(eta) and by coefficients; the unit sits straight but for the noise, so
- * both frames are one to 1e-4 of the parameters. */
+/* The same sums, solved by 9x9 rows h(eta) and by coefficients; the unit sits straight except for
+ * the noise, so both frames agree to 1e-4 of the parameters. */
 static void series_and_j1_agree_on_noisy_readings(void)
 {
     random_source random = random_start(2);
@@ -205,7 +205,7 @@ static void sigma_are_honest(void)
     TEST_ASSERT_UINT_WITHIN(40, DRAWS / 2, large);
 }
 
-/* 10 mrad and 1 mrad, in 0.1 mrad of noise: the one position that it is, and how far. */
+/* 10 mrad and 1 mrad, in 0.1 mrad of noise: which position it is, and by how much. */
 static void a_misset_angle_is_named(void)
 {
     random_source random = random_start(5);

@@ -29,7 +29,7 @@ void tearDown(void)
     fclose(file);
 }
 
-/* All that has been printed, and forgets it. */
+/* Returns everything printed so far, and forgets it. */
 static const char *said(void)
 {
     rewind(file);
@@ -46,9 +46,9 @@ static void columns_are_those_of_a_terminal(void)
     TEST_ASSERT_EQUAL_UINT(9, utf8_columns("± µg m/s²"));
     TEST_ASSERT_EQUAL_UINT(4, utf8_columns("日本"));
     TEST_ASSERT_EQUAL_UINT(1, utf8_columns("e\xCC\x81")); /* a combining acute */
-    TEST_ASSERT_EQUAL_UINT(2, utf8_columns("\xFF\xFE"));  /* no UTF-8: each byte is shown as one */
+    TEST_ASSERT_EQUAL_UINT(2, utf8_columns("\xFF\xFE"));  /* not UTF-8: one column per byte */
     TEST_ASSERT_EQUAL_UINT(5, utf8_columns("\033[1;32mGood:\033[0m"));
-    TEST_ASSERT_EQUAL_UINT(4, utf8_columns("\033[2J")); /* clears the screen: no colour */
+    TEST_ASSERT_EQUAL_UINT(4, utf8_columns("\033[2J")); /* clears the screen: not a colour */
     TEST_ASSERT_EQUAL_UINT(1, utf8_columns_of("±12", 2));
 }
 
@@ -81,7 +81,7 @@ static void a_text_breaks_between_words(void)
 
 static void what_belongs_together_stays(void)
 {
-    /* 55 columns, and then what would fit without what belongs to it. */
+    /* 55 columns, and then a word that would fit, but not with what must stay with it. */
     static const char before[] = "0123456789 0123456789 0123456789 0123456789 0123456789 ";
     static const struct {
         const char *text;
@@ -148,7 +148,7 @@ static void a_table_is_as_wide_as_its_cells(void)
                              said());
 }
 
-/* 20 columns, and 12, 12, 11 and 12 beside them; the third row has nothing in the last. */
+/* 20 columns, then 12, 12, 11 and 12; the third row has nothing in the last. */
 static void a_table_that_is_too_wide_is_two(void)
 {
     tabular_begin(file, "lrrlr");
