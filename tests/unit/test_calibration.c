@@ -13,7 +13,7 @@ void tearDown(void)
 {
 }
 
-/* Small whole numbers, so that the expected figures are exact in float too. */
+/* Small whole numbers, so that the expected figures are exact in float, too. */
 static const invcal_calibration example = {{1, 2, 3}, {{2, 1, 0}, {0, 3, 1}, {1, 0, 4}}};
 
 static void apply_computes_matrix_times_raw_minus_offset(void)
@@ -134,7 +134,7 @@ static void nominal_takes_any_unit_within_reason(void)
     }
 }
 
-/* As an earlier calibration that is to be renewed: a session asks for it. */
+/* Like an earlier calibration that must be renewed: a session asks for it. */
 static invcal_status begin_with(const invcal_calibration *nominal)
 {
     static invcal_session session;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The cells of a magnetometer in motion: they are as large as each other, and what they hold is exact.
+ * The cells of a magnetometer in motion: they have equal size, and their contents are exact.
  */
 #include <math.h>
 #include <string.h>
@@ -10,7 +10,7 @@
 #include "support.h"
 #include "unity.h"
 
-/* Early, late, and what lies behind them in memory, which nothing may read. */
+/* Early, late, and the memory after them, which nothing may read. */
 static invcal_cells table[3];
 static const invcal_cell_tables both = {&table[0], &table[1]};
 
@@ -78,7 +78,7 @@ static void fill(invcal_cells *cells, double shift, double scale)
             h[a] = (invcal_real)((d[a] - shift * (a + 1)) / scale);
         }
         invcal_row_of(h);
-        invcal_cells_add(cells, 3, h); /* wherever they point */
+        invcal_cells_add(cells, 3, h); /* in any direction */
     }
 }
 
@@ -148,7 +148,7 @@ static void expect_gap(double cosine, unsigned cell)
     TEST_ASSERT_EQUAL_UINT(cell, worst);
 }
 
-/* Of cells that are as bad the first. A single sample covers a cell. */
+/* Of equally bad cells, the first. A single sample covers a cell. */
 static void a_gap_is_that_of_the_farthest_cell(void)
 {
     expect_gap(-1, 0);
@@ -218,7 +218,8 @@ static void nine_cells_are_enough(void)
     expect_truth(&fit.triad);
 }
 
-/* It lies along the mean of its samples, and is as long as these are in the root mean square once calibrated. */
+/* It lies along the mean of its samples, and has the root mean square of their calibrated
+ * lengths. */
 static void a_cell_is_a_position_with_the_length_of_its_samples(void)
 {
     static const struct {
@@ -318,7 +319,8 @@ static void cells_that_scatter_much_more_count_alone(void)
     }
 }
 
-/* Nine cells leave nothing over, and cells that agree to the last bit tell no scatter: sigma stays as it was. */
+/* Nine cells leave no redundancy, and cells that agree to the last bit show no scatter: sigma stays
+ * as it was. */
 static void what_shows_no_scatter_is_not_weighed(void)
 {
     static invcal_cells cells;
@@ -389,7 +391,7 @@ static void four_cells_tell_a_step(void)
     }
 }
 
-/* A sample in a cell before, and one after whose squared length is larger by 2 excess. */
+/* An early sample in a cell, and a late one whose squared length is larger by 2 excess. */
 static void add_longer(unsigned k, double excess)
 {
     for (unsigned n = 0; n < 2; n++) {

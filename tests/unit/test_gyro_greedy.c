@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The 24 moves that tell most, each time, against the batch solution. They are longer than quarter turns, and
- * need more segments than tables usually have: compiled here with these. So does an occasional tour, if errors are
- * 10 %.
+ * The 24 moves that each add most, against the batch solution. They are longer than quarter turns,
+ * and need more segments than tables usually have: compiled here with these. So does an occasional
+ * tour, if errors are 10 %.
  */
 #undef INVCAL_MAX_SEGMENTS
 #define INVCAL_MAX_SEGMENTS 300
@@ -19,7 +19,7 @@ void tearDown(void)
 
 /* ---- programs ----------------------------------------------------------------------------------- */
 
-/* What a turn of the shortest way from up to `to` tells: its share of A. */
+/* The information from the shortest turn from up to `to`: its share of A. */
 static void add_turn(double a[81], const double up[3], const double to[3])
 {
     double axis[3], s[3][9], none[9] = {0}, c[3][3];

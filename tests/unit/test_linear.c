@@ -120,7 +120,8 @@ static void nine_positions_are_enough(void)
     }
 }
 
-/* The exact row's reason to be: what the paper's first-order row leaves, by the reference. */
+/* The reason for the exact row: the error that the paper's first-order row leaves, by the
+ * reference. */
 static double first_order_error(double size, double *rms)
 {
     static const double sign[9] = {1, -1, 1, 1, -1, 1, -1, 1, -1};

@@ -89,8 +89,8 @@ static void mpu_is_as_the_solution_from_all_samples(void)
     expect_both(mpu_gyro, 0.0015, mpu_accelerometer);
 }
 
-/* Another one, with the session's own rests, in two of which it was turned about the vertical: what leads there
- * and from there is refused, and the move to a bad one left out. */
+/* Another one, with the session's own rests; in two of them it was turned about the vertical: moves
+ * to and from these are refused, and the move to a bad one is left out. */
 static void mpu_leaves_out_what_turned(void)
 {
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, LOAD(mpu1, 0, 1 / 16384.0, DEGREE / 131));

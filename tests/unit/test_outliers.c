@@ -12,10 +12,10 @@
 #include "unity.h"
 
 #ifndef DRAWS
-#define DRAWS 2000 /* slow machines may take fewer; the bounds below are for these */
+#define DRAWS 2000 /* slow machines may use fewer; the bounds below are for these numbers */
 #endif
 
-/* Which is tried: the one that judges, or the one that looks for outliers only. */
+/* Which function is tested: the one that judges, or the one that only looks for outliers. */
 static int is_robust;
 
 void setUp(void)
@@ -261,7 +261,8 @@ static void faces_and_edges(random_source *random, double v[][3])
     TEST_ASSERT_EQUAL_UINT(18, n);
 }
 
-/* The share of sets in which just those are left out that are wrong, by so many times the noise. */
+/* The share of sets in which exactly the wrong ones are left out; they are wrong by that many times
+ * the noise. */
 static double share_exact(unsigned some, double times, unsigned draws)
 {
     const double noise = 0.0005;
@@ -305,8 +306,8 @@ static void clean_positions_lose_one_in_a_hundred_sets_or_fewer(void)
         is_robust = k % 2;
         const shares s = try_often(&e[i], DRAWS);
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(e[i].positions ? 0.015 : 0.02, s.innocent);
-        if (e[i].random_positions != 12) { /* which leave float hardly a digit */
-            TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.001, s.innocent); /* by a test, not by none */
+        if (e[i].random_positions != 12) { /* which leave float hardly any digit */
+            TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.001, s.innocent); /* by a test */
         }
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.003, s.suspected);
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.002, s.refused);
@@ -403,7 +404,7 @@ static void solve_upper(const least_squares *s, double x[N])
     }
 }
 
-/* What the nine leave of a column of so many numbers, and of J if it is null. */
+/* What the nine leave of a column of that many numbers, or of J if it is null. */
 static double reduce(const least_squares *s, const calibrated *all, invcal_mask removed,
                      const double *column, double left[CAPACITY])
 {
@@ -452,7 +453,7 @@ static least_squares fit_without(const calibrated *all, invcal_mask removed)
             s.l[r][c] = r == c ? sqrt(s.l[r][r]) : s.l[r][c] / s.l[c][c];
         }
     }
-    /* Residuals of so many may be rounding. */
+    /* Residuals of that many may be rounding. */
     const double rounding = 8 * (double)INVCAL_EPSILON;
     s.squares = reduce(&s, all, removed, NULL, left) + all->count * rounding * rounding;
     return s;
@@ -487,7 +488,7 @@ static double tail(double z, unsigned m, unsigned dof)
 typedef struct {
     invcal_mask removed, suspected;
     unsigned systematic, axis, unchecked;
-    int is_rough; /* something is wrong, and the residuals do not tell what */
+    int is_rough; /* something is wrong, and the residuals do not show what */
     int close; /* some decision is within 3 % of its level, or within what the library's chance is too
                      large: it may turn out otherwise there */
 } decision;
@@ -762,8 +763,8 @@ static test test_for(const job *j, unsigned kind, unsigned step)
     return t;
 }
 
-/* The best systematic error that can be named, its chance, and what it leaves; and what the best of
- * all leaves. */
+/* The best systematic error that can be named, its chance, and its residual; and the residual of
+ * the best of all. */
 typedef struct {
     unsigned kind, axis;
     double chance;
@@ -811,7 +812,7 @@ static shared find_kind(const job *j)
     return s;
 }
 
-/* Two or more may be what a systematic error, or a step, looks like. */
+/* Two or more may be the effect of a systematic error, or of a step. */
 static int is_ambiguous(const job *j, const outliers *found, shared *s)
 {
     const unsigned third = (j->all->count + 2) / 3;
@@ -857,7 +858,7 @@ static invcal_mask decide_once(const calibrated *all, decision *d)
     return d->is_rough ? 0 : found.group;
 }
 
-/* Round by round, until more than one in six is left out. */
+/* In rounds, until more than one in six is left out. */
 static decision decide(const reading_set *set, double stated)
 {
     const invcal_calibration nominal = unit_nominal();
@@ -937,7 +938,7 @@ static void the_rules_of_judgement_decide(void)
             TEST_ASSERT_TRUE(d.systematic == INVCAL_NO_SYSTEMATIC || d.axis == q.axis);
             TEST_ASSERT_EQUAL_HEX8(d.unchecked, q.unchecked);
             TEST_ASSERT_EQUAL_INT(d.suspected != 0, q.suspected != 0);
-            if (INVCAL_DOUBLE) { /* float cannot rank what is last in a row of contenders */
+            if (INVCAL_DOUBLE) { /* float cannot rank the last of many contenders */
                 assert_set(d.suspected, q.suspected);
             }
             TEST_ASSERT_TRUE(!d.is_rough || q.verdict == INVCAL_ROUGH || q.verdict == INVCAL_WEAK);
@@ -947,7 +948,7 @@ static void the_rules_of_judgement_decide(void)
             rough += (unsigned)d.is_rough;
         }
     }
-    /* All answers have been seen. */
+    /* All answers have occurred. */
     TEST_ASSERT_TRUE(with[0] > 20 && with[1] > 20 && with[2] > 3 && with[3] > 3 && rivalled > 1);
     TEST_ASSERT_TRUE(named[1] > 3 && named[2] > 3 && named[3] > 3 && named[4] > 3 && rough > 3);
 }
@@ -1070,7 +1071,7 @@ static void among_exact_readings_an_error_just_above_rounding_is_found(void)
         spoil(&set, i, FLOAT_OR_DOUBLE(5e-5, 1e-13));
         for (is_robust = 0; is_robust < 2; is_robust++) {
             assert_set(bit(i), find(&set, 0).left_out);
-            /* But not if the noise stated explains it. */
+            /* But not if the stated noise explains it. */
             assert_set(0, find(&set, FLOAT_OR_DOUBLE(5e-5, 1e-13)).left_out);
         }
     }
@@ -1142,7 +1143,7 @@ static void what_no_rest_reads_is_left_out_all_the_same(void)
     }
 }
 
-/* All together make no ellipsoid, nor do they without the first that is found. */
+/* Together they make no ellipsoid, nor do they without the first that is found. */
 static void what_makes_no_ellipsoid_is_looked_for_round_by_round(void)
 {
     random_source random = random_start(17);
@@ -1250,7 +1251,7 @@ static void what_the_others_are_not_determined_without_stays_and_is_told(void)
     TEST_ASSERT_TRUE(stayed > SOME(10));
 }
 
-/* What it leaves out is no error that all share, and that it says. */
+/* What it leaves out is not a systematic error, and it says so. */
 static void one_that_is_only_robust_leaves_systematic_errors_unchecked(void)
 {
     const invcal_real target = (invcal_real)(5 * SIGMA);
@@ -1285,7 +1286,7 @@ static void one_that_is_only_robust_leaves_systematic_errors_unchecked(void)
     TEST_ASSERT_EQUAL_HEX8(0x1E, q.unchecked);
 }
 
-/* Real sensors: the first positions of recordings, in g, and one of them spoiled. */
+/* Real sensors: the first positions of recordings, in g, one of them spoiled. */
 static void assert_real(const double positions[][3], unsigned count, double zero, double scale)
 {
     reading_set set;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What is known beforehand. How often its intervals hold the truth is in test_statistics.c.
+ * Priors. How often their intervals hold the truth is in test_statistics.c.
  */
 #include <math.h>
 #include <string.h>
@@ -41,7 +41,7 @@ static const double of_angles[9] = {0, 0, 0, 0, 0, 0, 0.01, 0.01, 0.01};
 static const double faces[6][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},
                                    {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
 
-/* With a prior for some parameters only, positions must be as many as the others. */
+/* With a prior for only some parameters, there must be as many positions as others. */
 static void a_partial_prior_needs_as_many_positions_as_it_leaves_open(void)
 {
     random_source random = random_start(1);
@@ -59,8 +59,8 @@ static void a_partial_prior_needs_as_many_positions_as_it_leaves_open(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, calibrate(&set, 1e-4, equal, &o));
 }
 
-/* Readings so exact that the prior is 2000 times their noise: what it alone holds has a K that would
- * be hopeless without it. */
+/* Readings so exact that the prior is 2000 times their noise: a parameter held only by the prior
+ * has a K that would be singular without it. */
 static void what_a_prior_holds_is_never_hopeless(void)
 {
     random_source random = random_start(5);
@@ -111,7 +111,7 @@ static void a_prior_wider_than_reason_is_weak(void)
     TEST_ASSERT_TRUE((double)o.quality.noise >= 1);
 }
 
-/* What a prior is silent about, and the positions too, is refused as ever. */
+/* A parameter that neither the prior nor the positions determine is refused as always. */
 static void what_no_prior_holds_may_be_hopeless(void)
 {
     static const double of_offsets[9] = {0.01, 0.01, 0.01, 0, 0, 0, 0, 0, 0};
@@ -166,7 +166,7 @@ static void what_hardly_shows_is_solved_or_refused_as_open(void)
     TEST_ASSERT_TRUE(solved > SOME(4000) / 4 && solved < SOME(4000));
 }
 
-/* Residuals larger than the stated noise make the prior count for more. */
+/* Residuals larger than the stated noise give the prior more weight. */
 static void a_prior_is_weighed_against_the_noise_that_is_there(void)
 {
     random_source random = random_start(2);
@@ -207,7 +207,8 @@ static void noise_seen_shrinks_like_noise_stated(void)
     }
 }
 
-/* What the prior tells of a parameter, the posterior over the prior variance, the data need not. */
+/* The share of a parameter from the prior, the posterior over the prior variance, is not from the
+ * data. */
 static double dof_of(const outcome *o, const double prior[9])
 {
     double dof = o->quality.positions;
@@ -219,7 +220,7 @@ static double dof_of(const outcome *o, const double prior[9])
     return dof;
 }
 
-/* The noise stated counts as four residuals beside them. */
+/* The stated noise counts as four residuals, in addition to them. */
 static void what_a_prior_tells_leaves_degrees_of_freedom(void)
 {
     random_source random = random_start(5);
@@ -242,7 +243,7 @@ static void what_a_prior_tells_leaves_degrees_of_freedom(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.01 * noise, noise, (double)o.quality.noise);
 }
 
-/* Readings as noisy as the field tell nothing: what is left is the prior, of each its own. */
+/* Readings as noisy as the field tell nothing: each parameter keeps its own prior. */
 static void sigma_of_what_is_not_told_is_the_prior_of_each(void)
 {
     random_source random = random_start(6);
@@ -307,7 +308,7 @@ static void what_rounding_seems_to_tell_is_held_by_the_prior(void)
     }
 }
 
-/* Without errors of the triad what is known of it changes nothing but sigma. */
+/* Without errors of the triad, a prior changes only sigma. */
 static void a_prior_that_is_true_leaves_the_solution_alone(void)
 {
     const triad_truth none = {{0}};
@@ -410,7 +411,7 @@ static void unusable_arguments_are_refused_and_the_outputs_left_alone(void)
     assert_refused(&set, 1e-3, equal, INVCAL_OUT_OF_RANGE);
 }
 
-/* Nor does a prior make a triad of what is none. */
+/* Nor does a prior make a triad out of anything else. */
 static void readings_on_no_ellipsoid_are_refused(void)
 {
     random_source random = random_start(10);

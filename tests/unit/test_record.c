@@ -36,7 +36,7 @@ static const uint8_t golden[SIZE] = {
     0xFA, 0xED, 0x6B, 0x3A, 0x70, 0x3D, 0x06, 0x34,
 };
 
-/* As version 1 wrote it: 48 bytes more before sigma. */
+/* As version 1 wrote it: with 48 more bytes before sigma. */
 static const uint8_t golden_1[SIZE + 48] = {
     0xCA, 0x01, 0xB8, 0x00, 0x53, 0x4E, 0x2D, 0x30, 0x30, 0x30, 0x34, 0x32, 0x0F, 0x21, 0x43, 0x65,
     0x12, 0x00, 0x01, 0x01, 0x82, 0x00, 0x02, 0x01, 0x00, 0x00, 0x1D, 0x41, 0x00, 0x00, 0x00, 0x3B,
@@ -126,7 +126,7 @@ static void assert_not_encoded(invcal_status expected, const invcal_record *r)
     TEST_ASSERT_EQUAL_INT(expected, invcal_record_encode(r, bytes));
 }
 
-/* As a program does that may find either version. */
+/* Like a program that may find either version. */
 static invcal_status decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
 {
     return size >= 2 && bytes[1] == 1 ? invcal_record_decode_v1(bytes, size, out)
@@ -220,7 +220,7 @@ static void a_record_comes_back_as_it_was(void)
     }
 }
 
-/* Largest, smallest, subnormal, and both zeros: wherever a calibration does not need another. */
+/* Largest, smallest, subnormal, and both zeros: wherever a calibration allows them. */
 static void reals_at_the_limits_of_float_come_back(void)
 {
     static const float limit[] = {FLT_MAX, -FLT_MAX, FLT_MIN, 1.4e-45f, -1.4e-45f, 0, -0.0f};
@@ -295,7 +295,7 @@ static void a_field_of_version_1_that_is_none_is_refused(void)
     TEST_ASSERT_TRUE(is_refused(INVCAL_BAD_NOMINAL, bytes, sizeof bytes));
 }
 
-/* What a program does not call it does not link: either function knows one. */
+/* A program does not link what it does not call: each function knows one version. */
 static void each_version_has_its_function(void)
 {
     invcal_record r;
@@ -372,7 +372,7 @@ static void a_number_beyond_float_is_not_encoded(void)
     r.calibration.matrix[1][2] = 0;
     assert_not_encoded(INVCAL_BAD_NOMINAL, &r);
 #else
-    TEST_ASSERT_TRUE(INVCAL_REAL_MAX <= FLT_MAX); /* there is none */
+    TEST_ASSERT_TRUE(INVCAL_REAL_MAX <= FLT_MAX); /* there is no such parameter */
 #endif
 }
 
@@ -452,7 +452,7 @@ static void any_wrong_bit_is_noticed(void)
 {
     uint8_t bytes[SIZE + MARGIN];
 
-    for (unsigned tail = 0; tail <= MARGIN; tail += MARGIN) { /* and in a larger buffer */
+    for (unsigned tail = 0; tail <= MARGIN; tail += MARGIN) { /* also in a larger buffer */
         memset(bytes, 0, sizeof bytes);
         memcpy(bytes, golden, SIZE);
         for (unsigned bit = 0; bit < 8 * SIZE; bit++) {
@@ -490,7 +490,7 @@ static void any_four_wrong_bits_are_noticed(void)
         uint8_t bytes[SIZE];
         memcpy(bytes, golden, SIZE);
         bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
-        check[bit] = crc_by_table(bytes, SIZE); /* of a sound record the same, whatever it holds */
+        check[bit] = crc_by_table(bytes, SIZE); /* the same for any sound record */
         check[bit] ^= crc_by_table(golden, SIZE);
         for (unsigned other = 0; other < bit; other++) {
             pair[pairs++] = check[bit] ^ check[other];
@@ -529,7 +529,7 @@ static void any_two_bytes_exchanged_are_noticed(void)
 static void a_record_without_its_end_is_noticed(void)
 {
     for (uint32_t size = 0; size < SIZE; size++) {
-        uint8_t *exact = malloc(size + 1); /* so that a sanitizer sees a read behind it */
+        uint8_t *exact = malloc(size + 1); /* so that a sanitizer sees a read beyond it */
         memcpy(exact + 1, golden, size);
         TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, exact + 1, size));
         free(exact);
@@ -644,7 +644,7 @@ static int is_loaded_v1(invcal_status expected, invcal_calibration *calibration)
     return is_loaded_by(invcal_load_v1, expected, calibration);
 }
 
-/* The golden calibration, and a quality that may go with it. */
+/* The golden calibration, and a possible quality. */
 static invcal_status save_golden(uint8_t verdict)
 {
     const invcal_record r = golden_record();

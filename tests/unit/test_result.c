@@ -14,7 +14,7 @@ void tearDown(void)
 {
 }
 
-/* A nominal calibration that is nothing in particular, 1000 counts per field or so. */
+/* A nominal calibration of no particular kind, about 1000 counts per field. */
 static invcal_calibration random_nominal(random_source *random)
 {
     double rotation[3][3];
@@ -89,7 +89,7 @@ static void nominal_itself_deviates_by_nothing(void)
     }
 }
 
-/* M'M of a calibration behind nominal: of A = M N^-1. */
+/* A'A of a calibration after nominal, A = M N^-1. */
 static void correction_of(const invcal_calibration *calibration, const invcal_calibration *nominal,
                           double a[3][3])
 {
@@ -162,7 +162,7 @@ static void what_is_no_calibration_is_not_turned(void)
     TEST_ASSERT_EQUAL_MEMORY(&before, &calibration, sizeof before);
 }
 
-/* In any field unit: its squares alone would overflow a float, or vanish. */
+/* In any field unit: its squares would overflow a float, or vanish. */
 static void the_offset_sigma_is_that_of_delta_in_counts(void)
 {
     invcal_quality quality = {.sigma = {INVCAL_REAL(1e-3), INVCAL_REAL(2e-3), INVCAL_REAL(5e-4)}};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A simulated sensor is turned and held like a real one; what it calibrates must be the truth.
+ * A simulated sensor is turned and held like a real one; its calibration must be true.
  */
 #include <math.h>
 #include <string.h>
@@ -29,7 +29,7 @@ enum { EVENTS = INVCAL_REFUSED + 1, DAYS = 88 };
 static const double zero[3] = {120, -340, 51}; /* counts of the nominal sensor in no field */
 
 typedef struct {
-    invcal_background background; /* the session lives in it; used as such where is_background */
+    invcal_background background; /* contains the session; used as a whole if is_background */
     invcal_session *s;
     int is_background;
     /* the sensor */
@@ -37,11 +37,11 @@ typedef struct {
     double noise;   /* g */
     double bias[3]; /* g: a magnet, a hand on the case */
     double creep;   /* g/s on the x axis */
-    double up[3];   /* where it points */
+    double up[3];   /* its orientation */
     double rest_time;
     int32_t rail; /* counts; 0: none */
     random_source random;
-    /* what was said */
+    /* its events */
     unsigned seen[EVENTS];
     unsigned refused[INVCAL_STATUS_COUNT];
     unsigned progress;
@@ -73,7 +73,7 @@ static void begin(double size, uint32_t seed)
     b.s = &b.background.session;
     b.noise = NOISE;
     b.rest_time = 2.5;
-    b.up[0] = 0.36; /* no position of any test */
+    b.up[0] = 0.36; /* not a position of any test */
     b.up[1] = 0.48;
     b.up[2] = -0.8;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(b.s, &sheet, (unsigned)RATE));
@@ -88,7 +88,7 @@ static void begin_background(double size, uint32_t seed)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_background_init(&b.background, &sheet, (unsigned)RATE));
 }
 
-/* An event, whatever it is, agrees with what can be asked. */
+/* Any event agrees with what the session reports. */
 static void note(invcal_event event)
 {
     TEST_ASSERT_TRUE(event > INVCAL_NOTHING && (unsigned)event < EVENTS);
@@ -152,7 +152,8 @@ static double dot(const double a[3], const double c[3])
     return a[0] * c[0] + a[1] * c[1] + a[2] * c[2];
 }
 
-/* Part s of the way from a to c on the sphere; where they are opposite, by way of a third. */
+/* The point at a fraction s of the way from a to c on the sphere; if they are opposite, via a
+ * third. */
 static void between(const double a[3], const double c[3], double s, double out[3])
 {
     double side[3];
@@ -190,14 +191,14 @@ static void turn(const double to[3])
     memcpy(b.up, to, sizeof b.up);
 }
 
-/* Goes there and holds still. */
+/* Moves there and holds still. */
 static void reach(const double to[3])
 {
     turn(to);
     hold(b.rest_time);
 }
 
-/* Goes away, so that the position is closed; not to where the next one will be. */
+/* Moves away, so that the position ends; not to where the next one will be. */
 static void leave(void)
 {
     const double away[3] = {0.6 * b.up[0] - 0.8 * b.up[1], 0.6 * b.up[1] + 0.8 * b.up[0], b.up[2]};
@@ -233,7 +234,7 @@ static void astray(const double from[3], double degrees, double out[3])
     between(from, other, degrees / 57.29577951308232 / angle, out);
 }
 
-/* What it calibrates, against the truth: the largest error of a length, over random directions. */
+/* The calibration against the truth: the largest error of a length, over random directions. */
 static double worst_length(const invcal_calibration *calibration)
 {
     double worst = 0;
@@ -429,7 +430,7 @@ static void samples_that_were_lost_are_told_and_the_rest_goes_on(void)
     leave();
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
     turn(expected_plan18[1]);
-    hold(1); /* too short, and it is said why */
+    hold(1); /* too short, with that reason */
     invcal_session_gap(b.s);
     leave();
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
@@ -570,7 +571,7 @@ static void with_a_stated_noise_one_position_to_spare_is_enough(void)
     }
 }
 
-/* The session must end, whatever one rest is worth: what says enough sees what solve sees. */
+/* The session must end, however good one rest is: is_good and solve use the same data. */
 static void a_rest_that_is_wrong_does_not_keep_the_end_away(void)
 {
     for (unsigned wrong = 0; wrong < 9; wrong += 2) {
@@ -783,12 +784,12 @@ static void an_old_position_gives_way_before_a_new_one(void)
         visit(to);
     }
     TEST_ASSERT_EQUAL_UINT(
-        0, b.background.age[b.s->count - 1]); /* that of one that has gone was not */
+        0, b.background.age[b.s->count - 1]); /* that of one that was dropped was not */
     unsigned young = 0;
     for (unsigned i = 0; i < b.s->count; i++) {
         young += b.background.age[i] == 0;
     }
-    TEST_ASSERT_EQUAL_UINT(b.seen[INVCAL_TAKEN] - old, young); /* none of them has gone */
+    TEST_ASSERT_EQUAL_UINT(b.seen[INVCAL_TAKEN] - old, young); /* none of them was dropped */
 }
 
 /* ---- settings, and all of it ------------------------------------------------------------------ */

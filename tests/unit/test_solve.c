@@ -27,7 +27,7 @@ static void solve_plan18(const triad_truth *truth, invcal_calibration *out)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&sums, &nominal, out));
 }
 
-/* Must reach: |calibrated| - 1 on 1000 unseen orientations, errors up to 10 %. */
+/* Required: |calibrated| - 1 in 1000 other orientations, errors up to 10 %. */
 static void unseen_orientations_come_out_with_unit_length(void)
 {
     random_source random = random_start(1);
@@ -52,7 +52,7 @@ static void unseen_orientations_come_out_with_unit_length(void)
     }
 }
 
-/* Errors up to 20 %: to the last digits of the number type. */
+/* Errors up to 20 %: right to the last digits of the number type. */
 static void the_nine_parameters_are_those_of_the_triad(void)
 {
     random_source random = random_start(2);
@@ -311,7 +311,7 @@ static void fewer_than_nine_positions_are_too_few(void)
     TEST_ASSERT_EQUAL_MEMORY(&nominal, &calibration, sizeof nominal);
 }
 
-/* Whatever it is solved with: a result that is no number is none. */
+/* Whatever it is solved with: a result that is not finite does not count. */
 static void a_nominal_without_an_inverse_is_refused(void)
 {
     const invcal_calibration singular = {{0, 0, 0}, {{1, 2, 3}, {2, 4, 6}, {0, 0, 1}}};
@@ -333,7 +333,8 @@ static void a_nominal_without_an_inverse_is_refused(void)
     }
 }
 
-/* Newton's iteration halves what is far above 1 at each step: it ends before a flat matrix does. */
+/* Newton's iteration halves what is far above 1 at each step: it ends before a singular matrix
+ * converges. */
 static void a_matrix_of_no_triad_ends_as_well(void)
 {
     invcal_real a[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, (invcal_real)1e-6}};

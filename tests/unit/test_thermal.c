@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * For every INVCAL_THERMAL_DEGREE: what a degree cannot do, its tests pass over.
+ * For every INVCAL_THERMAL_DEGREE: tests skip what a degree cannot do.
  */
 #include <math.h>
 #include <string.h>
@@ -74,7 +74,7 @@ static void take_three(const sensor *s, double sigma, random_source *random)
 
 static const invcal_thermal_prior nothing_known;
 
-/* What came of the positions. */
+/* The result from the positions. */
 static invcal_thermal found;
 static invcal_quality quality;
 
@@ -152,7 +152,7 @@ static invcal_calibration calibration_at(double temperature)
     return calibration;
 }
 
-/* The mean square of |calibrated| - 1 over all directions: an icosahedron has it exactly. */
+/* The mean square of |calibrated| - 1 over all directions: an icosahedron gives it exactly. */
 static double square_error(const invcal_calibration *calibration, const triad_truth *truth)
 {
     double squares = 0;
@@ -164,7 +164,7 @@ static double square_error(const invcal_calibration *calibration, const triad_tr
     return squares;
 }
 
-/* A noise stated counts as four residuals: what is left of it beside exact readings. */
+/* A stated noise counts as four residuals: what remains of it with exact readings. */
 static double beside_none(double stated, double dof)
 {
     return stated * sqrt(4 / (4 + dof));
@@ -243,7 +243,7 @@ static void slopes_of_a_sensor_without_noise_come_out(void)
     }
 }
 
-/* As the header says. */
+/* As the header states. */
 static void two_solves_leave_nothing_that_matters_of_steep_slopes(void)
 {
     random_source unused = random_start(0);
@@ -283,7 +283,7 @@ static void two_solves_leave_as_little_of_steep_slopes_of_any_signs(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.05e-6, 1.96e-6, most);
 }
 
-/* Wherever in the span the temperatures lie; with nominal errors of 18 % too. */
+/* Wherever in the span the temperatures are; with nominal errors of 18 %, too. */
 static void a_part_of_the_span_and_a_bad_nominal_are_as_good(void)
 {
     static const double stations[][STATIONS] = {{25, 47, 70}, {-20, -5, 40}, {10, 45, 70}};
@@ -657,7 +657,7 @@ static void raw_counts_give_the_right_lengths_at_every_temperature(void)
     }
 }
 
-/* Programs and libraries of different choices do not link. */
+/* Programs and libraries with different choices do not link. */
 static void the_choices_stand_in_the_names(void)
 {
 #define NAME(function) INVCAL_TEXT(function)
@@ -736,7 +736,7 @@ static void sigma_of_a_line_has_its_closed_form(void)
     }
 }
 
-/* Outside the range the value at its edge is held, and its sigma. */
+/* Outside the range, the value at its edge and its sigma are held. */
 static void beyond_the_range_it_is_judged_at_its_edge(void)
 {
     const sensor s = straight(0);
@@ -802,7 +802,7 @@ static void what_is_weak_anywhere_is_weak(void)
 
 /* ---- priors ------------------------------------------------------------------------------- */
 
-/* What a degree cannot do is not held. */
+/* Coefficients above the degree are not held. */
 static void hold(invcal_thermal_prior *prior, int power, int r, double sigma)
 {
     if (power <= DEGREE) {
@@ -810,7 +810,7 @@ static void hold(invcal_thermal_prior *prior, int power, int r, double sigma)
     }
 }
 
-/* Of which parameters the prior has told more than the positions did, at the reference. */
+/* For which parameters the prior contributes more than the positions, at the reference. */
 static unsigned from_prior(const invcal_thermal_prior *prior)
 {
     unsigned mask = 0;
@@ -822,7 +822,7 @@ static unsigned from_prior(const invcal_thermal_prior *prior)
     return mask;
 }
 
-/* Positions at t = 1/2 only tell x0 + x1/2. The prior shares it out by its variances. */
+/* Positions at t = 1/2 only determine x0 + x1/2. The prior divides it by its variances. */
 static void a_prior_on_slopes_holds_what_one_temperature_leaves_open(void)
 {
     const double sigma0 = 0.02;
@@ -1008,7 +1008,7 @@ static invcal_thermal_prior equal_prior(double sigma)
     return prior;
 }
 
-/* Noise stated at a thousandth: what comes out is as if it had been stated as it is. */
+/* Noise stated as a thousandth: the result is as if the true one had been stated. */
 static void a_prior_counts_for_more_where_the_data_are_noisier_than_stated(void)
 {
     const sensor still = {expected_thermal_constant, NULL, NULL};
@@ -1030,7 +1030,7 @@ static void a_prior_counts_for_more_where_the_data_are_noisier_than_stated(void)
     }
 }
 
-/* Readings that tell nothing: sigma is that of the prior, and X its centre. */
+/* Readings without information: sigma is that of the prior, and X its centre. */
 static void noise_as_large_as_the_field_leaves_everything_to_the_prior(void)
 {
     const sensor still = {expected_thermal_constant, NULL, NULL};
@@ -1113,7 +1113,7 @@ static void renewing_at_one_temperature_keeps_the_slopes_and_the_range(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_THERMAL_AS_ASKED, found.fallback); /* no slopes were wanted */
 }
 
-/* Where what is kept holds grows with what is seen. */
+/* The range of the stored calibration grows with the positions. */
 static void renewing_beyond_the_range_widens_it(void)
 {
     static const double at[2] = {-40, 95};
@@ -1236,7 +1236,7 @@ static void unusable_arguments_are_named(void)
     invcal_thermal_positions p = positions(1e-4);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
                           invcal_thermal_fit(&p, NULL, &base, DEGREE + 1, &found, &quality));
-    p.count = UINT16_MAX; /* that are not looked at */
+    p.count = UINT16_MAX; /* which are not checked */
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
                           invcal_thermal_fit(&p, NULL, &base, DEGREE, &found, &quality));
     nominal.matrix[0][0] = 0;
@@ -1354,7 +1354,7 @@ static void a_plane_with_noise_is_undetermined_rather_than_no_ellipsoid(void)
     }
 }
 
-/* Six faces and twelve edges, but those between x and y all at +x and only `tilt` off it. */
+/* Six faces and twelve edges, but those between x and y are all at +x and only `tilt` off it. */
 static void take_with_a_hidden_angle(double tilt)
 {
     all.count = 0;
@@ -1384,7 +1384,7 @@ static void an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it(void)
 
     take_with_a_hidden_angle(tilt);
     assert_refused(INVCAL_UNDETERMINED, 1e-6);
-    assert_refused_with_prior(INVCAL_UNDETERMINED, 1e-6, &prior); /* which knows nothing */
+    assert_refused_with_prior(INVCAL_UNDETERMINED, 1e-6, &prior); /* which has no information */
     hold(&prior, 0, INVCAL_GAMMA_XY, 1e-4);
     const invcal_thermal base = centred();
     fit_with_prior(1e-6, &prior, &base);
@@ -1396,7 +1396,7 @@ static void an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.02 * both, both, (double)quality.sigma[INVCAL_GAMMA_XY]);
 }
 
-/* However much wider than the noise it is: alone it is never hopeless. */
+/* However much wider than the noise: the prior alone never makes the system singular. */
 static void what_only_a_prior_tells_has_its_sigma(void)
 {
     invcal_thermal_prior prior = nothing_known;
@@ -1434,7 +1434,7 @@ static void a_prior_that_nothing_can_be_reconciled_with_is_refused(void)
     assert_refused_with_prior(INVCAL_NOT_ELLIPSOID, 1e-5, &prior);
 }
 
-/* Lengths of 0.7 and 1.3: a sphere goes between them, but no sensor reads like that. */
+/* Lengths of 0.7 and 1.3: a sphere fits between them, but no sensor reads like that. */
 static void readings_of_two_fields_are_refused_though_a_prior_solves_them(void)
 {
     const sensor s = straight(0);
@@ -1529,7 +1529,7 @@ static void the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1, drift_limit(5e-4, 0));
     const double limit = drift_limit(5e-4, 2e-4);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 5, limit);
-    /* The sensor warms evenly by the limit; the thermometer still tells where it began. */
+    /* The sensor warms steadily by the limit; the thermometer still shows where it began. */
     double error = 0;
     for (int i = 0; i < 1000; i++) {
         error += 2e-4 * limit * (i + 0.5) / 1000 / 1000;
@@ -1537,7 +1537,7 @@ static void the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 5e-4, error);
 }
 
-/* 0.1.0 took a noise or a slope that is no number for one that is not known: 0.2 K. */
+/* 0.1.0 took an invalid noise or slope for an unknown one: 0.2 K. */
 static void no_drift_is_allowed_where_noise_or_slope_are_no_numbers(void)
 {
     const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, -1};

@@ -56,7 +56,8 @@ static double at(unsigned r, unsigned c)
     return (double)t.sum[r < c ? INVCAL_PACKED(c, r) : INVCAL_PACKED(r, c)];
 }
 
-/* Gauss with the largest pivot, in double. Returns the rank; the determinant of what is of full rank. */
+/* Gaussian elimination with the largest pivot, in double. Returns the rank; the determinant if the
+ * rank is full. */
 static unsigned rank_of(double *log_det)
 {
     double a[18][18];
@@ -98,7 +99,7 @@ static unsigned rank(void)
     return rank_of(&log_det);
 }
 
-/* Up is a direction to 1e-4; after a turn it is one to rounding. */
+/* Up is a unit vector to 1e-4; after a turn it is one to rounding. */
 static void up_does_not_drift(void)
 {
     static const invcal_real longer[3] = {0, 0, INVCAL_REAL(1.00009)};
@@ -198,12 +199,12 @@ static void the_tour_determines_all_18(void)
     expect_sigma(tour16_sigma);
 }
 
-/* Of the rests alone three gammas stay open: what lengths do not tell, the turns do. */
+/* From the rests alone three gammas stay open: the turns determine what lengths do not. */
 static void the_lengths_of_six_faces_alone_have_rank_6(void)
 {
     static const invcal_imu_settings deaf = {0, 0, INVCAL_REAL(0.9), 0, 0};
 
-    tour(&deaf, INVCAL_TOUR); /* a turn tells 3000 times less than a rest */
+    tour(&deaf, INVCAL_TOUR); /* a turn has 3000 times less information than a rest */
     TEST_ASSERT_EQUAL_UINT(6, rank());
 }
 
@@ -240,7 +241,7 @@ static void add_word(const invcal_real up[3], char *path)
     *end = '\0';
 }
 
-/* Follows the guidance, which must go where it is expected. Returns det^(1/n). */
+/* Follows the guidance, which must give the expected turns. Returns det^(1/n). */
 static double follow(const invcal_imu_settings *settings, unsigned turns, const char *expected)
 {
     char path[200] = "+z";
@@ -296,7 +297,7 @@ static void of_any_rest_there_is_a_next_turn(void)
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, from, NULL));
         TEST_ASSERT_DOUBLE_WITHIN(1e-8, 3e-4, (double)t.noise);
-        t.seconds = (invcal_real)(k % 2); /* or so fast that no noise of the gyroscope counts */
+        t.seconds = (invcal_real)(k % 2); /* or so fast that gyroscope noise does not count */
         for (unsigned i = 0; i < 6; i++) {
             invcal_turns_next(&t, &turn);
             const double angle = (double)turn.degrees;
@@ -347,7 +348,7 @@ static void guidance_goes_as_far_as_it_may(void)
     }
 }
 
-/* A plan that was overwritten. */
+/* An overwritten plan. */
 static void of_nonsense_there_is_no_next_turn(void)
 {
     invcal_turn turn;
@@ -376,7 +377,7 @@ static unsigned face_of(const invcal_real up[3])
     return 6;
 }
 
-/* Where up is after a turn, by the mathematics of the tests. */
+/* Up after a turn, by the mathematics of the tests. */
 static void turned(const invcal_real from[3], const invcal_turn *turn, double up[3])
 {
     double th[3], c[3][3], was[3];
@@ -453,7 +454,7 @@ static void the_shortest_turn_is_that_of_closed_form(void)
     }
 }
 
-/* No turn is the shortest whose sine is 0.001 or less. */
+/* With a sine of 0.001 or less there is no shortest turn. */
 static void of_opposite_directions_no_turn_is_the_shortest(void)
 {
     static const double square[4] = {0.97e-6, 1.03e-6, 0.97e-6, 1.03e-6};
@@ -612,9 +613,9 @@ static void a_prior_is_information(void)
     prior[17] = INVCAL_REAL(0.0003);
     settings.prior = prior;
     begin(&settings);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.01, at(4, 4)); /* of a noise of 0.0003 */
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.01, at(4, 4)); /* with a noise of 0.0003 */
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 1, at(17, 17));
-    TEST_ASSERT_DOUBLE_WITHIN(0, 0, at(3, 3)); /* none is none */
+    TEST_ASSERT_DOUBLE_WITHIN(0, 0, at(3, 3)); /* none gives none */
     settings.held = 1;
     prior[9] = INVCAL_REAL(0.0003);
     begin(&settings);
@@ -671,7 +672,7 @@ static void sigma_is_judged_at_its_bounds(void)
     TEST_ASSERT_TRUE(sigma[18] == 7);
 }
 
-/* All are known, but to 3000 times the noise: that is open. */
+/* All are known, but only to 3000 times the noise: that is open. */
 static void what_only_a_wide_prior_tells_is_open(void)
 {
     invcal_real prior[18];
@@ -761,7 +762,7 @@ static double make_tour(invcal_real raw[WORLD_RESTS][3])
     return time / (double)INVCAL_TOUR;
 }
 
-/* What is planned, and what is there once it is done: the same. */
+/* The plan and its result are the same. */
 static void after_the_turns_it_knows_what_it_had_planned(void)
 {
     const invcal_calibration unit = unit_nominal();
@@ -798,7 +799,7 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.02 * (double)expected[0], (double)expected[0], at(0, 0));
 }
 
-/* It may have any contents before. A rest of half the length: up is a direction all the same. */
+/* It may have any contents before. A rest of half the length: up is still a unit vector. */
 static void it_begins_where_the_last_rest_is(void)
 {
     const invcal_calibration unit = unit_nominal();
@@ -842,8 +843,8 @@ static void bad_rests_are_refused(void)
                           invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &told));
 }
 
-/* Errors of the tour in a hand that wobbles, over the sigma that the plan says: 1.07 at most of 300 runs, as the
- * solution weighs rests and moves by residuals of 37 rows. */
+/* Errors of the tour in a hand that wobbles, over the sigma of the plan: 1.07 at most in 300 runs,
+ * as the solution weights rests and moves by residuals of 37 rows. */
 static void errors_are_what_the_plan_says(void)
 {
     enum { RUNS = 20 };
