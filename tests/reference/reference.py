@@ -1224,7 +1224,7 @@ def stand_troubles():
     swapped = with_one(4, angles[11])
     swapped[11] = angles[4]
     zero = math.radians(20)
-    cases = [  # what was visited, what is told, error of J1, of the full vector: digits, exponent
+    cases = [  # visited, claimed, error of J1, of the full vector: digits, exponent
         (with_one(7, (angles[7][0] + 1e-3, angles[7][1])), angles, (2.2, -6), (1.7, -4)),
         (with_one(7, (angles[7][0] + 1e-2, angles[7][1])), angles, (1.1, -5), (1.7, -3)),
         (swapped, angles, (7.7, -2), (4.3, -2)),
@@ -1235,12 +1235,12 @@ def stand_troubles():
         (angles, [(a + zero, b) for a, b in angles], (6.1, -2), (9.8, -2)),
         (angles, [(a, b + zero) for a, b in angles], (6.5, -2), (0.0, -9)),
     ]
-    for visited, told, *wanted in cases:
+    for visited, claimed, *wanted in cases:
         readings = [read(x, eta) for eta in at_angles(visited)]
         assert largest(minus(algebraic(readings), x)) < 1e-12
         for solve, figure in zip((by_j1, by_full_vector), wanted):
             if figure:
-                error = largest(minus(solve(readings, at_angles(told)), x))
+                error = largest(minus(solve(readings, at_angles(claimed)), x))
                 stated(error * 10.0 ** -figure[1], figure[0], 1)
     etas = at_angles(angles)
     mounted = [read(x, rotated(eta, [1 / 3, 2 / 3, -2 / 3], 0.014)) for eta in etas]

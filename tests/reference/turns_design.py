@@ -127,13 +127,13 @@ class Program:
         for row in rows:
             self.information = [[a + x * y for a, y in zip(line, row)] for line, x in zip(self.information, row)]
 
-    def told(self, rate):
+    def step(self, rate):
         """The rows of a turn and of the rest after it, and the direction there."""
         after = times(zip(*integrate(rate, identity(3))), self.up)
         return [row[:self.n] for row in rows_of_turn(rate, self.up, after)] + self.rest(after), after
 
     def turn(self, rate):
-        rows, self.up = self.told(rate)
+        rows, self.up = self.step(rate)
         self.add(rows)
 
     def to(self, word):
@@ -150,7 +150,7 @@ class Program:
                     word = "".join(s + a for s, a in ((x, "x"), (y, "y"), (z, "z")) if s != " ")
                     if not word or dot(cross(up(word), self.up), cross(up(word), self.up)) < 0.09:
                         continue
-                    h, _ = self.told(arc(self.up, up(word)))
+                    h, _ = self.step(arc(self.up, up(word)))
                     of_h = product(product(h, k), list(zip(*h)))
                     merit = eliminate(added(of_h, identity(len(h))))[1]
                     if merit > CLEARLY * best:

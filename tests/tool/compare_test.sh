@@ -132,8 +132,8 @@ statistics=$(awk -F, '
         for (i = 1; i <= NR; i++) away[i] = x[i] < median ? median - x[i] : x[i] - median
         sort(away, NR)
         print 1.4826 * (away[10] + away[11]) / 2, sqrt(squares / 19) }' "$work/truth")
-told=$(member delta | tail -2 | awk -F ', ' '{ printf "%s ", $2 }')
-check "fleet: spread and deviation are those of the truth" near 0.0003 "$told" "$statistics"
+printed=$(member delta | tail -2 | awk -F ', ' '{ printf "%s ", $2 }')
+check "fleet: spread and deviation are those of the truth" near 0.0003 "$printed" "$statistics"
 outside=$(awk '/^      "serial"/ { serial = $2 } /"outside": \["/ { print serial, $2 }' "$work/fleet.json")
 check "fleet: the outlier, and no other" [ "$outside" = '"D13", ["delta_y"]' ]
 make_cal later --seed 99 "--offset=$(sed -n 7s/' .*'//p "$work/devices")" "--dk=0.02,0,0" -- --serial D7 --gravity 9.80665
@@ -159,11 +159,11 @@ says_page() { words | grep -Eq -- "$1"; }
 check "page: what has changed" says_page '! Changed Offset x has changed significantly since 2026-03-01'
 check "page: the drift and its 95 % interval" says_page 'offset x 327\.[0-9]+ [0-9.]+ \+(4\.9|5\.0)[0-9]* ± 0\.0[56][0-9]* mg \+[0-9.]+ changed'
 run compare old.json middle.json new.json --json
-told=$(words | grep -o 'offset x 327\.[0-9]* [0-9.]* +[0-9.]* ± [0-9.]* mg' | tail -n 1 | awk '{ print $5 / 1000, $7 / 1000 }')
-json_tells=$(member delta | sed -n '5p;7p' | awk -F ', ' '{ printf "%s ", $1 }') # drift and interval of the second step
-check "page: the drift and its 95 % interval are those of the JSON" near 6e-7 "$told" "$json_tells"
+printed=$(words | grep -o 'offset x 327\.[0-9]* [0-9.]* +[0-9.]* ± [0-9.]* mg' | tail -n 1 | awk '{ print $5 / 1000, $7 / 1000 }')
+in_json=$(member delta | sed -n '5p;7p' | awk -F ', ' '{ printf "%s ", $1 }') # drift and interval of the second step
+check "page: the drift and its 95 % interval are those of the JSON" near 6e-7 "$printed" "$in_json"
 check "page: three pictures in both sizes" [ "$(grep -c "<title>[A-Z][a-z]* by calibration<" page.html)" -eq 6 ]
-check "page: the command is shown" tells_command page.html invcal compare old.json middle.json new.json --report page.html --quiet
+check "page: the command is shown" shows_command page.html invcal compare old.json middle.json new.json --report page.html --quiet
 accepts "page: of a fleet" compare d*.json --report page.html --quiet
 check "page: of a fleet: it is well-formed" is_page page.html
 check "page: of a fleet: the outlier" says_page 'serial D13 offset y \+[0-9.]+ mg \+[0-9.]+'

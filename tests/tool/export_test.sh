@@ -288,7 +288,7 @@ for members in '' '"unit": "counts",' '"unit": "unknown",' \
     '"nominal": {"zero": [1, 2, 3], "lsb": [1, 1, 1], "zero_from": "earlier", "lsb_from": "earlier"},'; do
     calibration "$members" "$gravity" 1 > "$work/unknown.json"
     for f in px4 ardupilot ros; do
-        refuses "$f: no scale is invented: ${members:-nothing told}" 2 "$hint" \
+        refuses "$f: no scale is invented: ${members:-nothing stated}" 2 "$hint" \
             export "$work/unknown.json" --format $f
     done
 done

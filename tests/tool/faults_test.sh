@@ -167,11 +167,11 @@ for value in -1 99999999999 1e300; do
         plan --limits 1,1,1 --spare $value
 done
 is_finite() { ! grep -Ewi -- '-?(inf|infinity|nan)' "$1" >&2; }
-tells_finite() { { [ "$code" -eq 0 ] && is_finite "$work/stdout" && is_finite "$work/page.html"; } || complain; }
+prints_finite() { { [ "$code" -eq 0 ] && is_finite "$work/stdout" && is_finite "$work/page.html"; } || complain; }
 for rate in 1e-300 1e-12 1e12; do
     head -n 20000 "$work/rest.csv" > "$work/part.csv"
     run allan "$work/part.csv" --rate $rate --report "$work/page.html"
-    check "allan --rate $rate prints finite numbers" tells_finite
+    check "allan --rate $rate prints finite numbers" prints_finite
 done
 run allan "$work/part.csv" --rate 1e-300
 check "a time with more digits than make sense is in seconds" matches "$work/stdout" '[0-9]e\+30[0-9] s'
@@ -220,7 +220,7 @@ refuses "a reading too large to report" 1 'huge\.csv:40: the reading of position
 { cat "$xsens"; echo 1e20,33330,33330,1,1,1,100; } > "$work/huge.csv"
 # shellcheck disable=SC2086
 run calibrate "$work/huge.csv" $nominal --report "$work/page.html"
-check "a reading that can be left out is, with finite numbers" tells_finite
+check "a reading that can be left out is, with finite numbers" prints_finite
 check "it is named" matches "$work/stdout" '^Left out: position 39 \(line 40\)'
 
 # ---- the terminal ------------------------------------------------------------------------------------
@@ -530,12 +530,12 @@ warm() { # POSITIONS SEED
 is_chance() { # POSITIONS SEED
     warm "$1" "$2"
     run calibrate "$work/warm.csv" --positions --gravity 9.8 --keep-all
-    told=$(tr '\n' ' ' < "$work/stdout" | sed -n 's/.*(p = \([0-9.e-]*\)).*/\1/p')
+    printed=$(tr '\n' ' ' < "$work/stdout" | sed -n 's/.*(p = \([0-9.e-]*\)).*/\1/p')
     run calibrate "$work/warm.csv" --positions --gravity 9.8 --keep-all --thermal 1 --json
     without=$(sed -n 's/^ *"residual_rms_without": \([0-9.e-]*\),*$/\1/p' "$work/stdout")
     is=$(chance_of "$(json "$work/stdout" residual_rms)" "$without" "$1")
-    echo "$told $is" | awk '{ exit !($1 > 0 && $1 / $2 < 1.06 && $2 / $1 < 1.06) }' ||
-        { echo "    told $told, but is $is" >&2; return 1; }
+    echo "$printed $is" | awk '{ exit !($1 > 0 && $1 / $2 < 1.06 && $2 / $1 < 1.06) }' ||
+        { echo "    printed $printed, but it is $is" >&2; return 1; }
 }
 for n in 24 30 50; do
     check "the chance that $n positions depend on temperature is Fisher's" is_chance $n 1

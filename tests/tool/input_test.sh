@@ -23,9 +23,9 @@ ms2=0.0006
 g=$(awk 'BEGIN { printf "%.17g", 0.0006 / 9.80665 }')
 mg=$(awk 'BEGIN { printf "%.17g", 0.6 / 9.80665 }')
 
-# told NAME RECOGNISED NEXT: the first lines of the table, joined, are NAME and what was recognised;
+# announces NAME RECOGNISED NEXT: the first lines of the table, joined, are NAME and what was recognised;
 # the line after them begins with NEXT.
-told() { tr '\n' ' ' < "$work/stdout" | grep -Fq -- "$1 $2 $3"; }
+announces() { tr '\n' ' ' < "$work/stdout" | grep -Fq -- "$1 $2 $3"; }
 
 # write_dress SCALE HEADER ROW: $work/dress.csv from the plain log; ROW is an expression of awk in t
 # (seconds), x, y, z (counts by SCALE) and n (from 0). HEADER goes through printf %b.
@@ -51,7 +51,7 @@ dress() {
     check "$1: the unit is $3, from $4" test "$(field unit) $(field unit_from)" = "\"$3\" \"$4\""
     run calibrate -
     in=/dev/null
-    check "$1: it is reported" told "standard input:" "$5" "standard input: 12400 samples, 124 s at 100"
+    check "$1: it is reported" announces "standard input:" "$5" "standard input: 12400 samples, 124 s at 100"
 }
 
 ax='x "," y "," z'
@@ -180,7 +180,7 @@ dress_positions() {
     check "$sentence_: zero and scale come from $nominal" test "$(awk -F '"' '/"(zero|lsb)_from"/ { printf "%s ", $4 }' "$work/stdout")" = "${nominal% *} ${nominal#* } "
     run calibrate - --positions "$@"
     in=/dev/null
-    check "$sentence_: it is reported" told "standard input:" "$text" "standard input: 18 positions"
+    check "$sentence_: it is reported" announces "standard input:" "$text" "standard input: 18 positions"
 }
 
 x='x "," y "," z'

@@ -119,7 +119,7 @@ check "two axes: what is open is named" member_is undetermined \
 
 accepts "plan --moves --report" plan --quiet --moves tour16 --report "$work/turns.html"
 check "it is a page" is_page "$work/turns.html"
-check "which shows its command" tells_command "$work/turns.html" invcal plan --quiet --moves tour16 --report "$work/turns.html"
+check "which shows its command" shows_command "$work/turns.html" invcal plan --quiet --moves tour16 --report "$work/turns.html"
 check "and the verdict" matches "$work/turns.html" '16 turns determine all 18 parameters'
 check "and each turn" [ "$(grep -c '☐' "$work/turns.html")" -eq 16 ]
 run plan --quiet --moves x:90,x:90 --report "$work/open.html"

@@ -17,7 +17,7 @@ marks() { # of the map, without the legend
 }
 
 # One run: line, JSON and page; cal.json as it was.
-told() { # WORD ARGUMENTS
+refused_as() { # WORD ARGUMENTS
     word=$1
     shift
     rm -f "$page"
@@ -48,39 +48,39 @@ printf '%s\n' 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 1,2,3 
 "$tool" simulate --plan edges --dwell 0.5 --move 0.5 > "$work/restless.csv"
 "$tool" simulate --plan edges --temperature 10,40 --drift 0.001 > "$work/drift.csv"
 
-check "refusal: too few" told 'too few' "$work/few.csv" --positions
+check "refusal: too few" refused_as 'too few' "$work/few.csv" --positions
 check "refusal: seven to add" test "$(wc -l < "$work/add")" -eq 7
 check "refusal: they are in the map, and those taken" test "$(marks 'c3 full')" -eq 7 -a "$(marks 'c1 full')" -eq 5
 check "refusal: what is not determined is reported" shows 'Undetermined: '
 words > "$work/words"
 check "refusal: the file that was not written is named" grep -Fq "$work/out/cal.json was not written." "$work/words"
-check "refusal: undetermined" told undetermined "$work/plane.csv" --positions
+check "refusal: undetermined" refused_as undetermined "$work/plane.csv" --positions
 check "refusal: the map gives the same advice as the text" grep -q '^+z up$' "$work/add"
 positions hyperboloid 18 1 > "$work/saddle.csv"
-check "refusal: not an ellipsoid" told 'not an ellipsoid' "$work/saddle.csv" --positions
-check "refusal: one position again and again" told undetermined "$work/one.csv" --positions
-check "refusal: six faces in a log" told 'too few' "$work/faces.csv"
+check "refusal: not an ellipsoid" refused_as 'not an ellipsoid' "$work/saddle.csv" --positions
+check "refusal: one position again and again" refused_as undetermined "$work/one.csv" --positions
+check "refusal: six faces in a log" refused_as 'too few' "$work/faces.csv"
 check "refusal: with the log on the page" shows 'The log 4[0-9]* samples'
-check "refusal: a log without a rest" told 'no rest' "$work/restless.csv"
+check "refusal: a log without a rest" refused_as 'no rest' "$work/restless.csv"
 check "refusal: with twelve to add" test "$(wc -l < "$work/add")" -eq 12
-check "refusal: a wrong unit" told 'out of range' "$data/xsens_mti_positions.csv" --positions --zero 0,0,0 --lsb 1
+check "refusal: a wrong unit" refused_as 'out of range' "$data/xsens_mti_positions.csv" --positions --zero 0,0,0 --lsb 1
 check "refusal: the position is crossed, and named" shows 'Position 1 reads 6.*e[+]03 of the field .* refused'
 check "refusal: in the map" test "$(marks 'c2 full')" -eq 1
 sed 's/^/1e300,/; s/,[^,]*$//' "$work/few.csv" | head -n 1 > "$work/huge.csv"
 cat "$work/thirteen.csv" >> "$work/huge.csv"
-check "refusal: a reading that is too large" told 'out of range' "$work/huge.csv" --positions --zero 0,0,0 \
+check "refusal: a reading that is too large" refused_as 'out of range' "$work/huge.csv" --positions --zero 0,0,0 \
     --lsb 1 --keep-all
 check "refusal: every number of its page is finite" lacks "$work/words" '[^a-z](nan|inf)[^a-z]'
 check "refusal: its length is reported in words" shows 'far off refused'
-check "refusal: all rests drift" told 'too few' "$work/drift.csv" --thermal 1
+check "refusal: all rests drift" refused_as 'too few' "$work/drift.csv" --thermal 1
 check "refusal: positions that drifted are crossed, none are to be added" test "$(wc -l < "$work/add")" -eq 0 -a \
     "$(marks 'c2 full')" -ge 12
-check "refusal: --quadratic of thirteen" told 'too few' "$work/thirteen.csv" --positions --quadratic
+check "refusal: --quadratic of thirteen" refused_as 'too few' "$work/thirteen.csv" --positions --quadratic
 check "refusal: one to add" test "$(wc -l < "$work/add")" -ge 1
-check "refusal: --cubic in a plane and a circle" told 'too few' "$work/sixteen.csv" --positions --cubic
+check "refusal: --cubic in a plane and a circle" refused_as 'too few' "$work/sixteen.csv" --positions --cubic
 awk -v trouble=columns -v seed=1 -f "$here/stand.awk" > "$work/stand.csv"
-check "refusal: angles of another stand" told angles "$work/stand.csv" --positions --stand --frame stand
-check "refusal: FAIL, too, if there is a need" told 'too few' "$work/few.csv" --positions --need 1mg
+check "refusal: angles of another stand" refused_as angles "$work/stand.csv" --positions --stand --frame stand
+check "refusal: FAIL, too, if there is a need" refused_as 'too few' "$work/few.csv" --positions --need 1mg
 check "refusal: in its box" shows 'No calibration: too few ✗ FAIL: there is no calibration\. 5 positions'
 run calibrate "$work/few.csv" --positions --report "$page"
 check "refusal: without --json the page is named" grep -Fxq "Report in $page." "$work/stdout"

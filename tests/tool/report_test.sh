@@ -72,7 +72,7 @@ size=$(awk '{ print $5 + 256 * ($6 + 256 * ($7 + 256 * $8)) }' "$work/trailer")
 check "report: CRC and size are those of the file" says_page "$size bytes, CRC-32 $crc"
 run calibrate "$data/mpu9150_0_positions.csv" --positions --gravity 9.81 --json
 check "report: the JSON has the same CRC" test "$(json "$work/stdout" source_crc)" = "\"$crc\""
-check "report: the command line is shown" tells_command "$page" invcal calibrate --report "$page" \
+check "report: the command line is shown" shows_command "$page" invcal calibrate --report "$page" \
     "$data/mpu9150_0_positions.csv" --positions --gravity 9.81
 in=$data/mpu9150_0_positions.csv
 makes_page "standard input" - --positions --gravity 9.81
@@ -156,7 +156,7 @@ check "report: and the table gives a possible reason" matches "$work/stdout" \
 
 # Four residuals of the same size do not show which positions are wrong.
 "$tool" simulate --plan per-group:5 --outliers 3 --seed 33 --noise 0.002 > "$work/doubt.csv"
-makes_page "outliers not to be told" "$work/doubt.csv"
+makes_page "outliers that cannot be identified" "$work/doubt.csv"
 check "report: then the verdict is not good" says_page \
     '! Contradictory .* 4 positions contradict one another, and nothing shows which'
 check "report: nor is it in the table" matches "$work/stdout" '^Contradictory: .* 4 positions'
@@ -222,7 +222,7 @@ odd="$work/<img src=x onerror=alert(1)>&\"' \$(id).csv"
 makes_page "a hostile name and header" "$odd" --positions --noise 0.01 --nominal-name '<b>"&'
 check "report: the name is reported anyway" says_page \
     "Calibration of <img src=x onerror=alert\(1\)>&\"' \\\$\(id\)\.csv"
-check "report: in the command it is quoted" tells_command "$page" invcal calibrate \
+check "report: in the command it is quoted" shows_command "$page" invcal calibrate \
     --report "$page" "$odd" --positions --noise 0.01 --nominal-name '<b>"&'
 printf 'x\377y' > "$work/bytes"
 makes_page "a name that is no UTF-8" "$work/icosahedron.csv" --positions --noise 0.01 \
@@ -264,7 +264,7 @@ check "report: the matrix is the JSON's" sh -c 'sed -n "/<h2>Use it/,/<.table>/p
     awk -v file="$2" "{ for (i = 0; i < 3; i++) {
             getline line < file; if (split(line, m, /[^-+0-9.e]+/) < 5) exit 1
             for (k = 2; k <= 5; k++) { d = \$(5 * i + k) / m[k] - 1; if (!(d * d < 1e-16)) exit 1 } } }" "$3"' sh \
-    "$page" "$work/numbers" "$work/told"
+    "$page" "$work/numbers" "$work/printed"
 makes_page "a nonlinearity" "$xsens" --positions --gravity 9.81744 --quadratic
 check "report: which has no constant" says_page 'It cannot be exported as a constant: no format corrects quadratic'
 check "report: and no box for one" lacks "$page" 'static const'

@@ -186,14 +186,14 @@ row() { # TROUBLE CODE ARGUMENTS ...: the first cell, and what calibrate is call
     check "stand: errors.md is right about: $trouble" row_is_true
 }
 row_is_true() {
-    told=$(echo "$row" | awk -F ' [|] ' '{ print $3 }')
-    { [ -n "$told" ] && [ "$code" -eq "$expected" ]; } || { complain; return 1; }
-    if [ "$told" = nothing ]; then
+    message=$(echo "$row" | awk -F ' [|] ' '{ print $3 }')
+    { [ -n "$message" ] && [ "$code" -eq "$expected" ]; } || { complain; return 1; }
+    if [ "$message" = nothing ]; then
         matches "$work/stdout" '^Good: ' && lacks "$work/stdout" '^(Misset|Stand|The unit appears)'
         return
     fi
     cat "$work/stdout" "$work/stderr" | tr -s ' \n' ' ' > "$work/words"
-    echo "$told" | grep -o '"[^"]*"' | tr -d '"' > "$work/quoted"
+    echo "$message" | grep -o '"[^"]*"' | tr -d '"' > "$work/quoted"
     awk 'NR == FNR { text = $0; next } !(at = index(text, $0)) { print "    not said: " $0; exit 1 }
         { text = substr(text, at + length($0)) }' "$work/words" "$work/quoted" >&2 && [ -s "$work/quoted" ]
 }

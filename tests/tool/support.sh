@@ -135,10 +135,10 @@ is_page() { # FILE: HTML that is well-formed, and needs nothing else
 plainly() { sed 's/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&#39;/'"'"'/g; s/&amp;/\&/g'; }
 
 # The page shows the command that made it, and a shell splits that into exactly these words.
-tells_command() { # FILE WORD ...
-    told=$(sed -n 's/^<dd class="literal">\(invcal .*\)<\/dd>$/\1/p' "$1" | plainly)
+shows_command() { # FILE WORD ...
+    shown_command=$(sed -n 's/^<dd class="literal">\(invcal .*\)<\/dd>$/\1/p' "$1" | plainly)
     shift
-    [ "$(eval "printf '%s\n' $told")" = "$(printf '%s\n' "$@")" ] || { echo "    $told" >&2; return 1; }
+    [ "$(eval "printf '%s\n' $shown_command")" = "$(printf '%s\n' "$@")" ] || { echo "    $shown_command" >&2; return 1; }
 }
 
 same() { cmp -s "$1" "$2"; }

@@ -81,7 +81,7 @@ refuses_value --nominal-name a-very-long-heading 'at most 14'
 refuses_value --prior 0.1,0.1,0.1 '--zero and --lsb, or --nominal'
 refuses_file "a prior with --zero alone is refused" 2 '--prior: .*--lsb' \
     "$good" --zero 0,0,0 --noise 0.01 --prior 0.1,0.1,0.1
-refuses_file "a prior without noise is refused and tells why" 2 '--prior: .*--noise, or columns' \
+refuses_file "a prior without noise is refused with the reason" 2 '--prior: .*--noise, or columns' \
     "$good" --zero 0,0,0 --lsb 1 --prior 0.1,0.1,0.1
 refuses_file "a negative prior is refused" 2 '--prior: a standard deviation must not be negative' \
     "$good" --zero 0,0,0 --lsb 1 --noise 0.01 --prior 0.1,-0.1,0.1
@@ -292,7 +292,7 @@ accepts "with a prior three positions will do" calibrate "$work/three.csv" --pos
 check "source names what the data determined" [ "$(grep -Ec '^    "(delta|dk|gamma)_.*": "(data|prior)"' \
     "$work/stdout")" -eq 9 ]
 check "source says prior for some" matches "$work/stdout" '"gamma_..": "prior"'
-accepts "with a prior the table tells what it told" calibrate "$work/three.csv" --positions $prior
+accepts "with a prior the table shows what it determined" calibrate "$work/three.csv" --positions $prior
 check "the table names what the prior determined" matches "$work/stdout" '^Determined by the prior rather than'
 head -n 7 "$good" > "$work/seven.csv"
 run calibrate "$work/seven.csv" --positions --zero 0,0,0 --lsb 1 --noise 0.002 --prior 1e-6,0,0 --json

@@ -23,10 +23,10 @@ number() { # number FIELD INDEX FACTOR SIGMA
 }
 # All digits that are printed are right: to half a unit of the last place.
 agrees() { # agrees TOLD TRUE
-    awk -v told="$1" -v true="$2" 'BEGIN {
-        places = match(told, /\./) ? length(told) - RSTART : 0
-        d = told - true
-        exit !(told != "" && true != "" && (d < 0 ? -d : d) <= 0.5000001 * 10 ^ -places)
+    awk -v printed="$1" -v true="$2" 'BEGIN {
+        places = match(printed, /\./) ? length(printed) - RSTART : 0
+        d = printed - true
+        exit !(printed != "" && true != "" && (d < 0 ? -d : d) <= 0.5000001 * 10 ^ -places)
     }'
 }
 both_agree() { # both_agree LABEL FIELD INDEX FACTOR
@@ -71,11 +71,11 @@ for pair in xy xz zy; do
     check "angle $pair in arcsec" both_agree "angle $pair" gamma $n 206264.80624709636
     check "angle $pair: 3600 times that in degrees" factor "angle $pair" 3600
 done
-told() { awk -v label="$1" 'index($0, label) { sub(label, ""); print $1, $2; exit }' "$2"; }
+labelled() { awk -v label="$1" 'index($0, label) { sub(label, ""); print $1, $2; exit }' "$2"; }
 rms=$(awk -F '[:,]' '/"residual_rms"/ { printf "%.6f", 1e6 * $2 }' "$work/result.json")
-check "residual in micro-g" agrees "$(told 'residual rms' "$work/ins" | cut -d ' ' -f 1)" "$rms"
-check "and its unit" test "$(told 'residual rms' "$work/ins" | cut -d ' ' -f 2)" = µg
-check "residual: 1000 times that in mg" agrees "$(told 'residual rms' "$work/everyday" | cut -d ' ' -f 1)" \
+check "residual in micro-g" agrees "$(labelled 'residual rms' "$work/ins" | cut -d ' ' -f 1)" "$rms"
+check "and its unit" test "$(labelled 'residual rms' "$work/ins" | cut -d ' ' -f 2)" = µg
+check "residual: 1000 times that in mg" agrees "$(labelled 'residual rms' "$work/everyday" | cut -d ' ' -f 1)" \
     "$(awk -v r="$rms" 'BEGIN { printf "%.9f", r / 1000 }')"
 check "the other lines are the same" test "$(grep -c . "$work/ins")" -eq $(($(grep -c . "$work/everyday") + 3))
 check "no milli-g, percent or degree is left in the table" lacks "$work/ins" ' (mg|degrees off square|% in the)'

@@ -91,7 +91,7 @@ test("a screen reader hears each position, where to turn, and when to stop; not 
     await page.select("#speed", "16");
     await page.click("#simulator");
     await page.until(GOOD, "good");
-    await page.until('window.heard.at(-1).includes("you may stop")', "told to stop");
+    await page.until('window.heard.at(-1).includes("you may stop")', "may stop");
     const heard = await page.evaluate(() => window.heard);
     expect(heard.some((text) => /^Position 3 taken/.test(text)) && heard.some((text) => /Turn to [+−][xyz] up/.test(text)), heard.join(" | "));
     const n = await page.evaluate(() => invcal.session().positions.length);

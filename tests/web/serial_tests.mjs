@@ -129,10 +129,10 @@ test("serial: unplugged and plugged in again, it continues", async (open) => {
     const before = (await state(page)).positions;
     expect(before >= 8, `${before} positions`);
     await page.evaluate(() => board.unplug());
-    await page.until('document.querySelector("#notice").textContent.includes("Plug it in again")', "told");
+    await page.until('document.querySelector("#notice").textContent.includes("Plug it in again")', "notice");
     await page.picture("unplugged");
     await page.evaluate(() => board.plug());
-    await page.until('document.querySelector("#notice").textContent.includes("is back")', "told");
+    await page.until('document.querySelector("#notice").textContent.includes("is back")', "notice");
     const n = (await state(page)).samples;
     await print(page, `,12\r\n${lines(readings.slice(8), commas, { seed: 5 }).join("")}`);
     await arrived(page, n + 9 * 300);
@@ -200,14 +200,14 @@ test("serial: stopped, and started again; the port is closed between", async (op
 
 test("serial: silence and a wrong baud rate are reported, until lines arrive", async (open) => {
     const page = await connect(open);
-    const told = (text) => page.until(`document.querySelector("#notice").textContent.includes(${JSON.stringify(text)})`, text, 6000);
-    await told("Nothing arrives from the board");
+    const notices = (text) => page.until(`document.querySelector("#notice").textContent.includes(${JSON.stringify(text)})`, text, 6000);
+    await notices("Nothing arrives from the board");
     await page.picture("silent");
     await print(page, "\u0001\u0002\ufffd\n".repeat(50));
-    await told("Is 115200 baud right");
+    await notices("Is 115200 baud right");
     await print(page, lines([reads([0, 0, 1])], commas).join(""));
     await page.until('document.querySelector("#notice").textContent === ""', "cleared once lines arrive", 6000);
-    await told("has stopped printing");
+    await notices("has stopped printing");
     await page.click("#stop");
 }, CHROMIUM);
 
