@@ -230,7 +230,7 @@ static void what_is_beyond_chance_has_changed(void)
     }
 }
 
-static void without_sigma_nothing_is_told(void)
+static void without_sigma_nothing_is_reported(void)
 {
     now.sigma[INVCAL_DELTA_X] = (double)NAN;
     now.x[INVCAL_DELTA_X] += 1e6;
@@ -253,7 +253,7 @@ static double chi_square(random_source *random, unsigned dof)
 }
 
 /* Nine unchanged parameters, with sigma from residuals: 5 % of cases or slightly less. */
-static void drift_is_seldom_told_by_chance(void)
+static void drift_is_seldom_reported_by_chance(void)
 {
     random_source random = random_start(1);
     unsigned alarms = 0;
@@ -292,7 +292,7 @@ static void rosners_example_has_three(void)
     TEST_ASSERT_EQUAL_UINT(0, compare_outside(x, 54, 0.01, who));
 }
 
-static void what_is_all_the_same_has_none_outside(void)
+static void equal_values_have_no_outlier(void)
 {
     double x[20] = {0};
     unsigned who[20];
@@ -304,7 +304,7 @@ static void what_is_all_the_same_has_none_outside(void)
     TEST_ASSERT_EQUAL_UINT(0, compare_outside(x, 2, 0.05, who));
 }
 
-static void devices_are_seldom_outside_by_chance(void)
+static void devices_are_seldom_outliers_by_chance(void)
 {
     static const unsigned sizes[] = {3, 8, 12, 20, 60};
     random_source random = random_start(2);
@@ -359,7 +359,7 @@ static void median_and_spread_are_closed_forms(void)
     free(fleet.fleet.outside);
 }
 
-static void one_that_is_off_is_outside(void)
+static void one_that_is_off_is_an_outlier(void)
 {
     make_fleet();
     item[13].x[INVCAL_DK_Y] += 60;
@@ -388,12 +388,12 @@ int main(void)
     RUN_TEST(sigma_are_those_of_the_parameters);
     RUN_TEST(chance_is_that_of_students_table);
     RUN_TEST(what_is_beyond_chance_has_changed);
-    RUN_TEST(without_sigma_nothing_is_told);
-    RUN_TEST(drift_is_seldom_told_by_chance);
+    RUN_TEST(without_sigma_nothing_is_reported);
+    RUN_TEST(drift_is_seldom_reported_by_chance);
     RUN_TEST(rosners_example_has_three);
-    RUN_TEST(what_is_all_the_same_has_none_outside);
-    RUN_TEST(devices_are_seldom_outside_by_chance);
+    RUN_TEST(equal_values_have_no_outlier);
+    RUN_TEST(devices_are_seldom_outliers_by_chance);
     RUN_TEST(median_and_spread_are_closed_forms);
-    RUN_TEST(one_that_is_off_is_outside);
+    RUN_TEST(one_that_is_off_is_an_outlier);
     return UNITY_END();
 }

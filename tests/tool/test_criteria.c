@@ -484,7 +484,7 @@ static void up_to_eight_positions_are_refused(void)
     }
 }
 
-static void sums_that_are_no_numbers_are_refused(void)
+static void sums_that_are_not_numbers_are_refused(void)
 {
     static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     const invcal_sums good = design_of(expected_icosahedron, 12);
@@ -871,7 +871,7 @@ int main(void)
     RUN_TEST(turned_faces_are_refused_too);
     RUN_TEST(turned_planes_are_refused_too);
     RUN_TEST(up_to_eight_positions_are_refused);
-    RUN_TEST(sums_that_are_no_numbers_are_refused);
+    RUN_TEST(sums_that_are_not_numbers_are_refused);
     RUN_TEST(a_flat_set_is_refused_by_its_condition);
     RUN_TEST(order_does_not_matter);
     RUN_TEST(directions_and_their_opposites_are_worth_the_same);

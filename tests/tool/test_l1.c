@@ -95,7 +95,7 @@ static void no_other_parameters_leave_less(void)
     TEST_ASSERT_TRUE(zero >= 7); /* nine in the limit, which the weights reach slowly */
 }
 
-static void a_wrong_position_does_not_draw_it_along(void)
+static void a_wrong_position_does_not_pull_it(void)
 {
     random_source random = random_start(2);
 
@@ -144,7 +144,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(no_other_parameters_leave_less);
-    RUN_TEST(a_wrong_position_does_not_draw_it_along);
+    RUN_TEST(a_wrong_position_does_not_pull_it);
     RUN_TEST(its_spread_is_somewhat_larger_than_that_of_least_squares);
     RUN_TEST(too_few_are_refused);
     return UNITY_END();

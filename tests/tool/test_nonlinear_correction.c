@@ -113,7 +113,7 @@ static double worst(double times, double turn)
     return most;
 }
 
-static void errors_are_taken_off_to_rounding_in_any_frame(void)
+static void errors_are_corrected_to_rounding_in_any_frame(void)
 {
     random_source random = random_start(1);
 
@@ -154,7 +154,7 @@ static void without_terms_a_reading_stays(void)
     TEST_ASSERT_EQUAL_DOUBLE(3, raw[2]);
 }
 
-static void terms_that_are_no_small_errors_are_refused(void)
+static void terms_that_are_not_small_errors_are_refused(void)
 {
     know(0);
     file.nonlinear.term[0][1] = 0.3;
@@ -166,9 +166,9 @@ static void terms_that_are_no_small_errors_are_refused(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(errors_are_taken_off_to_rounding_in_any_frame);
+    RUN_TEST(errors_are_corrected_to_rounding_in_any_frame);
     RUN_TEST(beyond_the_edge_the_error_is_that_of_the_edge);
     RUN_TEST(without_terms_a_reading_stays);
-    RUN_TEST(terms_that_are_no_small_errors_are_refused);
+    RUN_TEST(terms_that_are_not_small_errors_are_refused);
     return UNITY_END();
 }

@@ -57,7 +57,7 @@ static unsigned measure(random_source *random, const triad_truth *truth, unsigne
     return 3 * per_group;
 }
 
-static void programs_are_worth_what_the_reference_says(void)
+static void programs_have_the_figures_of_the_reference(void)
 {
     static const struct {
         unsigned per_group;
@@ -150,7 +150,7 @@ static void sigma_is_honest(void)
     }
 }
 
-static void what_the_positions_do_not_tell_is_refused_by_name(void)
+static void what_the_positions_do_not_determine_is_refused_by_name(void)
 {
     random_source random = random_start(5);
     const triad_truth none = {{0}};
@@ -192,9 +192,9 @@ static void what_the_positions_do_not_tell_is_refused_by_name(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(programs_are_worth_what_the_reference_says);
+    RUN_TEST(programs_have_the_figures_of_the_reference);
     RUN_TEST(without_noise_it_is_exact);
     RUN_TEST(sigma_is_honest);
-    RUN_TEST(what_the_positions_do_not_tell_is_refused_by_name);
+    RUN_TEST(what_the_positions_do_not_determine_is_refused_by_name);
     return UNITY_END();
 }

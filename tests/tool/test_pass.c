@@ -74,7 +74,7 @@ static void a_limit_holds_value_and_interval(void)
     TEST_ASSERT_EQUAL_HEX16(0, pass_judge(&result).failed);
 }
 
-static void a_need_holds_what_lengths_and_the_field_are_wrong_by(void)
+static void a_need_covers_the_errors_of_lengths_and_of_the_field(void)
 {
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 0.5, pass_judge(&result).need_used);
     result.need = 0.4 * 9.80665e-3;
@@ -85,7 +85,7 @@ static void a_need_holds_what_lengths_and_the_field_are_wrong_by(void)
     TEST_ASSERT_TRUE(pass_judge(&result).is_passed);
 }
 
-static void what_is_not_known_or_not_good_passes_nothing(void)
+static void what_is_unknown_or_not_good_does_not_pass(void)
 {
     static const invcal_verdict others[] = {INVCAL_NO_REDUNDANCY, INVCAL_WEAK, INVCAL_ROUGH,
                                             INVCAL_DRIFTING, INVCAL_BENT};
@@ -113,7 +113,7 @@ static void what_is_not_known_or_not_good_passes_nothing(void)
     TEST_ASSERT_FALSE(pass_judge(&result).is_asked || pass_judge(&result).is_passed);
 }
 
-static void the_line_tells_the_margins(void)
+static void the_line_has_the_margins(void)
 {
     TEST_ASSERT_EQUAL_STRING(
         "PASS: |a| within 0.50 of 1.0 mg; offset x up to 6.00 of 10.0 mg (95 %).",
@@ -202,9 +202,9 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(a_limit_holds_value_and_interval);
-    RUN_TEST(a_need_holds_what_lengths_and_the_field_are_wrong_by);
-    RUN_TEST(what_is_not_known_or_not_good_passes_nothing);
-    RUN_TEST(the_line_tells_the_margins);
+    RUN_TEST(a_need_covers_the_errors_of_lengths_and_of_the_field);
+    RUN_TEST(what_is_unknown_or_not_good_does_not_pass);
+    RUN_TEST(the_line_has_the_margins);
     RUN_TEST(a_strict_exit_names_the_verdict);
     RUN_TEST(needs_are_stated_in_units);
     return UNITY_END();

@@ -58,7 +58,7 @@ static void texts_are_plain(void)
     }
 }
 
-static void texts_are_as_long_as_there_is_room(void)
+static void texts_are_as_long_as_the_space(void)
 {
     char text[RECORD_MAX + 1];
 
@@ -91,7 +91,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(dates_are_days_of_the_calendar);
     RUN_TEST(texts_are_plain);
-    RUN_TEST(texts_are_as_long_as_there_is_room);
+    RUN_TEST(texts_are_as_long_as_the_space);
     RUN_TEST(a_line_has_what_there_is);
     return UNITY_END();
 }

@@ -155,7 +155,7 @@ static void twelve_are_asked_for_in_all(void)
 }
 
 /* A circle, of however many positions, says nothing about its axis. */
-static void a_circle_wants_positions_across(void)
+static void a_circle_needs_positions_across_it(void)
 {
     const unsigned planes = 20;
     double highest = 0;
@@ -182,6 +182,6 @@ int main(void)
     RUN_TEST(a_nominal_that_is_stated_is_taken);
     RUN_TEST(what_has_no_length_is_not_seen);
     RUN_TEST(twelve_are_asked_for_in_all);
-    RUN_TEST(a_circle_wants_positions_across);
+    RUN_TEST(a_circle_needs_positions_across_it);
     return UNITY_END();
 }

@@ -38,7 +38,7 @@ static void without_blocks_the_noise_is_that_of_the_samples_summed(void)
 
 /* Means of 1, 2, 4, 7 and 11 counts: the average is 5, the squares of the deviations sum to 66;
  * over 5 times 4. */
-static void with_blocks_it_is_as_their_means_scatter(void)
+static void with_blocks_it_is_the_scatter_of_their_means(void)
 {
     static const double block_mean[] = {1, 2, 4, 7, 11};
     positions p = {.name = "log"};
@@ -59,6 +59,6 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(without_blocks_the_noise_is_that_of_the_samples_summed);
-    RUN_TEST(with_blocks_it_is_as_their_means_scatter);
+    RUN_TEST(with_blocks_it_is_the_scatter_of_their_means);
     return UNITY_END();
 }

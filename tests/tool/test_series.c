@@ -501,7 +501,7 @@ static void one_position_too_many_is_refused(void)
     }
 }
 
-static void a_j_that_is_no_number_is_refused_and_may_be_given_again(void)
+static void a_j_that_is_not_a_number_is_refused_and_may_be_given_again(void)
 {
     static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     random_source random = random_start(12);
@@ -629,7 +629,7 @@ int main(void)
     RUN_TEST(no_information_has_no_efficiency);
     RUN_TEST(an_incomplete_program_is_refused_and_nothing_touched);
     RUN_TEST(one_position_too_many_is_refused);
-    RUN_TEST(a_j_that_is_no_number_is_refused_and_may_be_given_again);
+    RUN_TEST(a_j_that_is_not_a_number_is_refused_and_may_be_given_again);
     RUN_TEST(a_j_that_no_reading_can_give_is_refused);
     RUN_TEST(an_unusable_plan_is_refused_by_the_series);
     RUN_TEST(a_group_that_does_not_exist_is_refused);

@@ -273,7 +273,7 @@ static void other_conventions_are_named(void)
     }
 }
 
-static void senses_and_zeros_are_taken_off(void)
+static void senses_and_zeros_are_corrected(void)
 {
     random_source random = random_start(7);
     const stand_wish wish = {.is_wanted = 1, .sense = {-1, -1}, .zero = {20, -7}};
@@ -320,7 +320,7 @@ int main(void)
     RUN_TEST(a_misset_angle_is_named);
     RUN_TEST(j1_sees_a_misset_angle_to_the_second_order);
     RUN_TEST(other_conventions_are_named);
-    RUN_TEST(senses_and_zeros_are_taken_off);
+    RUN_TEST(senses_and_zeros_are_corrected);
     RUN_TEST(of_eight_positions_none_seems_misset_by_chance);
     return UNITY_END();
 }

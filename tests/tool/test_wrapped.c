@@ -113,7 +113,7 @@ static void a_word_that_is_too_long_stays_whole(void)
     TEST_ASSERT_EQUAL_STRING_LEN("Saved in\n/", printed, 10);
 }
 
-static void a_command_is_whole_or_goes_on_behind_a_backslash(void)
+static void a_command_is_whole_or_continues_after_a_backslash(void)
 {
     wrapped_command(file, 5, 2, "invcal apply cal.json LOG");
     TEST_ASSERT_EQUAL_STRING(" invcal apply cal.json LOG\n", said());
@@ -203,7 +203,7 @@ static void no_row_of_a_long_table_is_lost(void)
     TEST_ASSERT_EQUAL_UINT((3000 + 126) / 127, headings);
 }
 
-static void a_heading_alone_is_no_table(void)
+static void a_heading_alone_is_not_a_table(void)
 {
     tabular_begin(file, "rr");
     tabular_heading("a|b");
@@ -211,7 +211,7 @@ static void a_heading_alone_is_no_table(void)
     TEST_ASSERT_EQUAL_STRING("", said());
 }
 
-static void a_help_is_laid_out_anew(void)
+static void a_help_is_laid_out_again(void)
 {
     static const char *const help[] = {
         "usage: invcal polish LOG [options]\n"
@@ -264,11 +264,11 @@ int main(void)
     RUN_TEST(a_text_breaks_between_words);
     RUN_TEST(what_belongs_together_stays);
     RUN_TEST(a_word_that_is_too_long_stays_whole);
-    RUN_TEST(a_command_is_whole_or_goes_on_behind_a_backslash);
+    RUN_TEST(a_command_is_whole_or_continues_after_a_backslash);
     RUN_TEST(a_table_is_as_wide_as_its_cells);
     RUN_TEST(a_table_that_is_too_wide_is_two);
     RUN_TEST(no_row_of_a_long_table_is_lost);
-    RUN_TEST(a_heading_alone_is_no_table);
-    RUN_TEST(a_help_is_laid_out_anew);
+    RUN_TEST(a_heading_alone_is_not_a_table);
+    RUN_TEST(a_help_is_laid_out_again);
     return UNITY_END();
 }

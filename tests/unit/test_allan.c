@@ -227,7 +227,7 @@ static void a_long_stream_is_exact(void)
     check_stream(noise_of_12_bits, LONG_RUN);
 }
 
-static void any_list_of_averaging_times_is_served(void)
+static void any_list_of_averaging_times_works(void)
 {
     static const uint32_t m[] = {1, 3, 4, 6, 8, 12, 16, 24, 64, 96};
     invcal_allan a = begun(m, 10);
@@ -303,7 +303,7 @@ static void unusable_lists_are_refused(void)
     }
 }
 
-static void what_is_not_known_yet_is_not_told(void)
+static void what_is_not_known_yet_is_not_shown(void)
 {
     invcal_allan a = octaves();
     invcal_allan_point p = {.m = 77};
@@ -884,7 +884,7 @@ static void one_averaging_time_alone_passes_for_white_noise(void)
 
 /* From rail to rail with every sample, and hardly a count from pair to pair: the two deviations
  * are 3e9 and 0.05, and the fourth power of their ratio is no float. */
-static void a_curve_that_the_number_type_does_not_hold_tells_nothing(void)
+static void a_curve_beyond_the_number_type_gives_nothing(void)
 {
     const uint32_t m[] = {1, 2};
     invcal_allan a = begun(m, 2);
@@ -964,7 +964,7 @@ static void dwell_ends_at_the_minimum_if_nothing_is_enough(void)
     check_dwell(&noise, 0.5e-4, 1, 1e-4, INVCAL_DWELL_FLOOR);
 }
 
-static void no_dwell_comes_of_what_is_no_noise(void)
+static void no_dwell_comes_from_invalid_noise(void)
 {
     static const double bad[] = {-1, NOT_A_NUMBER, INFINITE};
     invcal_noise noise = data_sheet(1e-3, 1e-4, 1e-5);
@@ -1057,11 +1057,11 @@ int main(void)
     RUN_TEST(every_octave_is_exact);
     RUN_TEST(every_octave_is_exact_for_any_int32);
     RUN_LONG_TEST(a_long_stream_is_exact);
-    RUN_TEST(any_list_of_averaging_times_is_served);
+    RUN_TEST(any_list_of_averaging_times_works);
     RUN_TEST(averaging_times_may_be_dense_or_sparse);
     RUN_TEST(windows_apart_are_every_one_of_an_averaging_time);
     RUN_TEST(unusable_lists_are_refused);
-    RUN_TEST(what_is_not_known_yet_is_not_told);
+    RUN_TEST(what_is_not_known_yet_is_not_shown);
     RUN_TEST(no_difference_reaches_across_a_gap);
     RUN_TEST(totals_may_pass_any_power_of_two);
     RUN_TEST(the_number_of_samples_may_pass_32_bits);
@@ -1082,10 +1082,10 @@ int main(void)
     RUN_TEST(unusable_rates_are_refused);
     RUN_TEST(a_few_samples_show_white_noise);
     RUN_TEST(one_averaging_time_alone_passes_for_white_noise);
-    RUN_TEST(a_curve_that_the_number_type_does_not_hold_tells_nothing);
+    RUN_TEST(a_curve_beyond_the_number_type_gives_nothing);
     RUN_TEST(dwell_is_the_shortest_time_that_is_enough);
     RUN_TEST(dwell_ends_at_the_minimum_if_nothing_is_enough);
-    RUN_TEST(no_dwell_comes_of_what_is_no_noise);
+    RUN_TEST(no_dwell_comes_from_invalid_noise);
     RUN_LONG_TEST(means_are_as_good_as_dwell_says);
     RUN_LONG_TEST(slow_noise_does_more_over_a_session);
     return UNITY_END();

@@ -252,7 +252,7 @@ static void positions_that_are_left_out_do_not_count(void)
 }
 
 /* Beyond INVCAL_MAX_POSITIONS none can be left out, and the maximum is 255. */
-static void many_positions_count_all(void)
+static void of_many_positions_all_count(void)
 {
     static invcal_real raw[256][3];
     const invcal_mask first = 1;
@@ -290,7 +290,7 @@ static void left_out_positions_may_leave_too_few(void)
                                                                    &calibration, &quality));
 }
 
-static void the_calibration_may_take_the_place_of_nominal(void)
+static void the_calibration_may_overwrite_nominal(void)
 {
     random_source random = random_start(8);
     const triad_truth truth = triad_random(&random, 0.1);
@@ -307,7 +307,7 @@ static void the_calibration_may_take_the_place_of_nominal(void)
 }
 
 /* With the calibration found as nominal, p and J are nearly zero, and so is the loss. */
-static void a_second_time_finds_next_to_nothing(void)
+static void a_second_pass_finds_almost_nothing(void)
 {
     random_source random = random_start(9);
     const triad_truth truth = triad_random(&random, 0.1);
@@ -388,10 +388,10 @@ int main(void)
     RUN_TEST(a_wrong_nominal_offset_does_not_change_the_result);
     RUN_TEST(no_position_at_all_is_too_few);
     RUN_TEST(positions_that_are_left_out_do_not_count);
-    RUN_TEST(many_positions_count_all);
+    RUN_TEST(of_many_positions_all_count);
     RUN_TEST(left_out_positions_may_leave_too_few);
-    RUN_TEST(the_calibration_may_take_the_place_of_nominal);
-    RUN_TEST(a_second_time_finds_next_to_nothing);
+    RUN_TEST(the_calibration_may_overwrite_nominal);
+    RUN_TEST(a_second_pass_finds_almost_nothing);
     RUN_TEST(an_unusable_noise_is_refused);
     RUN_TEST(an_unusable_nominal_is_refused);
     return UNITY_END() != 0;

@@ -47,7 +47,7 @@ static void each_cell_holds_its_own_direction(void)
 }
 
 /* Each an eighteenth of the sphere: within 5 standard deviations of a binomial. */
-static void cells_are_as_large_as_each_other(void)
+static void cells_have_equal_size(void)
 {
     const int draws = 18 * SOME(10000);
     random_source random = random_start(1);
@@ -321,7 +321,7 @@ static void cells_that_scatter_much_more_count_alone(void)
 
 /* Nine cells leave no redundancy, and cells that agree to the last bit show no scatter: sigma stays
  * as it was. */
-static void what_shows_no_scatter_is_not_weighed(void)
+static void what_shows_no_scatter_is_not_weighted(void)
 {
     static invcal_cells cells;
     invcal_cell_fit fit = {.tables = {&cells, &cells}};
@@ -370,7 +370,7 @@ static const invcal_cell_fit as_they_are = {
 
 /* An offset and a length are four unknowns: four cells tell them, wherever these are, three do not. Closed form: lengths
  * of +x and -x change by the shift of 0.1, those across by 0.005; 100 samples before and after weigh 50. */
-static void four_cells_tell_a_step(void)
+static void four_cells_show_a_step(void)
 {
     static const double direction[6][3] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
                                            {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
@@ -408,7 +408,7 @@ static void add_longer(unsigned k, double excess)
 /* Six faces are longer by b, four edges by b + e, b - e, b - e and b + e, which no offset or length explains. Single
  * samples weigh 1/2: 5 b^2 is told and 2 e^2 is left, of 6 degrees of freedom. F is above 40 if 6 5 b^2 > 160 2 e^2:
  * b > 3.266 e. A power of 1 has nothing to say, and what was only seen before, or only after, has no part in it. */
-static void ten_cells_tell_a_step_by_themselves(void)
+static void ten_cells_show_a_step_by_themselves(void)
 {
     static const unsigned edge[] = {14, 15, 16, 17};
 
@@ -434,17 +434,17 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(each_cell_holds_its_own_direction);
-    RUN_TEST(cells_are_as_large_as_each_other);
+    RUN_TEST(cells_have_equal_size);
     RUN_TEST(moved_rows_are_those_of_moved_readings);
     RUN_SLOW_TEST(a_full_cell_keeps_its_mean);
     RUN_TEST(a_cell_that_a_merge_fills_is_halved);
-    RUN_TEST(what_shows_no_scatter_is_not_weighed);
+    RUN_TEST(what_shows_no_scatter_is_not_weighted);
     RUN_TEST(nine_cells_are_enough);
     RUN_TEST(a_cell_is_a_position_with_the_length_of_its_samples);
     RUN_TEST(the_power_counts_as_24);
     RUN_TEST(cells_that_scatter_much_more_count_alone);
-    RUN_TEST(four_cells_tell_a_step);
-    RUN_TEST(ten_cells_tell_a_step_by_themselves);
+    RUN_TEST(four_cells_show_a_step);
+    RUN_TEST(ten_cells_show_a_step_by_themselves);
     RUN_TEST(a_gap_is_that_of_the_farthest_cell);
     return UNITY_END();
 }

@@ -72,7 +72,7 @@ static void quarter_turns_are_exact(void)
     }
 }
 
-static void what_is_no_angle_has_no_sine(void)
+static void what_is_not_an_angle_has_no_sine(void)
 {
     invcal_real c = 7;
     invcal_real s = 7;
@@ -87,6 +87,6 @@ int main(void)
     RUN_TEST(cosine_and_sine_agree_with_libm_over_the_whole_turn);
     RUN_TEST(both_sides_of_a_seam_agree_with_libm);
     RUN_TEST(quarter_turns_are_exact);
-    RUN_TEST(what_is_no_angle_has_no_sine);
+    RUN_TEST(what_is_not_an_angle_has_no_sine);
     return UNITY_END();
 }

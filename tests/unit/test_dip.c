@@ -81,7 +81,7 @@ static void a_rotation_of_up_to_90_degrees_comes_back(void)
 
 /* The angles of many draws scatter by sigma; errors that are alike k times count once. The heading
  * error that remains is sigma / cos dip. */
-static void sigma_is_what_the_angles_scatter_by(void)
+static void sigma_is_the_scatter_of_the_angles(void)
 {
     static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const int runs = 300;
@@ -271,7 +271,7 @@ int main(void)
     RUN_TEST(a_rotation_of_up_to_90_degrees_comes_back);
     RUN_TEST(the_quality_is_that_of_closed_form);
     RUN_TEST(five_instants_are_enough);
-    RUN_LONG_TEST(sigma_is_what_the_angles_scatter_by);
+    RUN_LONG_TEST(sigma_is_the_scatter_of_the_angles);
     RUN_TEST(what_leaves_an_angle_open_is_refused);
     RUN_TEST(what_is_not_of_one_instant_is_refused);
     RUN_TEST(bad_input_leaves_the_sums_as_they_were);

@@ -433,7 +433,7 @@ static const memory_fault memory_faults[] = {
     {"neither can be read", BOTH_ARE_UNREADABLE, INVCAL_OK, INVCAL_IO, 0},
 };
 
-static void each_fault_of_the_memory_is_told_and_leaves_an_older_record(void)
+static void each_fault_of_the_memory_is_reported_and_leaves_an_older_record(void)
 {
     for (unsigned i = 0; i < sizeof memory_faults / sizeof memory_faults[0]; i++) {
         check_memory(&memory_faults[i]);
@@ -445,6 +445,6 @@ int main(void)
     UNITY_BEGIN();
     RUN_SLOW_TEST(each_fault_of_the_sensor_is_told_or_does_no_harm);
     RUN_SLOW_TEST(a_calendar_that_jumps_ends_in_too_few_positions);
-    RUN_TEST(each_fault_of_the_memory_is_told_and_leaves_an_older_record);
+    RUN_TEST(each_fault_of_the_memory_is_reported_and_leaves_an_older_record);
     return UNITY_END();
 }

@@ -98,7 +98,7 @@ static void sigma_is_that_of_closed_form(void)
 }
 
 /* The directions of many draws with noise s are off by s sigma. */
-static void sigma_is_what_the_angles_scatter_by(void)
+static void sigma_is_the_scatter_of_the_angles(void)
 {
     static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const double noise = 0.01;
@@ -250,7 +250,7 @@ static void a_single_face_is_levelled_the_shortest_way(void)
 
 /* Also if that is not a face: (2 1 2) / 3 is perpendicular to the axis (1 0 -1) of the turn, so
  * that no other turn is shorter. */
-static void any_way_up_is_levelled_the_shortest_way(void)
+static void any_orientation_is_levelled_the_shortest_way(void)
 {
     const double turn[3] = {0.3, 0, -0.3};
     static const double up[3] = {2.0 / 3, 1.0 / 3, 2.0 / 3};
@@ -304,13 +304,13 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(any_rotation_comes_back_from_two_faces_and_from_more);
     RUN_TEST(sigma_is_that_of_closed_form);
-    RUN_TEST(sigma_is_what_the_angles_scatter_by);
+    RUN_TEST(sigma_is_the_scatter_of_the_angles);
     RUN_TEST(the_tilt_of_a_table_cancels_in_pairs);
     RUN_TEST(one_way_up_is_refused_and_so_is_its_opposite_or_a_mirror);
     RUN_TEST(two_faces_may_be_26_degrees_apart);
     RUN_TEST(bad_input_leaves_the_sums_as_they_were);
     RUN_TEST(a_single_face_is_levelled_the_shortest_way);
-    RUN_TEST(any_way_up_is_levelled_the_shortest_way);
+    RUN_TEST(any_orientation_is_levelled_the_shortest_way);
     RUN_TEST(lengths_at_the_limit_count);
     RUN_TEST(a_calibration_is_turned_from_the_left);
     return UNITY_END();

@@ -245,7 +245,7 @@ static void a_nominal_without_an_inverse_is_refused(void)
 }
 
 /* Readings are kept between 0.1 and 10, and so are semi-axes, about; offsets within 10. */
-static void semi_axes_and_offsets_beyond_their_limits_are_no_triads(void)
+static void semi_axes_and_offsets_beyond_their_limits_are_not_triads(void)
 {
     static const struct {
         int r;
@@ -283,7 +283,7 @@ static void semi_axes_and_offsets_beyond_their_limits_are_no_triads(void)
 }
 
 /* Every element of the system and of its first right-hand side, for a set that can be solved. */
-static void sums_that_are_no_numbers_are_refused(void)
+static void sums_that_are_not_numbers_are_refused(void)
 {
     static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     const triad_truth none = {{0}};
@@ -313,7 +313,7 @@ static void assert_not_added(const double u[3], const double eta[3], invcal_stat
     TEST_ASSERT_EQUAL_MEMORY(&before, &full, sizeof before);
 }
 
-static void what_is_no_reading_or_no_direction_is_not_added(void)
+static void what_is_not_a_reading_or_a_direction_is_not_added(void)
 {
     const double z[3] = {0, 0, 1};
     const double nan[3] = {0, NOT_A_NUMBER, 1};
@@ -353,9 +353,9 @@ int main(void)
     RUN_TEST(the_angles_of_the_mounting_have_the_sigma_that_the_header_states);
     RUN_TEST(too_few_flat_and_mirrored_directions_are_refused);
     RUN_TEST(a_nominal_without_an_inverse_is_refused);
-    RUN_TEST(semi_axes_and_offsets_beyond_their_limits_are_no_triads);
-    RUN_TEST(sums_that_are_no_numbers_are_refused);
-    RUN_TEST(what_is_no_reading_or_no_direction_is_not_added);
+    RUN_TEST(semi_axes_and_offsets_beyond_their_limits_are_not_triads);
+    RUN_TEST(sums_that_are_not_numbers_are_refused);
+    RUN_TEST(what_is_not_a_reading_or_a_direction_is_not_added);
     RUN_TEST(the_count_ends_at_the_largest_number);
     return UNITY_END() != 0;
 }

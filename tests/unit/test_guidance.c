@@ -402,7 +402,7 @@ static void assert_choice(const reading_list *list, const double up[3])
     }
 }
 
-static void the_direction_asked_for_tells_most_and_is_not_far(void)
+static void the_next_direction_adds_most_and_is_not_far(void)
 {
     random_source random = random_start(3);
 
@@ -680,7 +680,7 @@ int main(void)
     RUN_TEST(nine_positions_as_asked_determine_everything_and_eighteen_come_close_to_the_best);
     RUN_LONG_TEST(hands_that_miss_by_10_degrees_get_nearly_as_far);
     RUN_TEST(the_first_positions_are_faces_then_corners);
-    RUN_TEST(the_direction_asked_for_tells_most_and_is_not_far);
+    RUN_TEST(the_next_direction_adds_most_and_is_not_far);
     RUN_TEST(only_faces_edges_and_corners_are_asked_for);
     RUN_TEST(what_is_within_reach_of_the_last_position_is_not_asked_for);
     RUN_TEST(the_position_taken_last_is_never_asked_for_again);

@@ -269,7 +269,7 @@ static void errors_of_ten_percent_come_back_exactly(void)
 
 /* Turns about one axis are linear in scale errors, as far as the angle is 3 sin / (2 + cos): for 9
  * degrees to 6e-7. So one pass determines them. */
-static void one_pass_tells_scale_errors(void)
+static void one_pass_determines_scale_errors(void)
 {
     static const double errors[3] = {0.1, -0.08, 0.05};
     const invcal_calibration nominal = unit_nominal();
@@ -459,7 +459,7 @@ static void next_to_one_axis_nothing_is_determined(void)
 }
 
 /* Up in one plane does not show how the bias depends on it. */
-static void a_bias_that_rests_do_not_tell_is_left_alone(void)
+static void a_bias_that_rests_do_not_determine_is_left_alone(void)
 {
     const int x[3] = {9000, 0, 0};
     invcal_real prior[INVCAL_IMU_PARAMETERS];
@@ -481,7 +481,7 @@ static void a_bias_that_rests_do_not_tell_is_left_alone(void)
 }
 
 /* Three moves and three priors are nine equations. */
-static void without_redundancy_there_is_no_good(void)
+static void without_redundancy_nothing_is_good(void)
 {
     static const int turns[3][3] = {{9000, 0, 3000}, {0, 9000, 0}, {-3000, 0, 9000}};
     invcal_real prior[INVCAL_IMU_PARAMETERS] = {0};
@@ -650,7 +650,7 @@ static invcal_status find_mounting(int8_t axes[3], invcal_real *scale)
 }
 
 /* Moves about the space diagonal look the same after the axes are exchanged in a circle. */
-static void moves_may_tell_no_way_from_another(void)
+static void moves_may_leave_ways_indistinguishable(void)
 {
     const int v[3] = {5000, 5000, 5000};
     int8_t axes[3];
@@ -945,7 +945,7 @@ static void stuck_is_less_than_a_hundredth(void)
     }
 }
 
-static void a_single_segment_tells_what_is_stuck(void)
+static void a_single_segment_shows_what_is_stuck(void)
 {
     const int v[3] = {0, 9000, 0};
     int8_t axes[3];
@@ -1032,7 +1032,7 @@ static void an_axis_that_turns_turns_something(void)
 }
 
 /* One move that turns about all axes shows no way, two of them do. */
-static void a_single_move_tells_no_mounting(void)
+static void a_single_move_determines_no_mounting(void)
 {
     const int first[3] = {6000, 1000, -3000}, second[3] = {-2000, 7000, 2500};
     int8_t axes[3];
@@ -1362,20 +1362,20 @@ int main(void)
     RUN_TEST(a_segment_of_a_steady_axis_is_that_of_closed_form);
     RUN_TEST(the_jacobian_is_that_of_differences);
     RUN_TEST(errors_of_ten_percent_come_back_exactly);
-    RUN_TEST(one_pass_tells_scale_errors);
+    RUN_TEST(one_pass_determines_scale_errors);
     RUN_SLOW_TEST(a_wobbling_hand_costs_little);
     RUN_TEST(the_tour_determines_the_gyroscope_as_closed_form_says);
     RUN_TEST(the_tour_determines_both);
     RUN_TEST(moves_about_one_axis_leave_six_open_and_about_two_three);
     RUN_TEST(a_prior_holds_what_moves_leave_open);
     RUN_TEST(next_to_one_axis_nothing_is_determined);
-    RUN_TEST(a_bias_that_rests_do_not_tell_is_left_alone);
-    RUN_TEST(without_redundancy_there_is_no_good);
+    RUN_TEST(a_bias_that_rests_do_not_determine_is_left_alone);
+    RUN_TEST(without_redundancy_nothing_is_good);
     RUN_TEST(the_noise_of_moves_is_that_of_residuals_and_statement);
     RUN_TEST(weak_and_undetermined_begin_at_their_bounds);
     RUN_TEST(a_move_is_apart_beyond_its_bound);
     RUN_TEST(slopes_of_the_bias_are_those_of_closed_form);
-    RUN_TEST(moves_may_tell_no_way_from_another);
+    RUN_TEST(moves_may_leave_ways_indistinguishable);
     RUN_SLOW_TEST(errors_are_those_that_sigma_says);
     RUN_SLOW_TEST(noisy_moves_spoil_no_accelerometer);
     RUN_SLOW_TEST(g_sensitivity_is_found_and_taken_out);
@@ -1385,11 +1385,11 @@ int main(void)
     RUN_SLOW_TEST(degrees_taken_for_radians_are_named);
     RUN_SLOW_TEST(an_axis_that_is_stuck_is_named);
     RUN_TEST(stuck_is_less_than_a_hundredth);
-    RUN_TEST(a_single_segment_tells_what_is_stuck);
+    RUN_TEST(a_single_segment_shows_what_is_stuck);
     RUN_SLOW_TEST(every_way_is_found);
     RUN_TEST(the_next_way_has_four_times_the_squares);
     RUN_TEST(an_axis_that_turns_turns_something);
-    RUN_TEST(a_single_move_tells_no_mounting);
+    RUN_TEST(a_single_move_determines_no_mounting);
     RUN_SLOW_TEST(samples_may_come_some_time_late);
     RUN_SLOW_TEST(a_gyroscope_that_is_dead_is_named);
     RUN_SLOW_TEST(without_moves_nothing_is_solved);

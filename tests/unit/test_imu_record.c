@@ -249,7 +249,7 @@ static void the_accelerometer_is_a_record_of_its_own(void)
     assert_equal_records(&expected, &r);
 }
 
-static void bytes_behind_a_record_are_not_looked_at(void)
+static void bytes_after_a_record_are_ignored(void)
 {
     uint8_t bytes[SIZE + MARGIN];
     invcal_imu_record expected = golden_record();
@@ -533,7 +533,7 @@ static void a_result_is_saved_and_loaded(void)
 }
 
 /* The other record, and what is not a record. */
-static void what_is_no_result_is_not_loaded(void)
+static void what_is_not_a_result_is_not_loaded(void)
 {
     static const uint8_t large[SLOT] = {0xCC, 1};
     invcal_imu_record r;
@@ -578,7 +578,7 @@ int main(void)
     RUN_TEST(the_bytes_of_the_table_give_the_record);
     RUN_TEST(a_record_comes_back_as_it_was);
     RUN_TEST(the_accelerometer_is_a_record_of_its_own);
-    RUN_TEST(bytes_behind_a_record_are_not_looked_at);
+    RUN_TEST(bytes_after_a_record_are_ignored);
     RUN_TEST(a_new_record_holds_the_result);
     RUN_TEST(a_number_that_is_not_finite_is_neither_encoded_nor_decoded);
     RUN_TEST(a_singular_matrix_is_neither_encoded_nor_decoded);
@@ -588,7 +588,7 @@ int main(void)
     RUN_TEST(too_few_bytes_are_refused);
     RUN_TEST(another_kind_or_version_is_named);
     RUN_TEST(a_result_is_saved_and_loaded);
-    RUN_TEST(what_is_no_result_is_not_loaded);
+    RUN_TEST(what_is_not_a_result_is_not_loaded);
     RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_loses_no_result);
     return UNITY_END() != 0;
 }

@@ -355,7 +355,7 @@ static void comes_back_as(invcal_status expected, invcal_imu_session *changed)
     memcpy(changed, &both, sizeof both);
 }
 
-static void contents_that_no_moves_have_are_refused(void)
+static void contents_that_moves_cannot_have_are_refused(void)
 {
     static const double rates[] = {7.99, 8000.1, 0, -100, NOT_A_NUMBER, INFINITE};
     static invcal_imu_session c;
@@ -621,7 +621,7 @@ static void a_power_cut_at_any_byte_of_a_save_keeps_both_together(void)
     TEST_ASSERT_TRUE(found[0] > 500 && found[1] > 0);
 }
 
-static void what_is_no_session_of_both_is_not_loaded(void)
+static void what_is_not_a_session_of_both_is_not_loaded(void)
 {
     static uint8_t large[SIZE + 1];
 
@@ -646,12 +646,12 @@ int main(void)
     RUN_TEST(a_reset_after_each_rest_leaves_only_rests);
     RUN_TEST(another_layout_is_named_so);
     RUN_SLOW_TEST(another_length_is_refused);
-    RUN_TEST(contents_that_no_moves_have_are_refused);
+    RUN_TEST(contents_that_moves_cannot_have_are_refused);
     RUN_TEST(one_more_than_fits_is_refused);
     RUN_TEST(the_move_of_a_reset_is_a_gap);
     RUN_TEST(a_full_table_comes_back);
     RUN_LONG_TEST(any_content_does_no_harm);
     RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_keeps_both_together);
-    RUN_TEST(what_is_no_session_of_both_is_not_loaded);
+    RUN_TEST(what_is_not_a_session_of_both_is_not_loaded);
     return UNITY_END() != 0;
 }

@@ -505,7 +505,7 @@ static void a_wrong_scale_of_nominal_scales_what_is_over_field_only(void)
 
 /* Lengths are wrong by h X, and the mean of h h' over all directions is known. What it makes of all of K,
  * with the correlations, is near what it makes of the diagonal. */
-static void accuracy_is_what_lengths_are_wrong_by(void)
+static void accuracy_is_the_error_of_lengths(void)
 {
     const triad_truth none = {{0}};
     random_source random = random_start(31);
@@ -567,7 +567,7 @@ int main(void)
     RUN_SLOW_TEST(sigma_is_the_cramer_rao_bound_for_errors_of_any_size);
     RUN_TEST(sigma_is_the_cramer_rao_bound_beside_large_cross_terms);
     RUN_TEST(a_wrong_scale_of_nominal_scales_what_is_over_field_only);
-    RUN_TEST(accuracy_is_what_lengths_are_wrong_by);
+    RUN_TEST(accuracy_is_the_error_of_lengths);
     RUN_TEST(coverage_is_students_quantile);
     return UNITY_END() != 0;
 }

@@ -504,7 +504,7 @@ static void an_error_that_all_share_is_named_with_its_axis_and_size(void)
     }
 }
 
-static void what_is_sound_has_no_error_of_any_size(void)
+static void a_sound_sensor_has_no_error_of_any_size(void)
 {
     random_source random = random_start(12);
     const faulty none = {SOUND, 0, 0};
@@ -586,7 +586,7 @@ static void what_the_order_of_positions_hides_is_unchecked(void)
 }
 
 /* Nine unknowns fit whatever nine positions read: nothing remains to show an error. */
-static void of_nine_positions_nothing_is_checked(void)
+static void nine_positions_check_nothing(void)
 {
     random_source random = random_start(16);
     const faulty wrong = {READS_WRONG, 0.01, 1};
@@ -662,7 +662,7 @@ static void a_direction_is_not_repeated_after_one_that_was_left_out(void)
 }
 
 /* Eighteen positions, nine residuals, and no check of the nine parameters. */
-static void nine_directions_are_no_redundancy_however_often_they_are_visited(void)
+static void nine_directions_give_no_redundancy_however_often_they_are_visited(void)
 {
     const program twice = {"9 twice", NULL, 18, 2};
     random_source random = random_start(18);
@@ -896,7 +896,7 @@ static void positions_that_determine_nothing_are_refused(void)
 }
 
 /* Scattered about the edge of a hyperboloid, and leaving one out or two does not help. */
-static void what_is_no_ellipsoid_without_one_either_is_refused(void)
+static void what_is_not_an_ellipsoid_without_one_either_is_refused(void)
 {
     random_source random = random_start(26);
     reading_set set;
@@ -963,21 +963,21 @@ int main(void)
     RUN_LONG_TEST(directions_that_are_repeated_are_no_check);
     RUN_LONG_TEST(sigma_is_true_and_its_intervals_hold_where_the_noise_stated_is);
     RUN_TEST(an_error_that_all_share_is_named_with_its_axis_and_size);
-    RUN_TEST(what_is_sound_has_no_error_of_any_size);
+    RUN_TEST(a_sound_sensor_has_no_error_of_any_size);
     RUN_TEST(signs_are_those_of_the_field_however_the_axes_point);
     RUN_LONG_TEST(an_outlier_and_a_drift_are_told_apart);
     RUN_TEST(what_the_order_of_positions_hides_is_unchecked);
-    RUN_TEST(of_nine_positions_nothing_is_checked);
+    RUN_TEST(nine_positions_check_nothing);
     RUN_SLOW_TEST(within_5_degrees_of_another_a_position_is_no_check);
     RUN_TEST(a_direction_is_not_repeated_after_one_that_was_left_out);
-    RUN_TEST(nine_directions_are_no_redundancy_however_often_they_are_visited);
+    RUN_TEST(nine_directions_give_no_redundancy_however_often_they_are_visited);
     RUN_LONG_TEST(one_that_is_wrong_by_half_the_field_is_left_out);
     RUN_TEST(more_than_one_in_six_left_out_is_rough);
     RUN_SLOW_TEST(eight_positions_or_fewer_and_more_than_there_may_be_are_refused);
     RUN_SLOW_TEST(readings_that_are_none_are_refused);
     RUN_TEST(an_unusable_noise_or_nominal_is_refused);
     RUN_TEST(positions_that_determine_nothing_are_refused);
-    RUN_TEST(what_is_no_ellipsoid_without_one_either_is_refused);
+    RUN_TEST(what_is_not_an_ellipsoid_without_one_either_is_refused);
     RUN_LONG_TEST(a_refusal_leaves_nothing_behind);
     return UNITY_END() != 0;
 }

@@ -270,7 +270,7 @@ static void the_field_is_told_in_the_unit_of_nominal(void)
 
 /* A real one, of which a mean of 16 samples is fed at a time: among the fits of magnetometer.py, whose differences its
  * sigma covers. */
-static void a_real_one_is_found_as_by_fits_of_all_samples(void)
+static void a_real_one_agrees_with_fits_to_all_samples(void)
 {
     const invcal_calibration nominal = unit_nominal();
 
@@ -989,7 +989,7 @@ static void late_samples_give_a_solution_of_their_own(void)
 }
 
 /* A solution that a calibration cannot store is not used. */
-static void a_solution_out_of_range_is_none(void)
+static void a_solution_out_of_range_does_not_count(void)
 {
     invcal_magnetometer *const m = begin_settled();
 
@@ -1410,7 +1410,7 @@ static void cells_lie_on_the_sphere_whatever_is_nominal(void)
 }
 
 /* Independent noise of 2 % of the field is recognized as such, and is not a disturbance. */
-static void independent_noise_is_told_as_such(void)
+static void independent_noise_is_recognized_as_such(void)
 {
     random_source random = random_start(6);
     const invcal_calibration nominal = unit_nominal();
@@ -1541,7 +1541,7 @@ int main(void)
     RUN_LONG_TEST(intervals_hold_what_they_say);
     RUN_LONG_TEST(cells_are_positions_to_look_at);
     RUN_SLOW_TEST(the_field_is_told_in_the_unit_of_nominal);
-    RUN_TEST(a_real_one_is_found_as_by_fits_of_all_samples);
+    RUN_TEST(a_real_one_agrees_with_fits_to_all_samples);
     RUN_LONG_TEST(half_a_sphere_is_weak);
     RUN_SLOW_TEST(less_than_half_a_sphere_is_weak);
     RUN_SLOW_TEST(gaps_are_told);
@@ -1566,7 +1566,7 @@ int main(void)
         RUN_TEST(early_samples_stay_if_they_differ_by_chance);
         RUN_TEST(single_early_samples_are_compared);
         RUN_TEST(late_samples_give_a_solution_of_their_own);
-        RUN_TEST(a_solution_out_of_range_is_none);
+        RUN_TEST(a_solution_out_of_range_does_not_count);
         RUN_TEST(a_step_is_measured_by_what_came_before);
         RUN_TEST(a_step_before_the_second_solution_is_seen);
         RUN_TEST(limits_of_judgement_are_kept);
@@ -1581,7 +1581,7 @@ int main(void)
     RUN_SLOW_TEST(too_small_an_axis_is_refused);
     RUN_SLOW_TEST(early_samples_stay_if_later_ones_agree);
     RUN_TEST(cells_lie_on_the_sphere_whatever_is_nominal);
-    RUN_TEST(independent_noise_is_told_as_such);
+    RUN_TEST(independent_noise_is_recognized_as_such);
     RUN_LONG_TEST(a_session_of_days_stays_as_good);
     RUN_TEST(bad_input_changes_nothing);
     RUN_TEST(a_circle_determines_nothing);

@@ -77,7 +77,7 @@ static invcal_status reason_of(unsigned rest)
     return rest < w.moves.count ? invcal_moves_reason(&w.moves, rest) : INVCAL_STATUS_COUNT;
 }
 
-static void lost_samples_spoil_a_move_and_no_more(void)
+static void lost_samples_spoil_only_one_move(void)
 {
     begin();
     world_rest(&w, 1.5);
@@ -111,7 +111,7 @@ static void a_clipped_or_a_long_move_is_refused(void)
 }
 
 /* A device that turns slowly when it should rest: the moves on both sides are unusable. */
-static void a_rest_that_turns_is_no_rest(void)
+static void a_rest_that_turns_is_not_a_rest(void)
 {
     begin();
     world_rest(&w, 1.5);
@@ -1018,9 +1018,9 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(a_move_keeps_its_angle_and_rests_their_bias);
-    RUN_TEST(lost_samples_spoil_a_move_and_no_more);
+    RUN_TEST(lost_samples_spoil_only_one_move);
     RUN_SLOW_TEST(a_clipped_or_a_long_move_is_refused);
-    RUN_TEST(a_rest_that_turns_is_no_rest);
+    RUN_TEST(a_rest_that_turns_is_not_a_rest);
     RUN_SLOW_TEST(without_room_moves_are_refused_and_rests_go_on);
     RUN_TEST(nonsense_is_refused_or_does_no_harm);
     RUN_TEST(a_move_of_more_than_seven_turns_is_refused);

@@ -1144,7 +1144,7 @@ static void what_no_rest_reads_is_left_out_all_the_same(void)
 }
 
 /* Together they make no ellipsoid, nor do they without the first that is found. */
-static void what_makes_no_ellipsoid_is_looked_for_round_by_round(void)
+static void what_makes_no_ellipsoid_is_searched_for_in_rounds(void)
 {
     random_source random = random_start(17);
     const triad_truth truth = triad_random(&random, 0.03);
@@ -1336,7 +1336,7 @@ int main(void)
     RUN_LONG_TEST(every_position_of_a_full_set_can_be_named);
     RUN_SLOW_TEST(more_than_one_in_six_are_rough);
     RUN_SLOW_TEST(what_no_rest_reads_is_left_out_all_the_same);
-    RUN_TEST(what_makes_no_ellipsoid_is_looked_for_round_by_round);
+    RUN_TEST(what_makes_no_ellipsoid_is_searched_for_in_rounds);
     RUN_TEST(equal_positions_check_one_another);
     RUN_TEST(a_position_that_nothing_checks_is_not_blamed);
     RUN_LONG_TEST(what_the_others_are_not_determined_without_stays_and_is_told);

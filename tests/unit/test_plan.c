@@ -336,7 +336,7 @@ static void absurd_numbers_of_positions_are_refused_with_a_reason(void)
     }
 }
 
-static void starts_that_are_no_angles_are_refused(void)
+static void starts_that_are_not_angles_are_refused(void)
 {
     const double beyond = 360 * (1 + (double)INVCAL_EPSILON);
     const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 361, -361, beyond, -beyond, 1e30};
@@ -483,7 +483,7 @@ static void an_axis_is_up_within_a_tenth_of_a_degree(void)
     }
 }
 
-static void what_is_no_direction_is_along_one_axis_at_most(void)
+static void what_is_not_a_direction_is_along_one_axis_at_most(void)
 {
     static const double values[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 0, 1, -1, 1e30};
     enum { VALUES = sizeof values / sizeof values[0] };
@@ -513,13 +513,13 @@ int main(void)
     RUN_SLOW_TEST(every_vertical_is_a_unit_vector);
     RUN_TEST(a_position_beyond_the_program_is_refused);
     RUN_TEST(absurd_numbers_of_positions_are_refused_with_a_reason);
-    RUN_TEST(starts_that_are_no_angles_are_refused);
+    RUN_TEST(starts_that_are_not_angles_are_refused);
     RUN_LONG_TEST(the_starts_for_an_even_number_point_every_axis_up_and_down);
     RUN_TEST(each_group_of_an_even_program_holds_its_own_axis_both_ways);
     RUN_LONG_TEST(the_starts_for_an_odd_number_give_plus_z_minus_x_minus_y);
     RUN_TEST(the_starts_for_six_are_the_papers);
     RUN_LONG_TEST(no_starts_of_an_odd_program_point_to_more_than_three_axes);
     RUN_TEST(an_axis_is_up_within_a_tenth_of_a_degree);
-    RUN_TEST(what_is_no_direction_is_along_one_axis_at_most);
+    RUN_TEST(what_is_not_a_direction_is_along_one_axis_at_most);
     return UNITY_END() != 0;
 }

@@ -93,7 +93,7 @@ static void the_condition_counts_the_rows_of_the_prior(void)
 
 /* A prior of many fields says nothing, and the noise that it would be resolved beside is no noise of a
  * reading: what it alone holds is weak, however often it is solved. */
-static void a_prior_wider_than_reason_is_weak(void)
+static void an_absurdly_wide_prior_is_weak(void)
 {
     static const double wide[9] = {0, 0, 0, 0, 0, 0, 1e8, 1e8, 1e8};
     random_source random = random_start(6);
@@ -186,7 +186,7 @@ static void a_prior_is_weighed_against_the_noise_that_is_there(void)
 
 /* Stated at a ten thousandth it would leave the prior nothing to say, and the angles where the
  * readings put them; as it is, it takes half of them away. */
-static void noise_seen_shrinks_like_noise_stated(void)
+static void observed_noise_shrinks_like_stated_noise(void)
 {
     static const triad_truth truth = {{0, 0, 0, 0, 0, 0, 0.03, -0.03, 0.03}};
     random_source random = random_start(6);
@@ -221,7 +221,7 @@ static double dof_of(const outcome *o, const double prior[9])
 }
 
 /* The stated noise counts as four residuals, in addition to them. */
-static void what_a_prior_tells_leaves_degrees_of_freedom(void)
+static void what_a_prior_determines_leaves_degrees_of_freedom(void)
 {
     random_source random = random_start(5);
     const triad_truth truth = triad_random(&random, 0.001);
@@ -244,7 +244,7 @@ static void what_a_prior_tells_leaves_degrees_of_freedom(void)
 }
 
 /* Readings as noisy as the field tell nothing: each parameter keeps its own prior. */
-static void sigma_of_what_is_not_told_is_the_prior_of_each(void)
+static void sigma_of_what_is_not_determined_is_the_prior_of_each(void)
 {
     random_source random = random_start(6);
     const triad_truth truth = triad_random(&random, 0.001);
@@ -284,7 +284,7 @@ static void noise_is_raised_only_where_a_prior_has_to_hold_something(void)
 }
 
 /* Six faces, tilted by less than rounding shows: what the sums seem to tell of the angles is rounding. */
-static void what_rounding_seems_to_tell_is_held_by_the_prior(void)
+static void what_rounding_seems_to_show_is_held_by_the_prior(void)
 {
     random_source random = random_start(12);
     const double root = sqrt(FLOAT_OR_DOUBLE(1.2e-7, 2.2e-16));
@@ -434,15 +434,15 @@ int main(void)
     RUN_TEST(a_partial_prior_needs_as_many_positions_as_it_leaves_open);
     RUN_TEST(what_a_prior_holds_is_never_hopeless);
     RUN_TEST(the_condition_counts_the_rows_of_the_prior);
-    RUN_TEST(a_prior_wider_than_reason_is_weak);
+    RUN_TEST(an_absurdly_wide_prior_is_weak);
     RUN_TEST(what_no_prior_holds_may_be_hopeless);
     RUN_TEST(what_hardly_shows_is_solved_or_refused_as_open);
     RUN_TEST(a_prior_is_weighed_against_the_noise_that_is_there);
-    RUN_TEST(noise_seen_shrinks_like_noise_stated);
-    RUN_TEST(what_a_prior_tells_leaves_degrees_of_freedom);
-    RUN_TEST(sigma_of_what_is_not_told_is_the_prior_of_each);
+    RUN_TEST(observed_noise_shrinks_like_stated_noise);
+    RUN_TEST(what_a_prior_determines_leaves_degrees_of_freedom);
+    RUN_TEST(sigma_of_what_is_not_determined_is_the_prior_of_each);
     RUN_TEST(noise_is_raised_only_where_a_prior_has_to_hold_something);
-    RUN_TEST(what_rounding_seems_to_tell_is_held_by_the_prior);
+    RUN_TEST(what_rounding_seems_to_show_is_held_by_the_prior);
     RUN_TEST(a_prior_that_is_true_leaves_the_solution_alone);
     RUN_TEST(a_prior_weighs_the_same_in_any_unit);
     RUN_TEST(unusable_arguments_are_refused_and_the_outputs_left_alone);

@@ -240,7 +240,7 @@ static void reals_at_the_limits_of_float_come_back(void)
     }
 }
 
-static void a_new_record_holds_what_is_known_and_says_of_the_rest_that_it_is_not(void)
+static void a_new_record_holds_what_is_known_and_marks_the_rest_as_unknown(void)
 {
     invcal_record expected = golden_record();
     invcal_record r;
@@ -285,7 +285,7 @@ static void a_record_of_version_1_is_read_over_field(void)
     assert_equal_records(&expected, &r);
 }
 
-static void a_field_of_version_1_that_is_none_is_refused(void)
+static void an_invalid_field_of_version_1_is_refused(void)
 {
     uint8_t bytes[sizeof golden_1];
 
@@ -305,7 +305,7 @@ static void each_version_has_its_function(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_record_decode_v1(golden, SIZE, &r));
 }
 
-static void bytes_behind_a_record_are_not_looked_at(void)
+static void bytes_after_a_record_are_ignored(void)
 {
     uint8_t bytes[SIZE + MARGIN];
 
@@ -536,7 +536,7 @@ static void a_record_without_its_end_is_noticed(void)
     }
 }
 
-static void blank_and_random_bytes_are_no_record(void)
+static void blank_and_random_bytes_are_not_a_record(void)
 {
     random_source random = random_start(2);
     uint8_t bytes[SIZE + MARGIN];
@@ -705,7 +705,7 @@ static void what_is_saved_is_the_record_that_init_makes(void)
     TEST_ASSERT_EQUAL_HEX8_ARRAY(expected, bytes, SIZE);
 }
 
-static void a_failure_of_either_side_is_told_and_leaves_all_as_it_was(void)
+static void a_failure_of_either_side_is_reported_and_changes_nothing(void)
 {
     static const uint8_t other[INVCAL_RECORD_SIZE_V1 + 1] = {1};
     invcal_calibration c;
@@ -752,11 +752,11 @@ int main(void)
     RUN_TEST(the_bytes_of_the_table_give_the_record);
     RUN_TEST(a_record_comes_back_as_it_was);
     RUN_TEST(reals_at_the_limits_of_float_come_back);
-    RUN_TEST(a_new_record_holds_what_is_known_and_says_of_the_rest_that_it_is_not);
+    RUN_TEST(a_new_record_holds_what_is_known_and_marks_the_rest_as_unknown);
     RUN_TEST(a_record_of_version_1_is_read_over_field);
-    RUN_TEST(a_field_of_version_1_that_is_none_is_refused);
+    RUN_TEST(an_invalid_field_of_version_1_is_refused);
     RUN_TEST(each_version_has_its_function);
-    RUN_TEST(bytes_behind_a_record_are_not_looked_at);
+    RUN_TEST(bytes_after_a_record_are_ignored);
     RUN_TEST(a_number_that_is_not_finite_is_neither_encoded_nor_decoded);
     RUN_TEST(a_number_beyond_float_is_not_encoded);
     RUN_TEST(a_singular_matrix_is_neither_encoded_nor_decoded);
@@ -766,12 +766,12 @@ int main(void)
     RUN_LONG_TEST(any_four_wrong_bits_are_noticed);
     RUN_SLOW_TEST(any_two_bytes_exchanged_are_noticed);
     RUN_TEST(a_record_without_its_end_is_noticed);
-    RUN_TEST(blank_and_random_bytes_are_no_record);
+    RUN_TEST(blank_and_random_bytes_are_not_a_record);
     RUN_SLOW_TEST(a_sound_record_of_another_kind_or_version_is_named_so);
     RUN_TEST(a_length_shorter_than_any_record_is_refused);
     RUN_TEST(a_calibration_that_was_saved_is_loaded_and_so_is_its_record);
     RUN_TEST(what_is_saved_is_the_record_that_init_makes);
-    RUN_TEST(a_failure_of_either_side_is_told_and_leaves_all_as_it_was);
+    RUN_TEST(a_failure_of_either_side_is_reported_and_changes_nothing);
     RUN_TEST(what_0_1_0_saved_is_loaded_by_its_own_function);
     return UNITY_END() != 0;
 }

@@ -379,7 +379,7 @@ static void no_position_leaves_everything_open(void)
 }
 
 /* Eight positions leave one combination open, and those that are not readings do not count. */
-static void positions_that_are_no_readings_are_passed_over(void)
+static void positions_that_are_not_readings_are_skipped(void)
 {
     const invcal_calibration nominal = unit_nominal();
     invcal_real raw[8][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {-1, 0, 0},
@@ -546,7 +546,7 @@ int main(void)
     RUN_TEST(six_faces_name_the_three_angles);
     RUN_TEST(a_parameter_beyond_a_thousand_is_refused_and_beyond_ten_weak);
     RUN_TEST(no_position_leaves_everything_open);
-    RUN_TEST(positions_that_are_no_readings_are_passed_over);
+    RUN_TEST(positions_that_are_not_readings_are_skipped);
     RUN_TEST(nothing_is_open_in_a_good_set);
     RUN_TEST(readings_on_no_ellipsoid_are_refused);
     RUN_TEST(clouds_and_cubes_are_refused);

@@ -608,7 +608,7 @@ static void no_square_is_lost_in_a_block_of_any_size(void)
     }
 }
 
-static void samples_too_far_from_the_first_are_no_rest(void)
+static void samples_too_far_from_the_first_are_not_a_rest(void)
 {
     static const int32_t value[][2] = {{0, WIDE},
                                        {0, -WIDE},
@@ -761,7 +761,7 @@ static void unit_offset_and_order_of_the_axes_do_not_matter(void)
     }
 }
 
-static void a_copy_of_the_state_goes_on_alike(void)
+static void a_copy_of_the_state_behaves_the_same(void)
 {
     static bench half;
     invcal_rests copy;
@@ -1442,7 +1442,7 @@ static void the_time_to_hold_may_change_in_the_midst_of_a_rest(void)
 }
 
 /* Nobody has to wait a minute to learn that the first second was bad. */
-static void faults_are_told_before_the_time_has_passed(void)
+static void faults_are_reported_before_the_time_has_passed(void)
 {
     setup(100, 16384, 5e-4);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, -16380, 16380));
@@ -1494,7 +1494,7 @@ static void progress_rises_to_100_at_ready_and_falls_with_motion(void)
     TEST_ASSERT_EQUAL_UINT(0, b.progress);
 }
 
-static void the_position_in_the_making_can_be_read_from_ready_on(void)
+static void the_current_position_can_be_read_from_ready_on(void)
 {
     uint32_t count = 0;
 
@@ -1554,7 +1554,7 @@ static void finish_answers_in_every_state(void)
 }
 
 /* The next begins after as many blocks as after any motion. */
-static void a_rest_that_goes_on_behind_finish_is_another_one(void)
+static void a_rest_that_continues_after_finish_is_another_one(void)
 {
     setup(100, 16384, 1e-3);
     hold(1, 3);
@@ -1718,12 +1718,12 @@ int main(void)
     RUN_LONG_TEST(sums_are_exact_and_variance_too_for_any_offset_and_noise);
     RUN_TEST(nothing_overflows_at_the_largest_distance);
     RUN_SLOW_TEST(no_square_is_lost_in_a_block_of_any_size);
-    RUN_TEST(samples_too_far_from_the_first_are_no_rest);
+    RUN_TEST(samples_too_far_from_the_first_are_not_a_rest);
     RUN_TEST(a_dropped_block_leaves_nothing_in_the_next);
     RUN_TEST(a_coarse_sensor_is_summed_and_clipped_after_minutes_too);
     RUN_TEST(means_hold_all_bits_there_are);
     RUN_SLOW_TEST(unit_offset_and_order_of_the_axes_do_not_matter);
-    RUN_TEST(a_copy_of_the_state_goes_on_alike);
+    RUN_TEST(a_copy_of_the_state_behaves_the_same);
     RUN_TEST(a_slow_turn_is_refused_for_drift_while_it_lasts);
     RUN_TEST(a_position_that_creeps_as_it_is_left_is_one);
     RUN_LONG_TEST(a_sensor_that_warms_up_does_rest);
@@ -1757,12 +1757,12 @@ int main(void)
     RUN_SLOW_TEST(no_time_to_hold_is_cut_short_at_any_rate);
     RUN_TEST(a_rest_left_before_its_time_is_refused_as_short);
     RUN_TEST(the_time_to_hold_may_change_in_the_midst_of_a_rest);
-    RUN_TEST(faults_are_told_before_the_time_has_passed);
+    RUN_TEST(faults_are_reported_before_the_time_has_passed);
     RUN_LONG_TEST(an_hour_is_the_longest_time_to_hold);
     RUN_TEST(progress_rises_to_100_at_ready_and_falls_with_motion);
-    RUN_TEST(the_position_in_the_making_can_be_read_from_ready_on);
+    RUN_TEST(the_current_position_can_be_read_from_ready_on);
     RUN_TEST(finish_answers_in_every_state);
-    RUN_TEST(a_rest_that_goes_on_behind_finish_is_another_one);
+    RUN_TEST(a_rest_that_continues_after_finish_is_another_one);
     RUN_TEST(init_refuses_rates_and_rails_out_of_range);
     RUN_SLOW_TEST(random_bits_and_alternating_extremes_are_no_rest);
     RUN_TEST(jumps_through_all_of_int32_overflow_nothing);

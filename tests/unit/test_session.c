@@ -350,7 +350,7 @@ static void the_mean_is_that_of_the_readings(void)
     }
 }
 
-static void who_leaves_before_the_time_to_hold_is_told(void)
+static void leaving_before_the_time_to_hold_is_reported(void)
 {
     begin(0, 5);
     invcal_session_hold(b.s, 4000);
@@ -366,7 +366,7 @@ static void who_leaves_before_the_time_to_hold_is_told(void)
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
 }
 
-static void what_the_detector_refuses_is_handed_on(void)
+static void what_the_detector_refuses_is_passed_on(void)
 {
     begin(0, 6);
     visit(expected_plan18[0]);
@@ -393,7 +393,7 @@ static void what_lies_at_the_rails_is_refused(void)
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
 }
 
-static void a_mean_that_is_no_reading_of_the_field_is_refused_at_once_and_when_it_is_left(void)
+static void a_mean_that_is_not_a_reading_of_the_field_is_refused_at_once_and_at_its_end(void)
 {
     begin(0, 8);
     b.bias[2] = 12; /* g */
@@ -421,7 +421,7 @@ static void finish_takes_the_position_that_is_held_and_nothing_that_is_not_ready
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
 }
 
-static void samples_that_were_lost_are_told_and_the_rest_goes_on(void)
+static void lost_samples_are_reported_and_the_rest_continues(void)
 {
     begin(0, 10);
     reach(expected_plan18[0]);
@@ -559,7 +559,7 @@ static void it_is_good_from_twelve_positions_on(void)
     TEST_ASSERT_FALSE(invcal_session_is_good(b.s)); /* asked again */
 }
 
-static void with_a_stated_noise_one_position_to_spare_is_enough(void)
+static void with_a_stated_noise_one_redundant_position_is_enough(void)
 {
     begin(0.05, 16);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)1e-4));
@@ -901,12 +901,12 @@ int main(void)
     RUN_TEST(it_is_what_the_array_of_its_means_gives);
     RUN_TEST(a_rest_settles_is_ready_once_and_is_taken_when_it_is_left);
     RUN_TEST(the_mean_is_that_of_the_readings);
-    RUN_TEST(who_leaves_before_the_time_to_hold_is_told);
-    RUN_TEST(what_the_detector_refuses_is_handed_on);
+    RUN_TEST(leaving_before_the_time_to_hold_is_reported);
+    RUN_TEST(what_the_detector_refuses_is_passed_on);
     RUN_TEST(what_lies_at_the_rails_is_refused);
-    RUN_TEST(a_mean_that_is_no_reading_of_the_field_is_refused_at_once_and_when_it_is_left);
+    RUN_TEST(a_mean_that_is_not_a_reading_of_the_field_is_refused_at_once_and_at_its_end);
     RUN_TEST(finish_takes_the_position_that_is_held_and_nothing_that_is_not_ready);
-    RUN_TEST(samples_that_were_lost_are_told_and_the_rest_goes_on);
+    RUN_TEST(lost_samples_are_reported_and_the_rest_continues);
     RUN_TEST(advice_that_is_followed_determines_everything);
     RUN_SLOW_TEST(a_hand_that_errs_by_ten_degrees_does_hardly_worse);
     RUN_TEST(a_position_that_is_ready_counts_as_taken);
@@ -914,7 +914,7 @@ int main(void)
     RUN_TEST(a_position_is_at_a_direction_within_twenty_degrees);
     RUN_TEST(a_position_that_is_ready_is_where_it_is);
     RUN_TEST(it_is_good_from_twelve_positions_on);
-    RUN_TEST(with_a_stated_noise_one_position_to_spare_is_enough);
+    RUN_TEST(with_a_stated_noise_one_redundant_position_is_enough);
     RUN_SLOW_TEST(a_rest_that_is_wrong_does_not_keep_the_end_away);
     RUN_TEST(a_wrong_position_is_named_and_left_out);
     RUN_TEST(among_fewer_than_eleven_no_outlier_is_looked_for);

@@ -385,7 +385,7 @@ static void a_number_that_is_not_finite_is_refused(void)
     }
 }
 
-static void contents_that_no_session_has_are_refused(void)
+static void contents_that_a_session_cannot_have_are_refused(void)
 {
     static const uint32_t rates[] = {0, 7, 8001, 0xFFFF};
     const invcal_session good = golden_session();
@@ -758,7 +758,7 @@ static void a_power_cut_in_the_first_save_leaves_nothing_or_the_session(void)
 }
 
 /* And with any other contents. */
-static void what_is_no_session_is_not_loaded(void)
+static void what_is_not_a_session_is_not_loaded(void)
 {
     static const uint8_t large[SIZE + 1] = {0xC5, 1}; /* as release 0.1.0 began */
     static const struct {
@@ -796,13 +796,13 @@ int main(void)
     RUN_TEST(rails_of_any_kind_come_back);
     RUN_TEST(every_rate_and_time_to_hold_comes_back);
     RUN_TEST(a_number_that_is_not_finite_is_refused);
-    RUN_TEST(contents_that_no_session_has_are_refused);
+    RUN_TEST(contents_that_a_session_cannot_have_are_refused);
     RUN_TEST(a_length_that_is_not_that_of_the_table_is_refused);
     RUN_TEST(another_layout_is_named_so);
     RUN_LONG_TEST(any_content_does_no_harm);
     RUN_LONG_TEST(a_power_cut_in_any_step_of_a_save_loses_no_position);
     RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_loses_no_position);
     RUN_TEST(a_power_cut_in_the_first_save_leaves_nothing_or_the_session);
-    RUN_TEST(what_is_no_session_is_not_loaded);
+    RUN_TEST(what_is_not_a_session_is_not_loaded);
     return UNITY_END() != 0;
 }

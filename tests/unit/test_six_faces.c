@@ -240,7 +240,7 @@ static void faces_visited_twice_check_each_other(void)
 
 /* x up and down, tilted by 0.018 to y and to -y, says of xy: four rows of 0.018, K = 770, so 2.8 mrad beside
  * the sheet's 10. That is more than the sheet says, and little; it is held, and no verdict is spoilt. */
-static void an_angle_that_is_hardly_told_is_held(void)
+static void an_angle_that_hardly_shows_is_held(void)
 {
     const triad_truth none = {{0}};
     double directions[10][3];
@@ -263,7 +263,7 @@ static void an_angle_that_is_hardly_told_is_held(void)
 }
 
 /* Faces and edges determine everything, and the sheet's 1 % is negligible. */
-static void positions_that_tell_the_angles_are_believed(void)
+static void positions_that_show_the_angles_are_believed(void)
 {
     random_source random = random_start(5);
     const triad_truth truth = triad_random(&random, 0.01);
@@ -324,7 +324,7 @@ static void sigma_holds_for_faces_that_are_tilted(void)
 
 /* z up twice and never down: its offset and its scale are one. With z down by a little they are two, and
  * badly known; the angles, which are held, are nobody's fault. */
-static void what_is_no_six_faces_is_refused_or_weak(void)
+static void what_is_not_six_faces_is_refused_or_weak(void)
 {
     const triad_truth none = {{0}};
     double directions[6][3];
@@ -390,10 +390,10 @@ int main(void)
     RUN_TEST(the_interval_of_a_sheet_is_not_widened_by_few_positions);
     RUN_TEST(what_is_held_counts_by_its_kind);
     RUN_TEST(faces_visited_twice_check_each_other);
-    RUN_TEST(an_angle_that_is_hardly_told_is_held);
-    RUN_TEST(positions_that_tell_the_angles_are_believed);
+    RUN_TEST(an_angle_that_hardly_shows_is_held);
+    RUN_TEST(positions_that_show_the_angles_are_believed);
     RUN_LONG_TEST(sigma_holds_for_faces_that_are_tilted);
-    RUN_TEST(what_is_no_six_faces_is_refused_or_weak);
+    RUN_TEST(what_is_not_six_faces_is_refused_or_weak);
     RUN_TEST(unusable_arguments_are_refused);
     return UNITY_END() != 0;
 }

@@ -537,7 +537,7 @@ static void settings_that_cannot_work_are_refused(void)
 
 /* ---- nothing and garbage ---------------------------------------------------------------------- */
 
-static void a_memory_without_a_record_says_so_and_takes_one(void)
+static void a_memory_without_a_record_says_so_and_accepts_one(void)
 {
     for (unsigned kind = 0; kind < 40; kind++) {
         new_flash(4);
@@ -559,7 +559,7 @@ static void a_memory_without_a_record_says_so_and_takes_one(void)
 }
 
 /* Sound by its CRC, but not a record of this version and memory. */
-static void a_header_that_makes_no_sense_is_no_record(void)
+static void a_nonsensical_header_is_not_a_record(void)
 {
     static const struct {
         unsigned at;
@@ -1133,8 +1133,8 @@ int main(void)
     RUN_TEST(a_size_that_cannot_be_stored_is_refused);
     RUN_TEST(a_buffer_that_is_too_small_stays_untouched);
     RUN_TEST(settings_that_cannot_work_are_refused);
-    RUN_TEST(a_memory_without_a_record_says_so_and_takes_one);
-    RUN_TEST(a_header_that_makes_no_sense_is_no_record);
+    RUN_TEST(a_memory_without_a_record_says_so_and_accepts_one);
+    RUN_TEST(a_nonsensical_header_is_not_a_record);
     RUN_SLOW_TEST(any_wrong_bit_in_a_record_brings_back_the_other_or_none);
     RUN_TEST(a_record_without_its_last_bytes_brings_back_the_other);
     RUN_LONG_TEST(a_power_cut_at_any_byte_leaves_the_old_record_or_the_new_one);

@@ -274,7 +274,7 @@ static void the_floor_does_not_depend_on_the_unit(void)
     }
 }
 
-static void a_floor_that_is_no_number_refuses_everything(void)
+static void a_floor_that_is_not_a_number_refuses_everything(void)
 {
     invcal_real a[SUMS];
 
@@ -299,6 +299,6 @@ int main(void)
     RUN_TEST(a_nan_beside_the_diagonal_is_refused);
     RUN_TEST(the_floor_is_relative_to_the_largest_diagonal_element);
     RUN_TEST(the_floor_does_not_depend_on_the_unit);
-    RUN_TEST(a_floor_that_is_no_number_refuses_everything);
+    RUN_TEST(a_floor_that_is_not_a_number_refuses_everything);
     return UNITY_END() != 0;
 }

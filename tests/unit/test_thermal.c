@@ -418,7 +418,7 @@ static void at_one_temperature_there_are_no_slopes_and_it_says_so(void)
 
 /* But offsets move by 0.5 mg, five times the noise, and no nine parameters follow them: that is
  * rough. */
-static void two_temperatures_half_a_kelvin_apart_tell_no_slopes_and_it_says_so(void)
+static void two_temperatures_half_a_kelvin_apart_give_no_slopes_and_it_says_so(void)
 {
     const sensor s = straight(0);
     random_source random = random_start(4);
@@ -536,7 +536,7 @@ static void a_lower_degree_is_fitted_where_it_is_wanted(void)
 
 /* ---- at a temperature --------------------------------------------------------------------- */
 
-static void outside_the_range_seen_the_edge_is_held_and_said(void)
+static void outside_the_observed_range_the_edge_is_held_and_reported(void)
 {
     const sensor s = straight(0);
     random_source random = random_start(9);
@@ -555,7 +555,7 @@ static void outside_the_range_seen_the_edge_is_held_and_said(void)
     }
 }
 
-static void what_is_no_temperature_is_refused_and_nothing_written(void)
+static void what_is_not_a_temperature_is_refused_and_nothing_written(void)
 {
     const sensor s = straight(2);
     random_source random = random_start(10);
@@ -608,7 +608,7 @@ static void a_damaged_calibration_is_refused_at_any_temperature(void)
 }
 
 /* Semi-axes of I + S: by its elements, its trace, or its determinant. */
-static void what_is_no_triad_is_refused_at_any_temperature(void)
+static void what_is_not_a_triad_is_refused_at_any_temperature(void)
 {
     static const double bad[][INVCAL_PARAMETERS] = {
         {0, 0, 0, 9.1},          {0, 0, 0, -0.91},
@@ -658,7 +658,7 @@ static void raw_counts_give_the_right_lengths_at_every_temperature(void)
 }
 
 /* Programs and libraries with different choices do not link. */
-static void the_choices_stand_in_the_names(void)
+static void the_names_contain_the_choices(void)
 {
 #define NAME(function) INVCAL_TEXT(function)
     const char *const kind = INVCAL_DOUBLE ? "double" : "float";
@@ -1049,7 +1049,7 @@ static void noise_as_large_as_the_field_leaves_everything_to_the_prior(void)
     }
 }
 
-static void a_prior_that_is_none_or_has_no_noise_is_refused(void)
+static void an_invalid_prior_or_one_without_noise_is_refused(void)
 {
     const double bad[] = {-1, NOT_A_NUMBER, INFINITE, 1e-44};
     const sensor s = straight(0);
@@ -1266,7 +1266,7 @@ static void eight_positions_and_a_plane_are_refused_as_without_temperature(void)
     assert_refused(INVCAL_TOO_FEW, 1e-4);
 }
 
-static void a_reading_that_is_none_is_refused(void)
+static void an_invalid_reading_is_refused(void)
 {
     const double bad[] = {NOT_A_NUMBER, INFINITE, 11, 0.01};
     const sensor s = straight(0);
@@ -1318,7 +1318,7 @@ static void take_quadric(double c, double temperature, random_source *random)
 
 /* c is a line or, in the last row, a parabola of temperature; p follows it exactly. A prior, on
  * everything, does not bend the readings. */
-static void what_is_no_ellipsoid_at_some_temperature_is_refused(void)
+static void what_is_not_an_ellipsoid_at_some_temperature_is_refused(void)
 {
     const double form[][STATIONS] = {
         {-0.5, -0.5, -0.5}, {-0.5, 0.25, 1}, {1, 0.25, -0.5}, {1, -0.5, 1}};
@@ -1397,7 +1397,7 @@ static void an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it(void)
 }
 
 /* However much wider than the noise: the prior alone never makes the system singular. */
-static void what_only_a_prior_tells_has_its_sigma(void)
+static void what_only_a_prior_determines_has_its_sigma(void)
 {
     invcal_thermal_prior prior = nothing_known;
 
@@ -1421,7 +1421,7 @@ static void a_prior_on_one_parameter_is_none_on_another(void)
 
 /* A sensor of a fifth of the scale, and a prior that knows better by 800 sigma. The residuals say
  * how noisy the readings are; weighed again it takes more away than is there. */
-static void a_prior_that_nothing_can_be_reconciled_with_is_refused(void)
+static void an_irreconcilable_prior_is_refused(void)
 {
     const double scale[INVCAL_PARAMETERS] = {0, 0, 0, -0.8, -0.8, -0.8};
     const sensor s = {scale, NULL, NULL};
@@ -1538,7 +1538,7 @@ static void the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position(void)
 }
 
 /* 0.1.0 took an invalid noise or slope for an unknown one: 0.2 K. */
-static void no_drift_is_allowed_where_noise_or_slope_are_no_numbers(void)
+static void no_drift_is_allowed_if_noise_or_slope_is_invalid(void)
 {
     const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, -1};
 
@@ -1574,18 +1574,18 @@ int main(void)
     RUN_LONG_TEST(the_error_is_the_cramer_rao_bound_and_that_of_nine_parameters_hundreds_of_it);
     RUN_LONG_TEST(a_bent_sensor_comes_to_the_bound_of_27_parameters);
     RUN_TEST(at_one_temperature_there_are_no_slopes_and_it_says_so);
-    RUN_TEST(two_temperatures_half_a_kelvin_apart_tell_no_slopes_and_it_says_so);
+    RUN_TEST(two_temperatures_half_a_kelvin_apart_give_no_slopes_and_it_says_so);
     RUN_TEST(too_few_positions_for_slopes_are_enough_for_fewer);
     RUN_TEST(what_the_positions_leave_open_is_left_out_and_named);
     RUN_TEST(slopes_that_pass_for_other_errors_are_not_called_good);
     RUN_TEST(slopes_of_a_small_part_of_the_span_are_open);
     RUN_TEST(a_lower_degree_is_fitted_where_it_is_wanted);
-    RUN_TEST(outside_the_range_seen_the_edge_is_held_and_said);
-    RUN_TEST(what_is_no_temperature_is_refused_and_nothing_written);
+    RUN_TEST(outside_the_observed_range_the_edge_is_held_and_reported);
+    RUN_TEST(what_is_not_a_temperature_is_refused_and_nothing_written);
     RUN_TEST(a_damaged_calibration_is_refused_at_any_temperature);
-    RUN_TEST(what_is_no_triad_is_refused_at_any_temperature);
+    RUN_TEST(what_is_not_a_triad_is_refused_at_any_temperature);
     RUN_TEST(raw_counts_give_the_right_lengths_at_every_temperature);
-    RUN_TEST(the_choices_stand_in_the_names);
+    RUN_TEST(the_names_contain_the_choices);
     RUN_LONG_TEST(sigma_at_every_temperature_is_that_of_the_error);
     RUN_TEST(sigma_of_a_line_has_its_closed_form);
     RUN_TEST(beyond_the_range_it_is_judged_at_its_edge);
@@ -1597,7 +1597,7 @@ int main(void)
     RUN_TEST(rounding_gives_no_degree_of_freedom);
     RUN_TEST(a_prior_counts_for_more_where_the_data_are_noisier_than_stated);
     RUN_TEST(noise_as_large_as_the_field_leaves_everything_to_the_prior);
-    RUN_TEST(a_prior_that_is_none_or_has_no_noise_is_refused);
+    RUN_TEST(an_invalid_prior_or_one_without_noise_is_refused);
     RUN_TEST(renewing_at_one_temperature_keeps_the_slopes_and_the_range);
     RUN_TEST(renewing_beyond_the_range_widens_it);
     RUN_TEST(temperatures_beyond_two_spans_are_refused);
@@ -1605,19 +1605,19 @@ int main(void)
     RUN_TEST(the_order_of_the_positions_does_not_matter);
     RUN_TEST(unusable_arguments_are_named);
     RUN_TEST(eight_positions_and_a_plane_are_refused_as_without_temperature);
-    RUN_TEST(a_reading_that_is_none_is_refused);
+    RUN_TEST(an_invalid_reading_is_refused);
     RUN_TEST(a_reading_that_is_absurd_once_it_is_calibrated_is_refused);
-    RUN_TEST(what_is_no_ellipsoid_at_some_temperature_is_refused);
+    RUN_TEST(what_is_not_an_ellipsoid_at_some_temperature_is_refused);
     RUN_TEST(a_plane_with_noise_is_undetermined_rather_than_no_ellipsoid);
-    RUN_TEST(what_only_a_prior_tells_has_its_sigma);
+    RUN_TEST(what_only_a_prior_determines_has_its_sigma);
     RUN_TEST(an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it);
     RUN_TEST(a_prior_on_one_parameter_is_none_on_another);
     RUN_TEST(readings_of_two_fields_are_refused_though_a_prior_solves_them);
-    RUN_TEST(a_prior_that_nothing_can_be_reconciled_with_is_refused);
+    RUN_TEST(an_irreconcilable_prior_is_refused);
     RUN_TEST(semi_axes_beyond_their_limits_are_refused_together);
     RUN_TEST(what_cannot_be_judged_is_refused_and_the_quality_left_alone);
     RUN_TEST(the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position);
-    RUN_TEST(no_drift_is_allowed_where_noise_or_slope_are_no_numbers);
+    RUN_TEST(no_drift_is_allowed_if_noise_or_slope_is_invalid);
     RUN_TEST(every_fallback_has_its_words);
     return UNITY_END() != 0;
 }

@@ -342,7 +342,7 @@ static void a_triangular_record_of_version_1_is_read_and_kept(void)
 }
 
 /* Coefficient i of t^k is at 208 + 36 k + 4 i, as a binary32. */
-static void the_coefficients_of_every_power_stand_where_the_table_says(void)
+static void the_coefficients_of_every_power_are_where_the_table_says(void)
 {
     random_source random = random_start(1);
     const invcal_thermal_record r = random_record(&random);
@@ -405,7 +405,7 @@ static void what_holds_at_the_reference_is_a_record_of_its_own(void)
     }
 }
 
-static void bytes_behind_a_record_are_not_looked_at(void)
+static void bytes_after_a_record_are_ignored(void)
 {
     uint8_t bytes[FLAT + MARGIN];
     invcal_thermal_record r;
@@ -672,10 +672,10 @@ int main(void)
     RUN_TEST(the_bytes_of_version_1_give_the_record_over_field);
     RUN_TEST(each_version_has_its_function);
     RUN_TEST(a_triangular_record_of_version_1_is_read_and_kept);
-    RUN_TEST(the_coefficients_of_every_power_stand_where_the_table_says);
+    RUN_TEST(the_coefficients_of_every_power_are_where_the_table_says);
     RUN_TEST(a_record_comes_back_as_it_was);
     RUN_TEST(what_holds_at_the_reference_is_a_record_of_its_own);
-    RUN_TEST(bytes_behind_a_record_are_not_looked_at);
+    RUN_TEST(bytes_after_a_record_are_ignored);
     RUN_TEST(a_record_begins_with_what_was_fitted);
     RUN_TEST(a_number_that_is_not_finite_is_not_encoded);
     RUN_TEST(a_number_that_is_not_finite_is_not_decoded);

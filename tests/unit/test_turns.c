@@ -112,7 +112,7 @@ static void up_does_not_drift(void)
 
 /* ---- the gyroscope beside a calibrated accelerometer --------------------------------------------- */
 
-static void the_tour_tells_scale_and_misalignment_as_closed_form_does(void)
+static void the_tour_determines_scale_and_misalignment_as_closed_form_says(void)
 {
     invcal_real sigma[18];
     uint32_t open = 1;
@@ -349,7 +349,7 @@ static void guidance_goes_as_far_as_it_may(void)
 }
 
 /* An overwritten plan. */
-static void of_nonsense_there_is_no_next_turn(void)
+static void nonsense_has_no_next_turn(void)
 {
     invcal_turn turn;
 
@@ -455,7 +455,7 @@ static void the_shortest_turn_is_that_of_closed_form(void)
 }
 
 /* With a sine of 0.001 or less there is no shortest turn. */
-static void of_opposite_directions_no_turn_is_the_shortest(void)
+static void opposite_directions_have_no_shortest_turn(void)
 {
     static const double square[4] = {0.97e-6, 1.03e-6, 0.97e-6, 1.03e-6};
 
@@ -525,7 +525,7 @@ static void bad_arguments_are_refused(void)
 
 /* About x by an angle, z up: of E x the turn tells x by the angle, and y by sin y - (1 - cos) z, the rest is about
  * up. The variance is 2. */
-static void turns_of_any_angle_tell_what_closed_form_says(void)
+static void turns_of_any_angle_agree_with_closed_form(void)
 {
     static const double degrees[] = {-720, -700, -541, -539, -450, -361, -200, -179, -100, -30,
                                      30,   100,  179,  200,  361,  450,  539,  541,  700,  720};
@@ -673,7 +673,7 @@ static void sigma_is_judged_at_its_bounds(void)
 }
 
 /* All are known, but only to 3000 times the noise: that is open. */
-static void what_only_a_wide_prior_tells_is_open(void)
+static void what_only_a_wide_prior_determines_is_open(void)
 {
     invcal_real prior[18];
     invcal_real sigma[18];
@@ -888,7 +888,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(up_does_not_drift);
-    RUN_TEST(the_tour_tells_scale_and_misalignment_as_closed_form_does);
+    RUN_TEST(the_tour_determines_scale_and_misalignment_as_closed_form_says);
     RUN_TEST(ranks_are_those_of_the_number_of_axes);
     RUN_TEST(the_tour_determines_all_18);
     RUN_TEST(the_lengths_of_six_faces_alone_have_rank_6);
@@ -897,17 +897,17 @@ int main(void)
     RUN_SLOW_TEST(twelve_turns_of_it_tell_more_than_the_tour);
     RUN_SLOW_TEST(of_any_rest_there_is_a_next_turn);
     RUN_SLOW_TEST(guidance_goes_as_far_as_it_may);
-    RUN_TEST(of_nonsense_there_is_no_next_turn);
+    RUN_TEST(nonsense_has_no_next_turn);
     RUN_TEST(the_tour_takes_each_edge_once_about_horizontal_axes);
     RUN_TEST(the_shortest_turn_is_that_of_closed_form);
-    RUN_TEST(of_opposite_directions_no_turn_is_the_shortest);
+    RUN_TEST(opposite_directions_have_no_shortest_turn);
     RUN_TEST(bad_arguments_are_refused);
-    RUN_TEST(turns_of_any_angle_tell_what_closed_form_says);
+    RUN_TEST(turns_of_any_angle_agree_with_closed_form);
     RUN_TEST(next_to_the_vertical_nothing_is_lost);
     RUN_TEST(the_noise_of_a_turn_is_that_of_the_design);
     RUN_TEST(a_prior_is_information);
     RUN_TEST(sigma_is_judged_at_its_bounds);
-    RUN_TEST(what_only_a_wide_prior_tells_is_open);
+    RUN_TEST(what_only_a_wide_prior_determines_is_open);
     RUN_SLOW_TEST(a_prospect_is_what_the_turn_then_brings);
     RUN_TEST(what_is_known_too_little_is_named);
     RUN_SLOW_TEST(after_the_turns_it_knows_what_it_had_planned);
