@@ -235,8 +235,8 @@ static void move(drive_state *d, const int32_t to[3], unsigned samples)
 
     for (unsigned i = 1; i <= samples; i++) {
         for (unsigned a = 0; a < 3; a++) {
-            const int64_t way = ((int64_t)to[a] - d->place[a]) * i / samples;
-            raw[a] = saturated(d->place[a] + way + (i % 2 ? 90 : -90));
+            const int64_t part = ((int64_t)to[a] - d->place[a]) * i / samples;
+            raw[a] = saturated(d->place[a] + part + (i % 2 ? 90 : -90));
         }
         feed(d, raw);
     }

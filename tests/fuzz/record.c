@@ -135,7 +135,7 @@ static void look_at_both(const uint8_t *bytes, uint32_t size)
 {
     static invcal_imu_session both;
     const invcal_calibration gyro = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    const uint32_t room = sizeof(invcal_moves) - offsetof(invcal_moves, layout);
+    const uint32_t limit = sizeof(invcal_moves) - offsetof(invcal_moves, layout);
     invcal_imu imu;
     int32_t raw[3];
 
@@ -145,7 +145,7 @@ static void look_at_both(const uint8_t *bytes, uint32_t size)
     both.session.count = 2;
     both.session.mean[0][0] = both.session.mean[1][1] = 100;
     const uint32_t layout = both.moves.layout; /* or almost nothing would be accepted */
-    memcpy((uint8_t *)&both + INVCAL_IMU_SESSION_FROM, bytes, size < room ? size : room);
+    memcpy((uint8_t *)&both + INVCAL_IMU_SESSION_FROM, bytes, size < limit ? size : limit);
     both.moves.layout = layout;
     if (invcal_imu_session_resume(&both, invcal_imu_session_size(&both)) != INVCAL_OK) {
         return;
@@ -388,46 +388,46 @@ static int is_same(const content *a, const content *b)
     return a->status == b->status && a->size == b->size && memcmp(a->bytes, b->bytes, a->size) == 0;
 }
 
-static invcal_status save(flash *f, const invcal_store *store, content *wish)
+static invcal_status save(flash *f, const invcal_store *store, content *wanted)
 {
-    memset(wish, 0, sizeof *wish);
-    wish->size = take_byte(f->s) % SLOT_MOST;
-    for (uint32_t i = 0; i < wish->size; i++) {
-        wish->bytes[i] = (uint8_t)(take_byte(f->s) + i);
+    memset(wanted, 0, sizeof *wanted);
+    wanted->size = take_byte(f->s) % SLOT_MOST;
+    for (uint32_t i = 0; i < wanted->size; i++) {
+        wanted->bytes[i] = (uint8_t)(take_byte(f->s) + i);
     }
-    return invcal_store_save(store, wish->bytes, wish->size);
+    return invcal_store_save(store, wanted->bytes, wanted->size);
 }
 
 /* A calibration, as its record. */
-static invcal_status save_calibration(flash *f, const invcal_store *store, content *wish)
+static invcal_status save_calibration(flash *f, const invcal_store *store, content *wanted)
 {
     const invcal_quality quality = {.noise = 1, .condition = 200, .positions = 12};
     invcal_calibration calibration = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     invcal_record r;
 
-    memset(wish, 0, sizeof *wish);
+    memset(wanted, 0, sizeof *wanted);
     calibration.offset[0] = take_real(f->s, 10);
     invcal_record_init(&r, &calibration, &quality);
-    const invcal_status status = invcal_record_encode(&r, wish->bytes);
-    wish->size = INVCAL_RECORD_SIZE;
+    const invcal_status status = invcal_record_encode(&r, wanted->bytes);
+    wanted->size = INVCAL_RECORD_SIZE;
     const invcal_status saved = invcal_save(store, &calibration, &quality);
     REQUIRE(status == INVCAL_OK || saved == status);
     return saved;
 }
 
 /* A session with one position. */
-static invcal_status save_session(flash *f, const invcal_store *store, content *wish)
+static invcal_status save_session(flash *f, const invcal_store *store, content *wanted)
 {
     invcal_session session;
 
-    memset(wish, 0, sizeof *wish);
+    memset(wanted, 0, sizeof *wanted);
     REQUIRE(invcal_session_init(&session, 1000, 50) == INVCAL_OK);
     session.mean[0][0] = 1000;
     session.mean[0][1] = 20;
     session.mean[0][2] = (invcal_real)take_byte(f->s);
     session.count = 1;
-    wish->size = invcal_session_size(&session);
-    memcpy(wish->bytes, &session, wish->size);
+    wanted->size = invcal_session_size(&session);
+    memcpy(wanted->bytes, &session, wanted->size);
     return invcal_save_session(store, &session);
 }
 
@@ -437,7 +437,7 @@ static void change(flash *f, const invcal_store *store)
 {
     const unsigned what = take_byte(f->s);
     content before;
-    content wish;
+    content wanted;
     content after;
     invcal_status status;
 
@@ -445,13 +445,13 @@ static void change(flash *f, const invcal_store *store)
     f->steps = what & 1u ? take_byte(f->s) : UINT32_MAX;
     f->misreads = (what & 14u) == 14;
     if (what & 16u) {
-        memset(&wish, 0, sizeof wish);
-        wish.status = INVCAL_NO_RECORD;
+        memset(&wanted, 0, sizeof wanted);
+        wanted.status = INVCAL_NO_RECORD;
         status = invcal_store_erase(store);
     } else if (what & 32u) {
-        status = what & 64u ? save_session(f, store, &wish) : save_calibration(f, store, &wish);
+        status = what & 64u ? save_session(f, store, &wanted) : save_calibration(f, store, &wanted);
     } else {
-        status = save(f, store, &wish);
+        status = save(f, store, &wanted);
     }
     const int may_be_lost = f->misreads;
     f->is_off = 0;
@@ -459,9 +459,9 @@ static void change(flash *f, const invcal_store *store)
     f->steps = UINT32_MAX;
     load(store, &after);
     if (status == INVCAL_OK) {
-        REQUIRE(is_same(&after, &wish));
+        REQUIRE(is_same(&after, &wanted));
     } else {
-        REQUIRE(may_be_lost || is_same(&after, &before) || is_same(&after, &wish));
+        REQUIRE(may_be_lost || is_same(&after, &before) || is_same(&after, &wanted));
     }
     load_as(store, &after);
 }

@@ -125,7 +125,7 @@ static void sigma_is_honest(void)
     for (unsigned degree = 2; degree <= 3; degree++) {
         random_source random = random_start(degree);
         double squares[2] = {0, 0};
-        double told = 0;
+        double reported = 0;
         for (int d = 0; d < DRAWS; d++) {
             const triad_truth truth = triad_random(&random, 0.01);
             const unsigned count = measure(&random, &truth, degree == 2 ? 6 : 8, degree, SIGMA);
@@ -142,11 +142,11 @@ static void sigma_is_honest(void)
                 squares[1] +=
                     (s.x[r] - truth.x[r]) * (s.x[r] - truth.x[r]) / (q.sigma[r] * q.sigma[r]);
             }
-            told += sigma[0] / (double)DRAWS;
+            reported += sigma[0] / (double)DRAWS;
         }
         TEST_ASSERT_DOUBLE_WITHIN(0.1, 1, sqrt(squares[0] / (3.0 * (degree - 1) * (double)DRAWS)));
         TEST_ASSERT_DOUBLE_WITHIN(0.1, 1, sqrt(squares[1] / (9.0 * (double)DRAWS)));
-        TEST_ASSERT_DOUBLE_WITHIN(0.1e-4, degree == 2 ? 1.63299e-4 : 1.41421e-4, told);
+        TEST_ASSERT_DOUBLE_WITHIN(0.1e-4, degree == 2 ? 1.63299e-4 : 1.41421e-4, reported);
     }
 }
 

@@ -19,13 +19,13 @@ void tearDown(void)
 
 static double way_of(const double (*v)[3], unsigned count)
 {
-    double way = 0;
+    double path = 0;
 
     for (unsigned k = 1; k < count; k++) {
         const double dot = v[k][0] * v[k - 1][0] + v[k][1] * v[k - 1][1] + v[k][2] * v[k - 1][2];
-        way += acos(fmax(-1, fmin(1, dot)));
+        path += acos(fmax(-1, fmin(1, dot)));
     }
-    return way / (count - 1);
+    return path / (count - 1);
 }
 
 /* Six directions and their opposites, then all again: 24. In the second half of a round trip each is met

@@ -171,8 +171,9 @@ static void sigma_are_those_of_the_closed_forms(void)
 
 #define MEDIAN_F_6_3 1.12894 /* of Fisher's F with 6 and 3 degrees of freedom */
 
-/* Of the mounting and of J1: the spread is that told; and of closures half are beyond the median of F. Clean positions are called misset in one of a hundred
- * programs, which is what the test allows chance. */
+/* For the mounting and J1 the spread is as stated; and half of the closures are beyond the median
+ * of F. Clean positions are called misset in one of a hundred programs, which is what the test
+ * allows for chance. */
 static void sigma_are_honest(void)
 {
     random_source random = random_start(4);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Tests of port/host/text/unit.c: when a size tells a unit, and when it is sure; names. Readings are made here:
- * positions of a sensor with known zero and scale.
+ * Tests of port/host/text/unit.c: when a size gives a unit, and when that is sure; names. The
+ * readings are made here: positions of a sensor with known zero and scale.
  */
 #include "text/unit.h"
 #include "unity.h"

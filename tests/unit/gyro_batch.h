@@ -199,7 +199,7 @@ static void run(const double (*program)[3], double rate, double error, double me
 
     world_begin(&w, rate, seed);
     w.log = samples;
-    w.room = SAMPLES;
+    w.capacity = SAMPLES;
     w.wobble = 0.25;
     w.mean_noise = mean_noise;
     world_draw(&w, error, 0);

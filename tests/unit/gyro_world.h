@@ -73,7 +73,7 @@ typedef struct {
     int count;
     /* kept for others: space for that many samples, or null; and where each rest began */
     int32_t (*log)[3];
-    int room;
+    int capacity;
     int begin[WORLD_RESTS];
 } world;
 
@@ -174,7 +174,7 @@ static inline void world_sample(world *w, const double omega[3], int is_quiet)
         const int of = w->axes[i] < 0 ? -w->axes[i] : w->axes[i];
         raw[i] = (int32_t)lround(COUNTS * (w->axes[i] < 0 ? -nominal[of - 1] : nominal[of - 1]));
     }
-    if (w->log && w->samples < w->room) {
+    if (w->log && w->samples < w->capacity) {
         memcpy(w->log[w->samples], raw, sizeof raw);
     }
     const int now = w->samples % WORLD_LATE;

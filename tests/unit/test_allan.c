@@ -27,7 +27,7 @@ void tearDown(void)
 
 enum { TAUS = INVCAL_ALLAN_TAUS, OVERLAP = INVCAL_ALLAN_OVERLAP };
 
-/* ---- exact sums in another way: no totals, no rings, no products of 64 bits ------------------ */
+/* ---- exact sums by other means: no totals, no rings, no products of 64 bits ----------------- */
 
 /* 256 bits in 16 digits: any sum fits. */
 typedef struct {
@@ -701,7 +701,7 @@ static invcal_noise noise_with(double ramp, double wave, uint32_t averaged)
     return noise_of(&a);
 }
 
-static void misfit_tells_what_is_no_noise_of_these_kinds(void)
+static void misfit_shows_noise_of_other_kinds(void)
 {
     TEST_ASSERT_TRUE((double)noise_with(0, 0, 1).misfit < 1.5);
     TEST_ASSERT_TRUE((double)noise_with(0, 0, 2).misfit > 3);
@@ -726,7 +726,7 @@ static double scatter(double white, double slow, double step, uint32_t samples, 
     const unsigned records = 60;
     double sum = 0;
     double squares = 0;
-    double told = 0;
+    double reported = 0;
 
     for (uint32_t seed = 0; seed < records; seed++) {
         invcal_allan a = octaves();
@@ -740,13 +740,13 @@ static double scatter(double white, double slow, double step, uint32_t samples, 
         const double ratio = (double)noise.coefficient[kind] / expected[kind];
         sum += ratio / records;
         squares += ratio * ratio / records;
-        told += (double)noise.relative[kind] / records;
+        reported += (double)noise.relative[kind] / records;
     }
     TEST_ASSERT_DOUBLE_WITHIN(0.03, 1, sum);
-    return sqrt(squares - sum * sum) / told;
+    return sqrt(squares - sum * sum) / reported;
 }
 
-static void relative_is_the_scatter_and_nothing_is_seen_that_is_not_there(void)
+static void relative_is_the_scatter_and_nothing_spurious_is_seen(void)
 {
     TEST_ASSERT_DOUBLE_WITHIN(0.3, 1.0, scatter(500, 0, 0, 2000, INVCAL_NOISE_WHITE));
     TEST_ASSERT_DOUBLE_WITHIN(0.3, 0.5, scatter(500, 50, 0, 25000, INVCAL_NOISE_WHITE));
@@ -1073,9 +1073,9 @@ int main(void)
     RUN_LONG_TEST(a_random_walk_has_slope_half_and_its_coefficient);
     RUN_LONG_TEST(flicker_noise_has_slope_0_and_its_coefficient);
     RUN_LONG_TEST(a_mixture_is_taken_apart);
-    RUN_LONG_TEST(misfit_tells_what_is_no_noise_of_these_kinds);
+    RUN_LONG_TEST(misfit_shows_noise_of_other_kinds);
     RUN_LONG_TEST(a_slow_drift_counts_as_a_walk);
-    RUN_LONG_TEST(relative_is_the_scatter_and_nothing_is_seen_that_is_not_there);
+    RUN_LONG_TEST(relative_is_the_scatter_and_nothing_spurious_is_seen);
     RUN_TEST(an_exact_curve_has_the_coefficients_it_was_made_from);
     RUN_TEST(the_minimum_is_the_lowest_deviation_seen);
     RUN_TEST(relative_is_that_of_weighted_least_squares);

@@ -368,8 +368,9 @@ static const invcal_cell_fit as_they_are = {
     .triad = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
 };
 
-/* An offset and a length are four unknowns: four cells tell them, wherever these are, three do not. Closed form: lengths
- * of +x and -x change by the shift of 0.1, those across by 0.005; 100 samples before and after weigh 50. */
+/* An offset and a length are four unknowns: four cells determine them, wherever these are, three do
+ * not. Closed form: lengths of +x and -x change by the shift of 0.1, those across by 0.005; 100
+ * samples before and after weigh 50. */
 static void four_cells_show_a_step(void)
 {
     static const double direction[6][3] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
@@ -383,7 +384,8 @@ static void four_cells_show_a_step(void)
                 add_along(&table[0], direction[sets[n][i]], 0, 100);
                 add_along(&table[1], direction[sets[n][i]], 0.1, 100);
             }
-            /* 50 (0.105^2 + 0.095^2 + 2 0.005^2) = 1.005 is told: more than 28 times 0.035, less than of 0.037 */
+            /* 50 (0.105^2 + 0.095^2 + 2 0.005^2) = 1.005: more than 28 times 0.035, less than of
+             * 0.037 */
             TEST_ASSERT_EQUAL_INT(cells == 4, invcal_cells_step(&as_they_are, INVCAL_REAL(0.035)));
             TEST_ASSERT_EQUAL_INT(0, invcal_cells_step(&as_they_are, INVCAL_REAL(0.037)));
             TEST_ASSERT_EQUAL_INT(0, invcal_cells_step(&as_they_are, 0));
@@ -405,9 +407,10 @@ static void add_longer(unsigned k, double excess)
     }
 }
 
-/* Six faces are longer by b, four edges by b + e, b - e, b - e and b + e, which no offset or length explains. Single
- * samples weigh 1/2: 5 b^2 is told and 2 e^2 is left, of 6 degrees of freedom. F is above 40 if 6 5 b^2 > 160 2 e^2:
- * b > 3.266 e. A power of 1 has nothing to say, and what was only seen before, or only after, has no part in it. */
+/* Six faces are longer by b, four edges by b + e, b - e, b - e and b + e, which no offset or length
+ * explains. Single samples weigh 1/2: 5 b^2 is explained and 2 e^2 remains, with 6 degrees of
+ * freedom. F is above 40 if 6 5 b^2 > 160 2 e^2: b > 3.266 e. A power of 1 shows nothing, and cells
+ * that were seen only before, or only after, do not count. */
 static void ten_cells_show_a_step_by_themselves(void)
 {
     static const unsigned edge[] = {14, 15, 16, 17};

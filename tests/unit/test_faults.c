@@ -61,7 +61,7 @@ typedef struct {
 
 typedef struct {
     const sensor_fault *row;
-    invcal_background room; /* contains the session */
+    invcal_background background; /* contains the session */
     invcal_session *session;
     triad_truth truth;
     random_source random;
@@ -172,7 +172,7 @@ static void run_session(const sensor_fault *row)
 {
     memset(&b, 0, sizeof b);
     b.row = row;
-    b.session = &b.room.session;
+    b.session = &b.background.session;
     b.random = random_start(7);
     b.truth = triad_random(&b.random, 0.02);
     memcpy(b.up, expected_plan18[0], sizeof b.up);
@@ -265,7 +265,7 @@ static const sensor_fault sensor_faults[] = {
     {"the clock jumps in every rest", CLOCK_JUMPS, 0, 0, 18, 0, INVCAL_OK, 1, INVCAL_OK, ANY_ERROR},
 };
 
-static void each_fault_of_the_sensor_is_told_or_does_no_harm(void)
+static void each_fault_of_the_sensor_is_reported_or_does_no_harm(void)
 {
     for (unsigned i = 0; i < sizeof sensor_faults / sizeof sensor_faults[0]; i++) {
         check_sensor(&sensor_faults[i]);
@@ -283,7 +283,7 @@ static void a_calendar_that_jumps_ends_in_too_few_positions(void)
     run_session(&row);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_solve(b.session, &calibration, &quality));
     for (int day = 0; day < 3650; day++) {
-        invcal_background_age(&b.room);
+        invcal_background_age(&b.background);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_session_solve(b.session, &calibration, &quality));
     TEST_ASSERT_EQUAL_UINT(0, b.session->count);
@@ -443,7 +443,7 @@ static void each_fault_of_the_memory_is_reported_and_leaves_an_older_record(void
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_SLOW_TEST(each_fault_of_the_sensor_is_told_or_does_no_harm);
+    RUN_SLOW_TEST(each_fault_of_the_sensor_is_reported_or_does_no_harm);
     RUN_SLOW_TEST(a_calendar_that_jumps_ends_in_too_few_positions);
     RUN_TEST(each_fault_of_the_memory_is_reported_and_leaves_an_older_record);
     return UNITY_END();

@@ -467,7 +467,7 @@ static void the_position_taken_last_is_never_asked_for_again(void)
     TEST_ASSERT_TRUE(sign_of(up[0]) < 1 || sign_of(up[1]) < 1 || sign_of(up[2]) < 1);
 }
 
-static void what_is_no_reading_is_passed_over(void)
+static void what_is_not_a_reading_is_skipped(void)
 {
     static const double bad[][3] = {
         {NOT_A_NUMBER, 0, 0},     {0, NOT_A_NUMBER, 1},
@@ -684,7 +684,7 @@ int main(void)
     RUN_TEST(only_faces_edges_and_corners_are_asked_for);
     RUN_TEST(what_is_within_reach_of_the_last_position_is_not_asked_for);
     RUN_TEST(the_position_taken_last_is_never_asked_for_again);
-    RUN_SLOW_TEST(what_is_no_reading_is_passed_over);
+    RUN_SLOW_TEST(what_is_not_a_reading_is_skipped);
     RUN_SLOW_TEST(the_prospect_is_sigma_without_and_with_the_position);
     RUN_TEST(with_eighteen_positions_the_prospect_is_that_of_the_sums_alone);
     RUN_TEST(from_positions_on_a_plane_it_leads_out_of_the_plane);

@@ -172,7 +172,7 @@ static void begin_exact(const double up[3])
     w.count = w.moves.count = 1;
 }
 
-/* Quarter turns, each of the twelve edges once: about the axis, that way round. */
+/* Quarter turns, each of the twelve edges once: the axis and the sense. */
 static void tour_exact(const double m[3][3], int v)
 {
     static const char tour[] = "zxyZXyzXYZxYz";
@@ -602,7 +602,8 @@ static void a_move_is_apart_beyond_its_bound(void)
     }
 }
 
-/* The biases of 25 rests are G up + drift to a unit of 2^-18 rad/s; 12 rests tell them, 11 do not. */
+/* The biases of 25 rests are G up + drift to a unit of 2^-18 rad/s; 12 rests determine them, 11 do
+ * not. */
 static void slopes_of_the_bias_are_those_of_closed_form(void)
 {
     static const int g[3][4] = {{40, -80, 120, 960}, {200, 60, -20, 0}, {-90, 10, 30, -480}};
@@ -650,7 +651,7 @@ static invcal_status find_mounting(int8_t axes[3], invcal_real *scale)
 }
 
 /* Moves about the space diagonal look the same after the axes are exchanged in a circle. */
-static void moves_may_leave_ways_indistinguishable(void)
+static void moves_may_leave_the_mapping_of_axes_open(void)
 {
     const int v[3] = {5000, 5000, 5000};
     int8_t axes[3];
@@ -829,7 +830,7 @@ static void without_g_sensitivity_none_is_used(void)
 
 /* ---- what is wrong ------------------------------------------------------------------------------ */
 
-static void axes_exchanged_or_turned_round_are_named(void)
+static void exchanged_or_reversed_axes_are_named(void)
 {
     static const int ways[][3] = {{1, 2, 3},  {2, 1, 3},   {1, -2, 3},
                                   {-2, 3, 1}, {-1, -2, 3}, {3, 2, -1}};
@@ -853,7 +854,7 @@ static void axes_exchanged_or_turned_round_are_named(void)
 }
 
 /* Seven turns of the tour are one more than the unknowns need, but leave some nearly open. */
-static void too_few_moves_are_no_wrong_mounting(void)
+static void too_few_moves_are_not_called_a_wrong_mounting(void)
 {
     for (unsigned seed = 7046; seed <= 7060; seed++) {
         world_begin(&w, 100, seed);
@@ -958,9 +959,9 @@ static void a_single_segment_shows_what_is_stuck(void)
     TEST_ASSERT_TRUE(axes[0] == 0 && axes[1] == 2 && axes[2] == 0 && scale == 1);
 }
 
-/* All 48 ways, and in degrees: each is found. Axis i of the accelerometer turns as axis `of[i]` of
- * the gyroscope reads. */
-static void every_way_is_found(void)
+/* All 48 mappings of axes, and in degrees: each is found. Axis i of the accelerometer turns as axis
+ * `of[i]` of the gyroscope reads. */
+static void every_mapping_of_axes_is_found(void)
 {
     static const int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
                                      {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -991,9 +992,9 @@ static void every_way_is_found(void)
     }
 }
 
-/* A way must be four times as good as the next. About z the device turns by 1 - 2 f of what is read: with z as
- * it is f of twice that angle is left, with z turned round 1 - f. */
-static void the_next_way_has_four_times_the_squares(void)
+/* A mapping of axes must be four times as good as the next. About z the device turns by 1 - 2 f of
+ * what is read: with z as it is, f of twice that angle remains, with z reversed 1 - f. */
+static void the_next_mapping_has_four_times_the_squares(void)
 {
     static const double level[3] = {0.8, 0.6, 0};
     const int x[3] = {9000, 0, 0}, y[3] = {0, 9000, 0}, z[3] = {0, 0, 6554};
@@ -1013,8 +1014,9 @@ static void the_next_way_has_four_times_the_squares(void)
     }
 }
 
-/* Two axes that turn little, and by 0.64 of what is read: no turn at all would be wrong by 0.64, the right
- * way is by 0.36, which is not four times as good in squares. But that is no way. */
+/* Two axes that turn little, and by 0.64 of what is read: no turn at all would be wrong by 0.64,
+ * the right mapping is by 0.36, which is not four times as good in squares. But no turn is not a
+ * mapping. */
 static void an_axis_that_turns_turns_something(void)
 {
     static const double m[3][3] = {{0.64, 0, 0}, {0, 1, 0}, {0, 0, 0.64}};
@@ -1031,7 +1033,7 @@ static void an_axis_that_turns_turns_something(void)
     TEST_ASSERT_TRUE(axes[0] == 1 && axes[1] == 2 && axes[2] == 3 && scale == 1);
 }
 
-/* One move that turns about all axes shows no way, two of them do. */
+/* One move that turns about all axes does not determine the mapping, two do. */
 static void a_single_move_determines_no_mounting(void)
 {
     const int first[3] = {6000, 1000, -3000}, second[3] = {-2000, 7000, 2500};
@@ -1239,7 +1241,7 @@ static void residuals_beyond_what_was_stated_are_rough(void)
 }
 
 /* A move back to where it began, with little turning. */
-static void a_move_that_turns_nothing_tells_nothing(void)
+static void a_move_without_a_turn_shows_nothing(void)
 {
     const double little[3] = {0.02, 0, 0};
 
@@ -1375,19 +1377,19 @@ int main(void)
     RUN_TEST(weak_and_undetermined_begin_at_their_bounds);
     RUN_TEST(a_move_is_apart_beyond_its_bound);
     RUN_TEST(slopes_of_the_bias_are_those_of_closed_form);
-    RUN_TEST(moves_may_leave_ways_indistinguishable);
+    RUN_TEST(moves_may_leave_the_mapping_of_axes_open);
     RUN_SLOW_TEST(errors_are_those_that_sigma_says);
     RUN_SLOW_TEST(noisy_moves_spoil_no_accelerometer);
     RUN_SLOW_TEST(g_sensitivity_is_found_and_taken_out);
     RUN_SLOW_TEST(without_g_sensitivity_none_is_used);
-    RUN_SLOW_TEST(axes_exchanged_or_turned_round_are_named);
-    RUN_SLOW_TEST(too_few_moves_are_no_wrong_mounting);
+    RUN_SLOW_TEST(exchanged_or_reversed_axes_are_named);
+    RUN_SLOW_TEST(too_few_moves_are_not_called_a_wrong_mounting);
     RUN_SLOW_TEST(degrees_taken_for_radians_are_named);
     RUN_SLOW_TEST(an_axis_that_is_stuck_is_named);
     RUN_TEST(stuck_is_less_than_a_hundredth);
     RUN_TEST(a_single_segment_shows_what_is_stuck);
-    RUN_SLOW_TEST(every_way_is_found);
-    RUN_TEST(the_next_way_has_four_times_the_squares);
+    RUN_SLOW_TEST(every_mapping_of_axes_is_found);
+    RUN_TEST(the_next_mapping_has_four_times_the_squares);
     RUN_TEST(an_axis_that_turns_turns_something);
     RUN_TEST(a_single_move_determines_no_mounting);
     RUN_SLOW_TEST(samples_may_come_some_time_late);
@@ -1398,7 +1400,7 @@ int main(void)
     RUN_SLOW_TEST(a_move_that_contradicts_the_others_is_left_out);
     RUN_SLOW_TEST(no_more_than_three_are_left_out);
     RUN_SLOW_TEST(residuals_beyond_what_was_stated_are_rough);
-    RUN_SLOW_TEST(a_move_that_turns_nothing_tells_nothing);
+    RUN_SLOW_TEST(a_move_without_a_turn_shows_nothing);
     RUN_TEST(bad_noise_is_refused);
     RUN_TEST(a_bad_prior_is_refused);
     RUN_TEST(bad_readings_and_scales_are_refused);

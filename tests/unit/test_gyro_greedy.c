@@ -118,7 +118,7 @@ static void in_the_hand_errors_are_those_of_the_batch(void)
 }
 
 /* As many as the design has. */
-static void sixty_runs_of_it_are_as_the_batch(void)
+static void sixty_runs_of_it_agree_with_the_batch(void)
 {
     double program[MOVES][3];
 
@@ -126,7 +126,7 @@ static void sixty_runs_of_it_are_as_the_batch(void)
     are_as_the_batch((const double(*)[3])program, 100, 3e-4, 60, 1.1e-4);
 }
 
-static void sixty_runs_of_the_tour_are_as_the_batch(void)
+static void sixty_runs_of_the_tour_agree_with_the_batch(void)
 {
     are_as_the_batch(NULL, 100, 3e-4, 60, 1.5e-4);
 }
@@ -136,7 +136,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(on_a_table_errors_are_those_of_the_batch);
     RUN_LONG_TEST(in_the_hand_errors_are_those_of_the_batch);
-    RUN_LONG_TEST(sixty_runs_of_it_are_as_the_batch);
-    RUN_LONG_TEST(sixty_runs_of_the_tour_are_as_the_batch);
+    RUN_LONG_TEST(sixty_runs_of_it_agree_with_the_batch);
+    RUN_LONG_TEST(sixty_runs_of_the_tour_agree_with_the_batch);
     return UNITY_END();
 }

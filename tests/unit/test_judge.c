@@ -270,9 +270,9 @@ static double gain2(const invcal_calibration *calibration)
     return sum;
 }
 
-/* One residual to spare tells the noise, however badly: a parameter is weak where its sigma is more
- * than ten times that, or the information on it no more than ten times what noise in ten readings
- * makes of nothing. */
+/* One redundant residual shows the noise, however poorly: a parameter is weak if its sigma is more
+ * than ten times that, or if the information on it is no more than ten times what noise in ten
+ * readings creates from nothing. */
 static void one_residual_is_enough_to_tell_what_is_weak(void)
 {
     random_source random = random_start(12);

@@ -4,7 +4,7 @@
  * test_outliers.c.
  *
  * When may it say "good"? Of thousands of simulated sensors with one fault each, the share that is
- * called good and yet wrong by more than 5 sigma. -DDRAWS=10000 tells it to a tenth of a per cent.
+ * called good and yet wrong by more than 5 sigma. -DDRAWS=10000 gives it to a tenth of a per cent.
  */
 #include <limits.h>
 #include <math.h>
@@ -345,7 +345,7 @@ static void a_sound_sensor_raises_no_alarm(void)
     }
 }
 
-static void just_the_positions_that_are_wrong_are_left_out(void)
+static void exactly_the_wrong_positions_are_left_out(void)
 {
     static const struct {
         faulty fault;
@@ -368,7 +368,7 @@ static void just_the_positions_that_are_wrong_are_left_out(void)
 
 /* A cubic of 1 % repeats itself with the direction: the residuals agree, and would make a tiny
  * noise. */
-static void directions_that_are_repeated_are_no_check(void)
+static void repeated_directions_check_nothing(void)
 {
     static const struct {
         program program;
@@ -636,7 +636,7 @@ static invcal_quality judge_beside(unsigned position, double degrees, double err
 }
 
 /* The errors of the triad are corrected: 5 degrees are those of the field. */
-static void within_5_degrees_of_another_a_position_is_no_check(void)
+static void within_5_degrees_of_another_a_position_checks_nothing(void)
 {
     for (unsigned i = 0; i < 18; i++) {
         if (fabs(expected_plan18[i][2]) > 0.99) {
@@ -805,7 +805,7 @@ static reading_set sound_set(unsigned count)
     return one.set;
 }
 
-static void eight_positions_or_fewer_and_more_than_there_may_be_are_refused(void)
+static void eight_positions_or_fewer_and_too_many_are_refused(void)
 {
     reading_set set = sound_set(MAX_POSITIONS);
 
@@ -825,7 +825,7 @@ static void eight_positions_or_fewer_and_more_than_there_may_be_are_refused(void
     assert_refused(INVCAL_BAD_COUNT, &set);
 }
 
-static void readings_that_are_none_are_refused(void)
+static void invalid_readings_are_refused(void)
 {
     static const struct {
         double value;
@@ -959,8 +959,8 @@ int main(void)
     RUN_LONG_TEST(a_fault_is_hardly_ever_called_good);
     RUN_LONG_TEST(nor_is_it_where_no_noise_is_stated);
     RUN_LONG_TEST(a_sound_sensor_raises_no_alarm);
-    RUN_LONG_TEST(just_the_positions_that_are_wrong_are_left_out);
-    RUN_LONG_TEST(directions_that_are_repeated_are_no_check);
+    RUN_LONG_TEST(exactly_the_wrong_positions_are_left_out);
+    RUN_LONG_TEST(repeated_directions_check_nothing);
     RUN_LONG_TEST(sigma_is_true_and_its_intervals_hold_where_the_noise_stated_is);
     RUN_TEST(an_error_that_all_share_is_named_with_its_axis_and_size);
     RUN_TEST(a_sound_sensor_has_no_error_of_any_size);
@@ -968,13 +968,13 @@ int main(void)
     RUN_LONG_TEST(an_outlier_and_a_drift_are_told_apart);
     RUN_TEST(what_the_order_of_positions_hides_is_unchecked);
     RUN_TEST(nine_positions_check_nothing);
-    RUN_SLOW_TEST(within_5_degrees_of_another_a_position_is_no_check);
+    RUN_SLOW_TEST(within_5_degrees_of_another_a_position_checks_nothing);
     RUN_TEST(a_direction_is_not_repeated_after_one_that_was_left_out);
     RUN_TEST(nine_directions_give_no_redundancy_however_often_they_are_visited);
     RUN_LONG_TEST(one_that_is_wrong_by_half_the_field_is_left_out);
     RUN_TEST(more_than_one_in_six_left_out_is_rough);
-    RUN_SLOW_TEST(eight_positions_or_fewer_and_more_than_there_may_be_are_refused);
-    RUN_SLOW_TEST(readings_that_are_none_are_refused);
+    RUN_SLOW_TEST(eight_positions_or_fewer_and_too_many_are_refused);
+    RUN_SLOW_TEST(invalid_readings_are_refused);
     RUN_TEST(an_unusable_noise_or_nominal_is_refused);
     RUN_TEST(positions_that_determine_nothing_are_refused);
     RUN_TEST(what_is_not_an_ellipsoid_without_one_either_is_refused);

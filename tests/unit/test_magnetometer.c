@@ -258,7 +258,7 @@ static void cells_are_positions_to_look_at(void)
 }
 
 /* In uT, as nominal has it; and invcal_scale by it keeps the scale of nominal. */
-static void the_field_is_told_in_the_unit_of_nominal(void)
+static void the_field_is_reported_in_the_unit_of_nominal(void)
 {
     live(&usual, 7, 0, &the);
     TEST_ASSERT_DOUBLE_WITHIN(0.3, 48, (double)the.found.field);
@@ -370,7 +370,7 @@ static void less_than_half_a_sphere_is_weak(void)
 }
 
 /* An edge of the cube is 45 degrees from its faces, 60 from the next edges. */
-static void gaps_are_told(void)
+static void gaps_are_reported(void)
 {
     static const double centre[3] = {0, 0, 0};
     invcal_magnetometer_found found;
@@ -540,7 +540,7 @@ static void a_step_is_named_or_dropped(void)
 }
 
 /* Readings that keep contradicting are a step, too, though all of them are left out. */
-static void what_goes_on_contradicting_is_a_step(void)
+static void what_keeps_contradicting_is_a_step(void)
 {
     scene s = usual;
 
@@ -1007,8 +1007,8 @@ static void a_solution_out_of_range_does_not_count(void)
     TEST_ASSERT_TRUE(m->p[INVCAL_DK_X] == INVCAL_REAL(0.5));
 }
 
-/* Late samples in nine cells, so that P alone tells, shifted by s along x: with w = n m / (n + m) they explain
- * Q = w s^2 sum x^2, x^2 being 1 twice in the faces and 1/2 in two of three edges. */
+/* Late samples in nine cells, so that P alone decides, shifted by s along x: with w = n m / (n + m)
+ * they explain Q = w s^2 sum x^2, x^2 being 1 twice in the faces and 1/2 in two of three edges. */
 static invcal_magnetometer *step_along_x(double before, double since)
 {
     const unsigned n = 100;
@@ -1540,16 +1540,16 @@ int main(void)
     RUN_LONG_TEST(a_magnetometer_without_noise_is_found_exactly);
     RUN_LONG_TEST(intervals_hold_what_they_say);
     RUN_LONG_TEST(cells_are_positions_to_look_at);
-    RUN_SLOW_TEST(the_field_is_told_in_the_unit_of_nominal);
+    RUN_SLOW_TEST(the_field_is_reported_in_the_unit_of_nominal);
     RUN_TEST(a_real_one_agrees_with_fits_to_all_samples);
     RUN_LONG_TEST(half_a_sphere_is_weak);
     RUN_SLOW_TEST(less_than_half_a_sphere_is_weak);
-    RUN_SLOW_TEST(gaps_are_told);
+    RUN_SLOW_TEST(gaps_are_reported);
     RUN_SLOW_TEST(it_goes_on_after_a_reset);
     RUN_LONG_TEST(a_magnet_that_passes_is_named_and_does_no_harm);
     RUN_LONG_TEST(a_magnet_at_the_beginning_spoils_nothing_called_good);
     RUN_LONG_TEST(a_step_is_named_or_dropped);
-    RUN_LONG_TEST(what_goes_on_contradicting_is_a_step);
+    RUN_LONG_TEST(what_keeps_contradicting_is_a_step);
     RUN_LONG_TEST(what_contradicts_for_long_makes_it_rough);
     RUN_LONG_TEST(a_field_that_differs_from_place_to_place_is_named);
     RUN_LONG_TEST(noise_is_no_place);

@@ -128,7 +128,7 @@ static void a_rest_that_turns_is_not_a_rest(void)
 }
 
 /* The table of segments is full: its contents stay, and biases are still right. */
-static void without_room_moves_are_refused_and_rests_go_on(void)
+static void without_space_moves_are_refused_and_rests_continue(void)
 {
     const double far[3] = {0, 150 * DEGREE, 0};
 
@@ -691,7 +691,7 @@ static void segments_are_merged_by_the_series(void)
 /* 127 segments are a move, and 24 of all are kept for the next. */
 static void a_move_and_the_table_have_so_many_segments(void)
 {
-    const int room = INVCAL_MAX_SEGMENTS - 24 - 1; /* one for the end, before it is merged */
+    const int space = INVCAL_MAX_SEGMENTS - 24 - 1; /* one for the end, before it is merged */
 
     for (int more = 0; more < 2; more++) {
         begin_at(64);
@@ -705,7 +705,7 @@ static void a_move_and_the_table_have_so_many_segments(void)
         begin_at(64);
         rest_exactly(0, 0, 0);
         leave_exactly();
-        for (int left = room + more; left > 0; left -= 16) {
+        for (int left = space + more; left > 0; left -= 16) {
             large_turns(left < 16 ? left : 16);
             block(0, 0, 0, INVCAL_MOVING, 0);
             rest_exactly(0, 0, 0);
@@ -714,7 +714,7 @@ static void a_move_and_the_table_have_so_many_segments(void)
         const unsigned last = w.moves.count - 1u;
         TEST_ASSERT_EQUAL_INT(more ? INVCAL_NO_SPACE : INVCAL_OK,
                               invcal_moves_reason(&w.moves, last));
-        TEST_ASSERT_EQUAL_INT(more ? (room + more - 1) / 16 * 16 : room, w.moves.first);
+        TEST_ASSERT_EQUAL_INT(more ? (space + more - 1) / 16 * 16 : space, w.moves.first);
         for (unsigned i = 1; i < last; i++) {
             TEST_ASSERT_EQUAL_INT(16, w.moves.rest[i].move);
         }
@@ -1021,7 +1021,7 @@ int main(void)
     RUN_TEST(lost_samples_spoil_only_one_move);
     RUN_SLOW_TEST(a_clipped_or_a_long_move_is_refused);
     RUN_TEST(a_rest_that_turns_is_not_a_rest);
-    RUN_SLOW_TEST(without_room_moves_are_refused_and_rests_go_on);
+    RUN_SLOW_TEST(without_space_moves_are_refused_and_rests_continue);
     RUN_TEST(nonsense_is_refused_or_does_no_harm);
     RUN_TEST(a_move_of_more_than_seven_turns_is_refused);
     RUN_TEST(stirring_fills_a_segment);

@@ -704,7 +704,7 @@ static double error_of_axis(unsigned kind, double x, double before, double tau)
                                       : 0;
 }
 
-/* Gram and Schmidt's way: each without what the nine and those before it are made of. */
+/* Gram-Schmidt: each minus its projection on the nine and on those before it. */
 static test test_for(const job *j, unsigned kind, unsigned step)
 {
     const calibrated *all = j->all;
@@ -1124,7 +1124,7 @@ static void more_than_one_in_six_are_rough(void)
 
 /* A reading of four times the field pulls the ellipsoid to itself; the other positions, all but some on
  * two planes, would allow it. */
-static void what_no_rest_reads_is_left_out_all_the_same(void)
+static void what_no_rest_can_read_is_left_out_anyway(void)
 {
     random_source random = random_start(16);
 
@@ -1180,8 +1180,8 @@ static void equal_positions_check_one_another(void)
     }
     read_positions(&truth, (const double(*)[3])v, 20, SIGMA, &random, &set);
     assert_set(0, find(&set, 0).left_out);
-    /* One of two: the ten directions leave one residual to tell which, and it does not suffice;
-     * but that it is one of these two is certain. */
+    /* One of two: the ten directions leave one residual to show which, and it does not suffice; but
+     * it is certain that it is one of these two. */
     spoil(&set, 4, 0.02);
     const invcal_quality q = find(&set, 0);
     assert_set(0, (q.left_out | q.suspected) & ~(bit(4) | bit(14)));
@@ -1207,7 +1207,7 @@ static void a_position_that_nothing_checks_is_not_blamed(void)
         v[i][2] = z;
     }
     v[17][0] = v[17][1] = 0;
-    v[17][2] = -1; /* alone tells z^2 from z */
+    v[17][2] = -1; /* alone distinguishes z^2 from z */
     read_positions(&truth, (const double(*)[3])v, 18, 1e-6, &random, &set);
     spoil(&set, 17, 0.02);
     assert_set(0, find(&set, 0).left_out & bit(17));
@@ -1216,7 +1216,7 @@ static void a_position_that_nothing_checks_is_not_blamed(void)
 /* Directions within a band about the equator, so narrow that the condition is next to its limit:
  * some that are wrong cannot be left out, for the others would leave parameters open. Then all
  * stay. */
-static void what_the_others_are_not_determined_without_stays_and_is_told(void)
+static void what_the_others_need_stays_and_is_reported(void)
 {
     const invcal_calibration nominal = unit_nominal();
     random_source random = random_start(21);
@@ -1335,11 +1335,11 @@ int main(void)
     RUN_TEST(among_exact_readings_an_error_just_above_rounding_is_found);
     RUN_LONG_TEST(every_position_of_a_full_set_can_be_named);
     RUN_SLOW_TEST(more_than_one_in_six_are_rough);
-    RUN_SLOW_TEST(what_no_rest_reads_is_left_out_all_the_same);
+    RUN_SLOW_TEST(what_no_rest_can_read_is_left_out_anyway);
     RUN_TEST(what_makes_no_ellipsoid_is_searched_for_in_rounds);
     RUN_TEST(equal_positions_check_one_another);
     RUN_TEST(a_position_that_nothing_checks_is_not_blamed);
-    RUN_LONG_TEST(what_the_others_are_not_determined_without_stays_and_is_told);
+    RUN_LONG_TEST(what_the_others_need_stays_and_is_reported);
     RUN_TEST(one_that_is_only_robust_leaves_systematic_errors_unchecked);
     RUN_LONG_TEST(real_positions_have_no_outliers_but_those_that_are_made);
     return UNITY_END() != 0;

@@ -243,7 +243,7 @@ static void what_a_prior_determines_leaves_degrees_of_freedom(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.01 * noise, noise, (double)o.quality.noise);
 }
 
-/* Readings as noisy as the field tell nothing: each parameter keeps its own prior. */
+/* Readings as noisy as the field have no information: each parameter keeps its own prior. */
 static void sigma_of_what_is_not_determined_is_the_prior_of_each(void)
 {
     random_source random = random_start(6);
@@ -283,7 +283,7 @@ static void noise_is_raised_only_where_a_prior_has_to_hold_something(void)
                               (double)o.quality.noise);
 }
 
-/* Six faces, tilted by less than rounding shows: what the sums seem to tell of the angles is rounding. */
+/* Six faces, tilted by less than rounding: what the sums seem to show of the angles is rounding. */
 static void what_rounding_seems_to_show_is_held_by_the_prior(void)
 {
     random_source random = random_start(12);

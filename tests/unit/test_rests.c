@@ -494,7 +494,7 @@ static unsigned check_rest(unsigned rate, const double centre[3], double sigma, 
         return 0;
     }
     random = random_start(seed);
-    for (unsigned i = 0; i < 24 * size; i++) { /* the newest two tell of the variance too */
+    for (unsigned i = 0; i < 24 * size; i++) { /* the newest two count for the variance, too */
         noisy(&random, centre, sigma, raw);
         variance += i < r->begin ? 0 : add_to_block(&k, size, centre, raw);
         for (unsigned a = 0; a < 3 && i >= r->begin && i < r->end; a++) {
@@ -847,7 +847,7 @@ static void a_position_that_creeps_as_it_is_left_is_one(void)
     }
 }
 
-static void a_sensor_that_warms_up_does_rest(void)
+static void a_sensor_that_warms_up_is_at_rest(void)
 {
     static const double noises[] = {5e-4, 5e-5, 2e-5};
 
@@ -1473,7 +1473,7 @@ static void an_hour_is_the_longest_time_to_hold(void)
     }
 }
 
-/* ---- what is told meanwhile ------------------------------------------------------------------- */
+/* ---- what is reported meanwhile -------------------------------------------------------------- */
 
 static void progress_rises_to_100_at_ready_and_falls_with_motion(void)
 {
@@ -1608,7 +1608,7 @@ static void init_refuses_rates_and_rails_out_of_range(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&detector, 0, 1));
 }
 
-static void random_bits_and_alternating_extremes_are_no_rest(void)
+static void random_bits_and_alternating_extremes_are_not_a_rest(void)
 {
     for (unsigned kind = 0; kind < 3; kind++) {
         setup(kind == 2 ? 8000 : 100, 1, 0);
@@ -1726,7 +1726,7 @@ int main(void)
     RUN_TEST(a_copy_of_the_state_behaves_the_same);
     RUN_TEST(a_slow_turn_is_refused_for_drift_while_it_lasts);
     RUN_TEST(a_position_that_creeps_as_it_is_left_is_one);
-    RUN_LONG_TEST(a_sensor_that_warms_up_does_rest);
+    RUN_LONG_TEST(a_sensor_that_warms_up_is_at_rest);
     RUN_SLOW_TEST(a_warming_sensor_may_rest_for_minutes_at_first);
     RUN_TEST(what_is_shaken_is_moving_and_does_not_settle);
     RUN_TEST(a_few_counts_for_a_while_do_not_end_a_rest);
@@ -1764,7 +1764,7 @@ int main(void)
     RUN_TEST(finish_answers_in_every_state);
     RUN_TEST(a_rest_that_continues_after_finish_is_another_one);
     RUN_TEST(init_refuses_rates_and_rails_out_of_range);
-    RUN_SLOW_TEST(random_bits_and_alternating_extremes_are_no_rest);
+    RUN_SLOW_TEST(random_bits_and_alternating_extremes_are_not_a_rest);
     RUN_TEST(jumps_through_all_of_int32_overflow_nothing);
     RUN_LONG_TEST(ten_million_equal_samples_and_life_after);
     RUN_LONG_TEST(a_rest_stops_growing_before_its_counters_overflow);

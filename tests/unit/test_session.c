@@ -455,7 +455,7 @@ static void advice_that_is_followed_determines_everything(void)
     TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(5e-4, worst_length(&calibration));
 }
 
-static void a_hand_that_errs_by_ten_degrees_does_hardly_worse(void)
+static void a_hand_that_errs_by_ten_degrees_is_hardly_worse(void)
 {
     for (uint32_t seed = 1; seed <= SOME(20); seed++) {
         invcal_calibration calibration;
@@ -572,7 +572,7 @@ static void with_a_stated_noise_one_redundant_position_is_enough(void)
 }
 
 /* The session must end, however good one rest is: is_good and solve use the same data. */
-static void a_rest_that_is_wrong_does_not_keep_the_end_away(void)
+static void a_wrong_rest_does_not_prevent_the_end(void)
 {
     for (unsigned wrong = 0; wrong < 9; wrong += 2) {
         invcal_calibration calibration;
@@ -709,7 +709,7 @@ static void where_the_table_is_full_the_oldest_position_goes(void)
 
 /* ---- in the background ------------------------------------------------------------------------ */
 
-static void a_well_covered_direction_is_passed_over_and_a_new_one_is_not(void)
+static void a_well_covered_direction_is_skipped_and_a_new_one_is_not(void)
 {
     begin_background(0.03, 24);
     visit_plan(0, 18);
@@ -727,7 +727,7 @@ static void a_well_covered_direction_is_passed_over_and_a_new_one_is_not(void)
     TEST_ASSERT_EQUAL_UINT(before + 1, b.s->count);
 }
 
-static void a_full_table_drops_what_tells_least(void)
+static void a_full_table_drops_what_adds_least(void)
 {
     begin_background(0.03, 26);
     for (unsigned i = 0; b.s->count < INVCAL_MAX_POSITIONS - 1u; i++) {
@@ -768,7 +768,7 @@ static void positions_vanish_after_their_days_and_younger_ones_stay(void)
     TEST_ASSERT_EQUAL_UINT(0, b.s->count);
 }
 
-static void an_old_position_gives_way_before_a_new_one(void)
+static void an_old_position_is_dropped_before_a_new_one(void)
 {
     begin_background(0.03, 28);
     for (unsigned i = 0; i < 9; i++) {
@@ -908,14 +908,14 @@ int main(void)
     RUN_TEST(finish_takes_the_position_that_is_held_and_nothing_that_is_not_ready);
     RUN_TEST(lost_samples_are_reported_and_the_rest_continues);
     RUN_TEST(advice_that_is_followed_determines_everything);
-    RUN_SLOW_TEST(a_hand_that_errs_by_ten_degrees_does_hardly_worse);
+    RUN_SLOW_TEST(a_hand_that_errs_by_ten_degrees_is_hardly_worse);
     RUN_TEST(a_position_that_is_ready_counts_as_taken);
     RUN_TEST(the_next_direction_has_its_words);
     RUN_TEST(a_position_is_at_a_direction_within_twenty_degrees);
     RUN_TEST(a_position_that_is_ready_is_where_it_is);
     RUN_TEST(it_is_good_from_twelve_positions_on);
     RUN_TEST(with_a_stated_noise_one_redundant_position_is_enough);
-    RUN_SLOW_TEST(a_rest_that_is_wrong_does_not_keep_the_end_away);
+    RUN_SLOW_TEST(a_wrong_rest_does_not_prevent_the_end);
     RUN_TEST(a_wrong_position_is_named_and_left_out);
     RUN_TEST(among_fewer_than_eleven_no_outlier_is_looked_for);
     RUN_SLOW_TEST(a_target_is_reached_when_every_sigma_is_within_it);
@@ -923,10 +923,10 @@ int main(void)
     RUN_TEST(too_few_positions_and_positions_on_a_plane_are_refused);
     RUN_TEST(a_solution_does_not_change_the_session);
     RUN_TEST(where_the_table_is_full_the_oldest_position_goes);
-    RUN_SLOW_TEST(a_well_covered_direction_is_passed_over_and_a_new_one_is_not);
-    RUN_SLOW_TEST(a_full_table_drops_what_tells_least);
+    RUN_SLOW_TEST(a_well_covered_direction_is_skipped_and_a_new_one_is_not);
+    RUN_SLOW_TEST(a_full_table_drops_what_adds_least);
     RUN_TEST(positions_vanish_after_their_days_and_younger_ones_stay);
-    RUN_SLOW_TEST(an_old_position_gives_way_before_a_new_one);
+    RUN_SLOW_TEST(an_old_position_is_dropped_before_a_new_one);
     RUN_TEST(unusable_settings_are_refused_by_name_and_nothing_is_written);
     RUN_TEST(to_begin_again_forgets_everything);
     RUN_TEST(a_session_may_be_moved_at_any_time);

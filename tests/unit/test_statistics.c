@@ -358,7 +358,7 @@ static void tilts_alone_with_a_prior(double noise, double stated, double *covere
     *covered = within / (9.0 * DRAWS);
 }
 
-static void a_prior_holds_what_tilts_alone_cannot_tell(void)
+static void a_prior_holds_what_tilts_alone_cannot_determine(void)
 {
     static const double noise[] = {1e-4, 1e-3};
 
@@ -550,7 +550,7 @@ int main(void)
     RUN_LONG_TEST(random_sets_are_good_only_when_they_are);
     RUN_LONG_TEST(without_stated_noise_intervals_follow_student);
     RUN_SLOW_TEST(the_comparison_in_the_readme_is_true);
-    RUN_LONG_TEST(a_prior_holds_what_tilts_alone_cannot_tell);
+    RUN_LONG_TEST(a_prior_holds_what_tilts_alone_cannot_determine);
     RUN_LONG_TEST(a_prior_is_not_overruled_by_understated_noise);
     RUN_LONG_TEST(intervals_follow_student_with_a_prior_too);
     RUN_LONG_TEST(a_wide_prior_does_not_hurt_the_others);

@@ -365,7 +365,7 @@ static void a_bent_sensor_comes_to_the_bound_of_27_parameters(void)
     }
 }
 
-/* ---- what the temperatures do not tell ---------------------------------------------------- */
+/* ---- what the temperatures do not show ---------------------------------------------------- */
 
 /* The same as without temperature, and no slopes. */
 static void assert_like_nine_parameters(double noise, invcal_verdict verdict)
@@ -894,11 +894,11 @@ static void a_slope_prior_alone_is_enough_at_a_constant_temperature(void)
 }
 
 /* The delta of 3 x 18 positions without noise: H'H is 18 for its constant, 12 for its slope, and
- * nothing beside. A prior of ratio R = (noise / sigma)^2 shrinks either to H'H / (H'H + R), and
- * that is the share of it that the data told. What is lacking of delta, x in all six, stays in the
- * residuals; of these and the noise stated comes another noise, with which all is made again. */
+ * nothing else. A prior of ratio R = (noise / sigma)^2 shrinks either to H'H / (H'H + R), which is
+ * the share from the data. The missing part of delta, x in all six, stays in the residuals; these
+ * and the stated noise give another noise, with which everything is computed again. */
 typedef struct {
-    double ratio, told, told_slope, dof, noise;
+    double ratio, share, share_of_slope, dof, noise;
 } shrunk;
 
 static shrunk shrink_at(double weighed, double stated, double sigma, double x)
@@ -906,10 +906,11 @@ static shrunk shrink_at(double weighed, double stated, double sigma, double x)
     shrunk s;
 
     s.ratio = weighed * weighed / (sigma * sigma);
-    s.told = 18 / (18 + s.ratio);
-    s.told_slope = 12 / (12 + s.ratio);
-    s.dof = MOST - 12 - 3 * s.told - 3 * s.told_slope;
-    const double squares = 3 * x * x * (18 * pow(1 - s.told, 2) + 12 * pow(1 - s.told_slope, 2));
+    s.share = 18 / (18 + s.ratio);
+    s.share_of_slope = 12 / (12 + s.ratio);
+    s.dof = MOST - 12 - 3 * s.share - 3 * s.share_of_slope;
+    const double squares =
+        3 * x * x * (18 * pow(1 - s.share, 2) + 12 * pow(1 - s.share_of_slope, 2));
     s.noise = sqrt((4 * stated * stated + squares) / (4 + s.dof));
     return s;
 }
@@ -938,8 +939,8 @@ static void a_prior_shrinks_and_counts_by_the_closed_form(void)
     const shrunk first = shrink_at(stated, stated, sigma0, x);
     const shrunk second = shrink_at(first.noise, stated, sigma0, x);
     for (int r = 0; r < 3; r++) {
-        TEST_ASSERT_DOUBLE_WITHIN(0.01 * x, second.told * constant[r], (double)found.x[0][r]);
-        TEST_ASSERT_DOUBLE_WITHIN(0.01 * x, second.told_slope * slope[r],
+        TEST_ASSERT_DOUBLE_WITHIN(0.01 * x, second.share * constant[r], (double)found.x[0][r]);
+        TEST_ASSERT_DOUBLE_WITHIN(0.01 * x, second.share_of_slope * slope[r],
                                   (double)found.x[DEGREE > 0][r]);
     }
     TEST_ASSERT_EQUAL_UINT((unsigned)second.dof, quality.dof);

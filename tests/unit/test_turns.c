@@ -260,7 +260,7 @@ static double follow(const invcal_imu_settings *settings, unsigned turns, const 
     return exp(log_det / t.n);
 }
 
-static void guidance_goes_where_most_is_told(void)
+static void guidance_goes_where_it_learns_most(void)
 {
     const double within = FLOAT_OR_DOUBLE(1e-4, 1e-5);
 
@@ -272,7 +272,7 @@ static void guidance_goes_where_most_is_told(void)
 
 /* Per turn and over the noise of a turn, of which the variance is 2: the figures of mathematics_imu.md. The tour has
  * (pi^2)^(3/9) 4^(6/9) of twelve turns. */
-static void twelve_turns_of_it_tell_more_than_the_tour(void)
+static void twelve_turns_of_it_add_more_than_the_tour(void)
 {
     double log_det;
 
@@ -308,8 +308,8 @@ static void of_any_rest_there_is_a_next_turn(void)
     }
 }
 
-/* Nearly half a turn tells most, but not of directions whose sine, squared, is below 0.09 (17.46 degrees). So it
- * goes to any of 26, from this side of that and not from the other. */
+/* Nearly half a turn adds most, but not for directions whose sine, squared, is below 0.09 (17.46
+ * degrees). So it goes to any of 26, from this side of that and not from the other. */
 static void guidance_goes_as_far_as_it_may(void)
 {
     static const double aside[3] = {-0.01, -0.85, -0.52};
@@ -523,8 +523,8 @@ static void bad_arguments_are_refused(void)
     }
 }
 
-/* About x by an angle, z up: of E x the turn tells x by the angle, and y by sin y - (1 - cos) z, the rest is about
- * up. The variance is 2. */
+/* About x by an angle, z up: the turn shows the x of E x by the angle, and y by sin y - (1 - cos)
+ * z; the rest is about up. The variance is 2. */
 static void turns_of_any_angle_agree_with_closed_form(void)
 {
     static const double degrees[] = {-720, -700, -541, -539, -450, -361, -200, -179, -100, -30,
@@ -538,17 +538,17 @@ static void turns_of_any_angle_agree_with_closed_form(void)
         for (unsigned a = 0; a < 3; a++) {
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-12), up[a], (double)t.up[a]);
         }
-        const double told[3] = {angle, sin(angle), cos(angle) - 1};
+        const double row[3] = {angle, sin(angle), cos(angle) - 1};
         for (unsigned r = 0; r < 3; r++) {
             for (unsigned c = 0; c <= r; c++) {
-                const double expected = c == 0 && r > 0 ? 0 : told[r] * told[c] / 2;
+                const double expected = c == 0 && r > 0 ? 0 : row[r] * row[c] / 2;
                 TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-12), expected, at(3 * r, 3 * c));
             }
         }
     }
 }
 
-/* Next to z, up or down: of a turn about x the angle is told but for the part of x along up. */
+/* Next to z, up or down: a turn about x shows the angle, except for the part of x along up. */
 static void next_to_the_vertical_nothing_is_lost(void)
 {
     for (unsigned k = 0; k < 2; k++) {
@@ -689,7 +689,7 @@ static void what_only_a_wide_prior_determines_is_open(void)
     TEST_ASSERT_EQUAL_HEX32(0x1FF, open);
 }
 
-static void a_prospect_is_what_the_turn_then_brings(void)
+static void a_prospect_is_what_the_turn_then_achieves(void)
 {
     invcal_real sigma[2][18];
     uint32_t open[2];
@@ -732,8 +732,8 @@ static void what_is_known_too_little_is_named(void)
 /* ---- beside the solver --------------------------------------------------------------------------- */
 
 static world w;
-static const invcal_imu_settings told = {0, INVCAL_REAL(3e-4), INVCAL_REAL(1e-4), INVCAL_REAL(1e-4),
-                                         0};
+static const invcal_imu_settings stated = {0, INVCAL_REAL(3e-4), INVCAL_REAL(1e-4),
+                                           INVCAL_REAL(1e-4), 0};
 
 /* The tour by steady turns, without errors. Returns how long a turn is by its segments. */
 static double make_tour(invcal_real raw[WORLD_RESTS][3])
@@ -766,14 +766,14 @@ static double make_tour(invcal_real raw[WORLD_RESTS][3])
 static void after_the_turns_it_knows_what_it_had_planned(void)
 {
     const invcal_calibration unit = unit_nominal();
-    invcal_imu_settings held = told;
+    invcal_imu_settings held = stated;
     invcal_real raw[WORLD_RESTS][3];
     invcal_real expected[171];
     invcal_real sigma[2][18];
     uint32_t open;
     invcal_imu imu;
 
-    begin(&told);
+    begin(&stated);
     t.seconds = (invcal_real)make_tour(raw);
     for (unsigned i = 0; i < INVCAL_TOUR; i++) {
         invcal_turn turn;
@@ -782,7 +782,7 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
     }
     memcpy(expected, t.sum, sizeof expected);
     (void)invcal_turns_sigma(&t, NULL, sigma[0], &open);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &told));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &stated));
     TEST_ASSERT_DOUBLE_WITHIN(1e-4, 1, (double)t.up[2]);
     for (unsigned i = 0; i < 171; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(0.02 * (1 + fabs((double)expected[i])), (double)expected[i],
@@ -792,7 +792,7 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
     for (unsigned r = 0; r < 18; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(0.02, (double)sigma[0][r], (double)sigma[1][r]);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(raw[0], 13, &unit, &w.moves, &told, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(raw[0], 13, &unit, &w.moves, &stated, &imu));
     held.held = 1;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &held));
     TEST_ASSERT_EQUAL_UINT(9, rank());
@@ -803,7 +803,7 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
 static void it_begins_where_the_last_rest_is(void)
 {
     const invcal_calibration unit = unit_nominal();
-    invcal_imu_settings held = told;
+    invcal_imu_settings held = stated;
     invcal_real raw[WORLD_RESTS][3];
     struct {
         invcal_turns t;
@@ -829,7 +829,7 @@ static void it_begins_where_the_last_rest_is(void)
 static void bad_rests_are_refused(void)
 {
     const invcal_calibration unit = unit_nominal();
-    invcal_imu_settings bad = told;
+    invcal_imu_settings bad = stated;
     invcal_real raw[WORLD_RESTS][3];
 
     (void)make_tour(raw);
@@ -837,10 +837,10 @@ static void bad_rests_are_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE,
                           invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &bad));
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
-                          invcal_turns_after(&t, raw[0], 0, &unit, &w.moves, &told));
+                          invcal_turns_after(&t, raw[0], 0, &unit, &w.moves, &stated));
     raw[12][2] = 30;
     TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE,
-                          invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &told));
+                          invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &stated));
 }
 
 /* Errors of the tour in a hand that wobbles, over the sigma of the plan: 1.07 at most in 300 runs,
@@ -893,8 +893,8 @@ int main(void)
     RUN_TEST(the_tour_determines_all_18);
     RUN_TEST(the_lengths_of_six_faces_alone_have_rank_6);
     RUN_SLOW_TEST(one_axis_leaves_open_what_the_script_names);
-    RUN_SLOW_TEST(guidance_goes_where_most_is_told);
-    RUN_SLOW_TEST(twelve_turns_of_it_tell_more_than_the_tour);
+    RUN_SLOW_TEST(guidance_goes_where_it_learns_most);
+    RUN_SLOW_TEST(twelve_turns_of_it_add_more_than_the_tour);
     RUN_SLOW_TEST(of_any_rest_there_is_a_next_turn);
     RUN_SLOW_TEST(guidance_goes_as_far_as_it_may);
     RUN_TEST(nonsense_has_no_next_turn);
@@ -908,7 +908,7 @@ int main(void)
     RUN_TEST(a_prior_is_information);
     RUN_TEST(sigma_is_judged_at_its_bounds);
     RUN_TEST(what_only_a_wide_prior_determines_is_open);
-    RUN_SLOW_TEST(a_prospect_is_what_the_turn_then_brings);
+    RUN_SLOW_TEST(a_prospect_is_what_the_turn_then_achieves);
     RUN_TEST(what_is_known_too_little_is_named);
     RUN_SLOW_TEST(after_the_turns_it_knows_what_it_had_planned);
     RUN_SLOW_TEST(it_begins_where_the_last_rest_is);
