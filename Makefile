@@ -7,19 +7,19 @@ AR     ?= ar
 STD    ?= c99
 CFLAGS ?= -O2
 BUILD  ?= build
-# Where `make install` puts all; DESTDIR stands before it.
+# Where `make install` puts everything, below DESTDIR.
 PREFIX ?= /usr/local
-# A folder with unity.h and unity.c: the tests build on any Unity.
+# The folder of unity.h and unity.c: the tests build with any Unity.
 UNITY  ?= tests/unity
 
-# Elsewhere awk and printf write 1,5 for 1.5, and sort has an order of its own.
+# In other locales awk and printf write 1,5 for 1.5, and sort uses another order.
 export LC_NUMERIC := C
 export LC_COLLATE := C
 unexport LC_ALL
 
 WARNINGS := -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -pedantic
-# Contraction (fused multiply-add) is off: the same bits on every machine. A square root of a negative
-# number is a NaN, and no errno.
+# No contraction (fused multiply-add), for the same bits on every machine. No errno: the square root of a
+# negative number is just a NaN.
 FLAGS     = -std=$(STD) -ffp-contract=off -fno-math-errno $(WARNINGS) $(CFLAGS) -Iinclude
 
 SOURCES := $(wildcard src/*.c)
@@ -27,14 +27,14 @@ HOST    := $(wildcard port/host/*.c port/host/*/*.c)
 SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 TOOL_SUITES := $(patsubst tests/tool/%.c,%,$(wildcard tests/tool/test_*.c))
 DATA    := $(wildcard tests/data/*_positions.csv)
-# With ASSERT=1 programming errors stop the library (INVCAL_ASSERT).
+# With ASSERT=1, programming errors abort (INVCAL_ASSERT).
 ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itests/unit)
-# The degree of thermal.h, if it is not to be the default, for the library and its tests.
+# The degree of thermal.h, for the library and its tests; without DEGREE, its default.
 DEGREE_FLAGS := $(if $(DEGREE),-DINVCAL_THERMAL_DEGREE=$(DEGREE))
-# The unit tests are compiled quickly, draw a tenth of their samples, and leave out what takes long; LONG=1, which make check states in
-# build folders of its own: all of it.
+# By default the unit tests compile quickly, draw a tenth of their samples, and skip what takes long. LONG=1 runs all
+# of it; make check sets it, in build folders of its own.
 SHORT_FLAGS := $(if $(LONG),,-O1 -DTEST_SHORT=10)
-# Commands are shown with make V=1.
+# make V=1 shows the commands.
 Q := $(if $(V),,@)
 
 .DEFAULT_GOAL := all
@@ -49,8 +49,8 @@ help: ## this list
 
 all: $(BUILD)/float/libinvcal.a $(BUILD)/double/libinvcal.a $(BUILD)/invcal ## both libraries and the tool
 
-# What goes where under PREFIX, FILE:FILE. The library in float and in double have names of their own;
-# the headers are the same, and invcal.pc or invcal-double.pc says which they are to be.
+# What is installed where under PREFIX, FROM:TO. The float and the double library have different names;
+# they share the headers, which invcal.pc and invcal-double.pc configure.
 INSTALLED := $(BUILD)/invcal:bin/invcal $(BUILD)/invcal.1:share/man/man1/invcal.1 \
     port/host/invcal.bash:share/bash-completion/completions/invcal \
     port/host/schema.json:share/invcal/schema.json \
@@ -67,11 +67,11 @@ install: all $(BUILD)/invcal.1 pkg-config ## tool, manual, completion, schema; l
 	done
 	$(Q)chmod 755 "$(INTO)/bin/invcal"
 
-uninstall: ## remove what install has put there
+uninstall: ## remove what install put there
 	$(Q)for pair in $(INSTALLED); do rm -f "$(INTO)/$${pair#*:}"; done
 	$(Q)rmdir "$(INTO)/include/invcal" "$(INTO)/share/invcal" 2>/dev/null || true
 
-# They name the prefix, and what the libraries were compiled with: made anew each time.
+# Made every time, as they contain the prefix and the options of the libraries.
 CHOICES = $(filter -DINVCAL_%,$(CFLAGS) $(DEGREE_FLAGS))
 .PHONY: pkg-config
 pkg-config:
@@ -95,7 +95,7 @@ demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sens
 	    > $(BUILD)/demo-calibrated.csv
 	@sed -n '1,4p' $(BUILD)/demo-log.csv; echo '... becomes'; sed -n '1,4p' $(BUILD)/demo-calibrated.csv
 	@echo
-	@echo 'Xsens MTi, 38 rest positions by hand, raw counts; "factory" are its maker'"'"'s.'
+	@echo 'Xsens MTi, 38 rest positions by hand, raw counts; "factory" is its maker'"'"'s calibration.'
 	@echo
 	$(BUILD)/invcal calibrate tests/data/xsens_mti_positions.csv --positions \
 	    --gravity 9.81744 --zero 33123,33276,32360 \
@@ -128,7 +128,7 @@ endef
 $(eval $(call variant,float,0))
 $(eval $(call variant,double,1))
 
-# Calibrations bit by bit, compared with those of the targets.
+# Prints the bits of calibrations, to be compared with those of the targets.
 $(BUILD)/float/tests/digest/digest.o $(BUILD)/float/port/hosted/board.o: EXTRA += -Iport \
     -Itests/reference -I$(BUILD)
 $(BUILD)/float/tests/digest/digest.o: | $(BUILD)/positions.h
@@ -136,13 +136,13 @@ $(BUILD)/float/digest: $(BUILD)/float/tests/digest/digest.o $(BUILD)/float/port/
     $(BUILD)/float/libinvcal.a
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
 
-# The position means as C arrays, for targets that have no files.
+# The position means as C arrays, for targets without files.
 $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 	@mkdir -p $(@D)
 	$(Q)awk -f $^ > $@
 
-# The host tool: the library in double, for more positions and averaging times than a
-# device has, and for parabolas of temperature; what CFLAGS choose for the library is not for it.
+# The host tool: the library in double, with more positions and averaging times than on a device, and quadratics in
+# temperature. The library's options in CFLAGS do not apply to it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
     -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host
 $(BUILD)/tool/%.o: %.c
@@ -153,7 +153,7 @@ $(BUILD)/tool/%.o: %.c
 $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
 
-# For Windows, by MinGW-w64: port/windows has what that lacks of POSIX.
+# For Windows, with MinGW-w64: port/windows supplies the POSIX functions that it lacks.
 $(BUILD)/invcal.exe: $(HOST) $(SOURCES) $(wildcard include/invcal/*.h src/*.h port/host/*/*.h port/windows/*.[ch] port/windows/*/*.h)
 	$(call need,x86_64-w64-mingw32-gcc)
 	@mkdir -p $(@D)
@@ -161,9 +161,9 @@ $(BUILD)/invcal.exe: $(HOST) $(SOURCES) $(wildcard include/invcal/*.h src/*.h po
 	    -D__USE_MINGW_ANSI_STDIO=1 -Iport/windows -include port/windows/posix.h \
 	    $(HOST) $(SOURCES) port/windows/posix.c -static -s -o $@
 
-windows: $(BUILD)/invcal.exe ## build/invcal.exe, the tool for Windows, by MinGW-w64
+windows: $(BUILD)/invcal.exe ## build/invcal.exe, the tool for Windows, with MinGW-w64
 
-# Its unit tests.
+# The tool's unit tests.
 $(BUILD)/tool/tool.a: $(filter-out %/main.o,$(HOST:%.c=$(BUILD)/tool/%.o)) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)rm -f $@ && $(AR) qcs $@ $^
 $(BUILD)/tool/tests/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
@@ -172,15 +172,15 @@ $(BUILD)/tool/test_%: $(BUILD)/tool/tests/tool/test_%.o $(BUILD)/tool/tests/unit
     $(BUILD)/double/unity.o $(BUILD)/tool/tool.a
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
 
-# The manual, of the tool's own help.
+# The man page, made from the tool's own help.
 $(BUILD)/invcal.1: port/host/man.sh $(BUILD)/invcal
 	$(Q)sh $^ > $@
 
 # ---- the page: port/web ------------------------------------------------------------------------
 
-# The library as WebAssembly, and the tool, but for what watch reads and shows on a terminal.
+# As WebAssembly: the library, and the tool without the terminal of watch.
 WASM = clang-19 --target=wasm32-wasi -Oz -std=$(STD) -ffp-contract=off -fno-math-errno -Iinclude -Wl,--strip-all
-# wasi-libc has no command that would be missed.
+# wasi-libc has no command that `need` could look for.
 need_wasm = @for file in /usr/include/wasm32-wasi/stdio.h $$(clang-19 -print-resource-dir)/lib/wasi/libclang_rt.builtins-wasm32.a; do \
     [ -e "$$file" ] || { echo "$${file\#\#*/} is not installed: make deps" >&2; exit 1; }; done
 WASM_HOST := $(filter-out $(patsubst %,port/host/watch/%.c,live wave interrupt screen),$(HOST))
@@ -208,7 +208,7 @@ $(BUILD)/web/npm/node_modules/.package-lock.json: port/web/package.json port/web
 	$(call need,npm)
 	@mkdir -p $(BUILD)/web/npm
 	$(Q)cp $^ $(BUILD)/web/npm && cd $(BUILD)/web/npm && npm ci --silent --no-audit --no-fund && \
-	    touch node_modules/.package-lock.json || { echo 'npm: the packages of port/web/package.json do not come' >&2; exit 1; }
+	    touch node_modules/.package-lock.json || { echo 'npm cannot install the packages of port/web/package.json' >&2; exit 1; }
 
 $(BUILD)/invcal.html: $(BUILD)/web/live.wasm $(BUILD)/web/tool.wasm $(BUILD)/web/npm/node_modules/.package-lock.json \
     LICENSE $(wildcard port/web/*.js port/web/*.mjs port/web/*.html port/web/*.css port/web/*.txt)
@@ -218,13 +218,13 @@ web: $(BUILD)/invcal.html ## build/invcal.html: calibrate live in a browser, or 
 
 # ---- tests ------------------------------------------------------------------------------------
 
-# One line that says what is missing: $(call need,command)
+# Stops with one line if a command is missing: $(call need,command)
 need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps' >&2; exit 1; }
 
-# PART=src: the unit tests of the library, and no tool is built. PART=host: all but these.
+# PART=src: only the unit tests of the library, without building the tool. PART=host: everything else.
 UNIT_TESTS := $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%)
 TOOL_TESTS := $(TOOL_SUITES:%=$(BUILD)/tool/%) all
-test: $(if $(filter host,$(PART)),,$(UNIT_TESTS)) $(if $(filter src,$(PART)),,$(TOOL_TESTS)) ## the tests with one compiler; those that take long: make check
+test: $(if $(filter host,$(PART)),,$(UNIT_TESTS)) $(if $(filter src,$(PART)),,$(TOOL_TESTS)) ## the tests with one compiler; make check also runs the long ones
 	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" LONG="$(LONG)" PART="$(PART)" sh tests/run.sh $(BUILD)
 
 coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the tool (PART=src, PART=host)
@@ -234,7 +234,7 @@ coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the 
 check: schema ## all tests at full length under gcc and clang, C99 and C11; and with sanitizers
 	$(Q)sh tests/check.sh $(BUILD)/check
 
-mutation: ## do the unit tests notice small changes of src/? (SAMPLE=, SEED=, ONLY=files, V=1)
+mutation: ## do the unit tests notice small changes to src/? (SAMPLE=, SEED=, ONLY=files, V=1)
 	$(call need,python3)
 	$(Q)CC="$(CC)" sh tests/mutation.sh $(BUILD) $(or $(SAMPLE),150) $(or $(SEED),1) $(ONLY)
 
@@ -252,7 +252,7 @@ size: ## flash, stack and structures on every target, against the budgets (V=1: 
 bench: ## instructions of each operation on emulated targets, against the budgets
 	$(Q)UPDATE="$(UPDATE)" TARGETS="$(TARGETS)" sh tests/bench.sh $(BUILD)
 
-rules: ## MISRA C:2012, clang-tidy, bounds of loops, complexity (TOOL=1: of the tool, minutes)
+rules: ## MISRA C:2012, clang-tidy, loop bounds, complexity (TOOL=1: of the tool, which takes minutes)
 	$(Q)sh tests/rules.sh $(BUILD) $(if $(TOOL),tool)
 
 SECONDS ?= 60
@@ -264,11 +264,11 @@ proof: ## no undefined behaviour in src/, proved by Frama-C/Eva (MODULES=..., DO
 	$(call need,frama-c)
 	$(Q)DOUBLE="$(DOUBLE)" INT16="$(INT16)" sh tests/proof.sh $(BUILD) $(MODULES)
 
-schema: $(BUILD)/invcal ## what the tool prints as JSON, against port/host/schema.json
+schema: $(BUILD)/invcal ## check the tool's JSON output against port/host/schema.json
 	$(call need,python3)
 	$(Q)sh tests/tool/schema.sh $(BUILD)/invcal $(BUILD)/tool
 
-pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light and dark (PAGES=names, SELF=1: the gate too)
+pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light and dark (PAGES=names; SELF=1: test the gate, too)
 	$(call need,chromium)
 	$(Q)sh tests/pages/set.sh $(BUILD)/invcal $(BUILD)/pages/of > $(BUILD)/pages.all
 	$(Q)grep -E '/($(or $(PAGES),.*))[.](html|svg)$$' $(BUILD)/pages.all > $(BUILD)/pages.list
@@ -280,7 +280,7 @@ check-web: $(BUILD)/invcal.html $(BUILD)/invcal $(BUILD)/float/digest ## the pag
 	$(call need,firefox-esr)
 	$(Q)sh tests/web.sh $(BUILD) "$(WEB)"
 
-manual: ## the headers and port/manual as HTML in build/manual; nothing without a word, no dead link
+manual: ## the headers and port/manual as HTML in build/manual; everything documented, no dead link
 	$(call need,doxygen)
 	$(Q)sh tests/manual.sh $(BUILD)
 
@@ -289,7 +289,7 @@ fleet: $(BUILD)/invcal ## the manual's fleet, with GNU parallel and with Apache 
 	$(call need,java)
 	$(Q)sh tests/fleet/fleet.sh $(BUILD)
 
-derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, man page, pictures, scripts, English: as they should be
+derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## check layout, expected.h, man page, pictures, scripts, English
 	$(call need,clang-format-19)
 	$(call need,shellcheck)
 	$(call need,python3)
@@ -297,25 +297,25 @@ derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## layout, expected.h, man page, pict
 	$(call need,mandoc)
 	$(Q)sh tests/derived.sh $(BUILD)
 
-numerics: ## what rounding costs, against 50 digits and the bounds of expert.h (COUNT=30000: ten minutes)
+numerics: ## rounding errors, against 50 digits and the bounds of expert.h (COUNT=30000: ten minutes)
 	$(call need,python3)
 	$(Q)CC="$(CC)" sh tests/numerics.sh $(BUILD) $(COUNT)
 
-check-gates: ## plants a bug for each gate in a copy, and demands that the gate turns red (GATES=names)
+check-gates: ## plant a bug for each gate in a copy, and check that the gate turns red (GATES=names)
 	$(Q)sh tests/gates.sh $(BUILD) $(GATES)
 
-reference: ## remake tests/reference/expected.h (needs python3)
+reference: ## regenerate tests/reference/expected.h (needs python3)
 	$(call need,python3)
 	@mkdir -p $(BUILD)
 	python3 tests/reference/reference.py tests/data > $(BUILD)/expected.h
 	mv $(BUILD)/expected.h tests/reference/expected.h
 
-format: ## lay out the sources by .clang-format (needs clang-format 19)
+format: ## format the sources by .clang-format (needs clang-format 19)
 	$(call need,clang-format-19)
 	sh tests/sources.sh c | xargs clang-format-19 -i
 
 APT ?= apt-get
-deps: ## install what all of these need beyond a C compiler (Debian, root)
+deps: ## install what these need besides a C compiler (Debian, root)
 	$(APT) update
 	$(APT) install -y --no-install-recommends gcc git clang-19 libclang-rt-19-dev llvm-19 \
 	    clang-format-19 clang-tidy-19 cppcheck pmccabe frama-c-base python3 python3-jsonschema \
@@ -329,15 +329,15 @@ deps: ## install what all of these need beyond a C compiler (Debian, root)
 	    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr zip unzip gcc-mingw-w64-x86-64 wine wine64
 	command -v npm > /dev/null || $(APT) install -y --no-install-recommends nodejs npm
 
-package: ## lay a package out, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
+package: ## lay out a package, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
 	$(Q)sh port/stage.sh "$(PACKAGE)" "$(or $(DEST),$(BUILD)/packages/$(PACKAGE))"
 
-packages: ## lay all packages out, in build/packages
+packages: ## lay out all packages, in build/packages
 	$(Q)rm -rf $(BUILD)/packages
 	$(Q)for list in port/*/files; do name=$${list%/files}; name=$${name#port/}; \
 	    sh port/stage.sh $$name $(BUILD)/packages/$$name || exit; done
 
-check-packages: all $(BUILD)/invcal.1 $(BUILD)/float/digest ## each package, C++ and the tarball, used as their users do (PACKAGES=names)
+check-packages: all $(BUILD)/invcal.1 $(BUILD)/float/digest ## use each package, C++ and the tarball as their users would (PACKAGES=names)
 	$(Q)sh tests/packages.sh $(BUILD) $(PACKAGES)
 
 dist: ## build/dist: the last commit as a tarball, and its packages as zips; the same bytes each time

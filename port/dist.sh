@@ -2,15 +2,15 @@
 # SPDX-License-Identifier: MIT
 #
 # sh port/dist.sh FOLDER
-# Makes in FOLDER, which is emptied before, of the last commit:
+# Makes a release of the last commit in FOLDER/dist, which it empties first:
 #
 #     invcal-VERSION.tar.gz            the sources
-#     invcal-VERSION-PACKAGE.zip       each package as it is laid out: that for Arduino is what its IDE adds
-#     invcal.invcal.VERSION.pack       that of CMSIS, by the name that it must have
+#     invcal-VERSION-PACKAGE.zip       each package as it is laid out; the IDE of Arduino can add its zip
+#     invcal.invcal.VERSION.pack       the CMSIS pack, by the name that it must have
 #     SHA256SUMS                       of these
 #
-# The same commit gives the same bytes in every clone, by the same git, gzip and zip: names in order, root as owner,
-# the time of the commit, no time in the gzip header, and nothing of what a user or machine has set for git.
+# The same commit gives the same bytes in every clone, with the same git, gzip and zip: sorted names, root as owner,
+# the time of the commit, no time in the gzip header, and no git settings of the user or the machine.
 fail() {
     echo "dist.sh: $1" >&2
     exit 1
@@ -20,7 +20,7 @@ fail() {
 mkdir -p "$1" || fail "$1 cannot be made"
 folder=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.." || exit 1
-# In a tarball that was unpacked within some other clone, git would answer for that.
+# In a tarball unpacked inside some other clone, git would answer for that clone.
 git ls-files --error-unmatch port/dist.sh > /dev/null 2>&1 ||
     fail "git does not know these files: a tarball is made from a clone"
 changed=$(git status --porcelain | head -n 1)
@@ -42,7 +42,7 @@ git -c tar.umask=0022 -c core.autocrlf=false archive --format=tar --prefix="$nam
 tar -xf "$work/$name.tar" -C "$work" || fail "tar failed"
 gzip -9 -n "$work/$name.tar" && mv "$work/$name.tar.gz" "$folder/dist" || fail "gzip failed"
 
-# The packages, of the sources in the tarball. A zip has one folder, invcal; the pack none.
+# The packages, from the sources in the tarball. A zip contains a folder invcal; the pack does not.
 time=$(git log -1 --format=%ct)
 pack() { # PACKAGE FOLDER ZIP
     sh "$work/$name/port/stage.sh" "$1" "$work/$1/$2" && rm "$work/$1/$2/.invcal-$1" &&

@@ -2,22 +2,22 @@
 # SPDX-License-Identifier: MIT
 #
 # sh port/stage.sh PACKAGE DEST
-# Lays a package out in the folder DEST, which is made if it is not there. What goes into it stands in
-# port/PACKAGE/files, a line each:
+# Lays out a package in the folder DEST, which is created if necessary. port/PACKAGE/files lists its
+# contents, a line each:
 #
 #     FROM TO        FROM is a path or a glob, from the repository's root, of files. TO is a folder
 #                    in DEST if it ends in /, else a file
-#     run SCRIPT TO  the shell script SCRIPT, from the repository's root, is handed the folder
-#                    DEST/TO, and makes files in it
+#     run SCRIPT TO  the shell script SCRIPT, from the repository's root, makes files in the folder
+#                    DEST/TO, its argument
 #     # ...          a comment
 #
 # In files of the package itself, under port/PACKAGE, @VERSION@, @MAJOR@, @MINOR@ and @PATCH@
 # become those of include/invcal/invcal.h, @ADDRESS@ what address.sh prints.
 #
-# DEST may hold other things. DEST/.invcal-PACKAGE lists what was laid out, with checksums: the next time it is
-# replaced, and what is no longer part of the package goes. Nothing else is touched: where a file of
-# somebody else's is in the way, or one of ours was changed, that is said. Exit status 2 and one line if it fails; DEST
-# is not touched before everything is made.
+# DEST may contain other files. DEST/.invcal-PACKAGE lists what was laid out, with checksums: the next time these files
+# are replaced, and those no longer in the package are removed. Nothing else is touched: it fails if a foreign file is in
+# the way, or if one of ours was changed. If it fails, it exits with 2 and one line; DEST is not touched before everything
+# is made.
 fail() {
     echo "stage.sh: $1" >&2
     exit 2
@@ -38,9 +38,9 @@ list=port/$package/files
 case $package in
 '' | */*) false ;;
 *) [ -f "$list" ] ;;
-esac || fail "unknown package '$package': there are $(printf '%s\n' port/*/files |
+esac || fail "unknown package '$package'; packages: $(printf '%s\n' port/*/files |
     sed 's|^port/\(.*\)/files$|\1|' | paste -s -d ' ' -)"
-[ ! -e "$dest" ] || [ -d "$dest" ] || fail "$dest is no folder"
+[ ! -e "$dest" ] || [ -d "$dest" ] || fail "$dest is not a folder"
 version=$(sh port/version.sh) || exit 2
 address=$(sh port/address.sh) || exit 2
 major=${version%%.*}
@@ -56,7 +56,7 @@ copy() { # FROM TO: one file
     target=$new/$2
     case $2 in */) target=$target${1##*/} ;; esac
     [ -f "$1" ] || fail "$list:$number: no file $1"
-    [ ! -e "$target" ] || fail "$list:$number: $1 would be written over ${target#"$new"/}"
+    [ ! -e "$target" ] || fail "$list:$number: $1 would overwrite ${target#"$new"/}"
     mkdir -p "${target%/*}" && cp "$1" "$target" || fail "$list:$number: $1 cannot be copied"
     case $1 in
     port/"$package"/*)
@@ -80,7 +80,7 @@ while read -r from to rest || [ -n "$from" ]; do
         [ -n "$to" ] && [ -z "$rest" ] || fail "$list:$number: not FROM TO"
         # shellcheck disable=SC2086 # from may be a glob
         set -- $from
-        case $#:$to in 1:* | *:*/) ;; *) fail "$list:$number: $# files, and $to is no folder/" ;; esac
+        case $#:$to in 1:* | *:*/) ;; *) fail "$list:$number: $# files, but $to is not a folder/" ;; esac
         for file; do
             copy "$file" "$to"
         done
@@ -104,7 +104,7 @@ done < "$new.old"
 while read -r _ _ file; do
     if [ -e "$dest/$file" ] && ! cmp -s "$new/$file" "$dest/$file" &&
         ! sed 's/^[0-9]* [0-9]* //' "$new.old" | grep -qxF "$file"; then
-        fail "$dest/$file is there, and not listed as ours (0.1.0 kept no list): move it away"
+        fail "$dest/$file exists, and is not listed as ours (0.1.0 kept no list): move it away"
     fi
 done < "$new.list"
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154 # target_facts sets what is not set here
 #
-# `make bench`: what each operation takes on every target that can count, against
-# tests/bench/budgets.txt. $1: folder to build in. TARGETS: folders, all under port/ unless given.
-# UPDATE=1: writes the budgets again.
+# `make bench`: what each operation costs on every target that can count, against
+# tests/bench/budgets.txt. $1: folder to build in. TARGETS: folders, by default all under port/.
+# UPDATE=1: rewrites the budgets.
 build=$1/targets
 logs=$1/bench
 budgets=tests/bench/budgets.txt
@@ -34,6 +34,6 @@ done
 
 if [ -n "$UPDATE" ]; then
     awk -f tests/size/update.awk $budgets "$logs"/*.figures > "$logs/budgets.txt" &&
-        mv "$logs/budgets.txt" $budgets && echo "$budgets: written again"
+        mv "$logs/budgets.txt" $budgets && echo "$budgets: rewritten"
 fi
 awk -f tests/bench/report.awk $budgets "$logs/units" "$logs"/*.figures

@@ -1,19 +1,19 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# All tests by gcc and clang, C99 and C11, with warnings as errors. $1: folder to build in.
+# All tests with gcc and clang, C99 and C11, with warnings as errors. $1: folder to build in.
 #
 #     gcc-sanitizers     what `make test` runs, under AddressSanitizer, UndefinedBehaviorSanitizer and INVCAL_ASSERT;
-#                        the tool's scripts leave out what differs in numbers only (BRIEF)
-#     clang-sanitizers   the unit tests, the same way; the fuzzers of the tool are clang's
-#     gcc                everything, at its full length; 1,500 draws of the tables of test_judged.c
-#     clang              the unit tests at their full length, optimised otherwise; degree 0 of thermal.h
+#                        the tool's scripts skip cases that differ only in their numbers (BRIEF)
+#     clang-sanitizers   the unit tests, under the same; the tool runs under clang's sanitizers in its fuzzers
+#     gcc                everything at full length; 1,500 draws of the tables of test_judged.c
+#     clang              the unit tests at full length, with -O3 and degree 0 of thermal.h
 #
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
-# CONFIGURATION=gcc: those with such names only. ONLY: see run.sh. BRIEF=1: gcc without the scripts that `make test` runs
-# in the same way, and without the unit tests.
-# With more arguments, it is one configuration: NAME COMPILER STANDARD LONG ASSERT DEGREE FLAG..., - for what is not to
-# be set; DEGREE is that of thermal.h.
+# CONFIGURATION=gcc: only those whose names match. ONLY: see run.sh. BRIEF=1: gcc without the unit tests and the scripts
+# that `make test` runs in the same way.
+# More arguments run one configuration: NAME COMPILER STANDARD LONG ASSERT DEGREE FLAG..., with - for what is not set;
+# DEGREE is that of thermal.h.
 out=$1
 clang=${CLANG:-clang-19}
 
@@ -32,7 +32,7 @@ run() {
     make -s -j2 test BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$* -Werror" PART="$part" ONLY="$ONLY" LONG="${long#-}" \
         ASSERT="${assert#-}" DEGREE="${degree#-}" BRIEF="$([ "$long" = 1 ] || echo 1)" > "$log" 2>&1 || status=1
     [ $status -eq 0 ] || cat "$log"
-    # What does not build has failed, too.
+    # A failed build is a failure, too.
     awk -v status=$status '/^[0-9]+ passed, [0-9]+ failed$/ { passed = $1; failed = $3 }
         END { print passed + 0 " passed, " (status && !failed ? 1 : failed + 0) " failed" }' \
         "$log" > "$out/$name.result"
@@ -61,9 +61,9 @@ if [ $# -gt 1 ]; then
 fi
 
 rm -f "$out"/*.result
-# Two at a time, as the building of one leaves a core to the other. (Not by `&`, which takes SIGINT away.)
+# Two at a time, as a build alone does not keep two cores busy. (Not with `&`, whose jobs ignore SIGINT.)
 configurations | xargs -P 2 -L 1 sh tests/check.sh "$out"
-# What is no `N passed, N failed` is a failure.
+# Anything but `N passed, N failed` is a failure.
 configurations | while read -r name rest; do
     echo "check $name: $(cat "$out/$name.result")"
 done | awk '{ print }

@@ -10,7 +10,7 @@ page=port/manual/targets.md
 passed=0
 failed=0
 
-figure() { # target, what: of the budgets' figures, or the stack of a function
+figure() { # TARGET NAME: a figure of the budgets, or the stack of a function
     awk -v what="$2" '$1 == what || ($1 == "stack" && $3 ~ "^" what "(_float_[0-9]+)?$") {
             print $1 == what ? $2 : $4
             exit
@@ -18,7 +18,7 @@ figure() { # target, what: of the budgets' figures, or the stack of a function
         sed -e ':a' -e 's/^\([0-9]\{1,\}\)\([0-9]\{3\}\)/\1,\2/' -e 'ta'
 }
 
-row() { # title, what
+row() { # TITLE NAME
     line="| $1 |"
     for target in m0plus m4f rv32imac rv32imafc atmega1284p; do
         line="$line $(figure $target "$2") |"
@@ -26,7 +26,7 @@ row() { # title, what
     expect "| $1 |" "$line"
 }
 
-# The line of the page that begins with $1 is to begin with $2.
+# The line of the page that begins with $1 must begin with $2.
 expect() {
     case $2 in *'|  |'* | *'takes ')
         echo "not measured: $2"

@@ -2,11 +2,11 @@
 #
 # awk -v part=src|host -v unmeasured=N -v failing=N -f coverage.awk FILE...
 # FILE: what `llvm-cov show -show-branches=count -show-mcdc` prints of some sources, one FILE for each
-# build. Something is covered if it is in any of them. Prints what is not, `FILE:LINE: what`, then a
+# build. Something is covered if any of them covers it. Prints what is not, `FILE:LINE: what`, then a
 # table, and at the end the results of the gates; the last line is `N passed, N failed`.
-# unmeasured: the number of expressions of which the compiler could not measure MC/DC. failing: of suites that failed.
+# unmeasured: how many expressions have MC/DC that the compiler could not measure. failing: how many suites failed.
 #
-# A gap of src/ that cannot be closed is explained where it stands, at the end of its line:
+# A gap in src/ that cannot be closed is explained at the end of its line:
 #     /* uncovered: why */
 # Such a comment where nothing is missing is a failure, too.
 
@@ -15,7 +15,7 @@ function base(path) {
     return path
 }
 
-# Thing `at` (a line, one side of a branch, a condition) of kind is there; hit: by this build.
+# There is a thing `at` (a line, one side of a branch, a condition) of this kind; hit: this build covers it.
 function see(kind, at, line, hit) {
     at = kind " " file " " at
     if (!(at in covered)) {
@@ -37,7 +37,7 @@ function see(kind, at, line, hit) {
     next
 }
 
-# "  |  Branch (34:26): [True: 256k, False: 51.3k]", of one build or of several of a header.
+# "  |  Branch (34:26): [True: 256k, False: 51.3k]", once for each instance of a header's code.
 /^  \|  Branch \(/ {
     if ($0 ~ /Folded/) {
         next # a constant
@@ -141,8 +141,8 @@ END {
     print cells(part)
     if (part == "src") {
         gate("the suites pass", failing == 0)
-        gate("lines of src/, all but what is explained", total["line", part] && !open["line"])
-        gate("branches of src/, all but what is explained", total["branch", part] && !open["branch"])
+        gate("all lines of src/, but for what is explained", total["line", part] && !open["line"])
+        gate("all branches of src/, but for what is explained", total["branch", part] && !open["branch"])
         gate(sprintf("MC/DC of src/, %.2f %%, at least 98 %%", percent("MC/DC", part)),
              total["MC/DC", part] && percent("MC/DC", part) >= 98 && unmeasured == 0)
         gate(sprintf("gaps: %d lines explain theirs, none is left unexplained", explanations + 0),

@@ -4,10 +4,10 @@
 # sh tests/coverage.sh BUILD [src|host]
 # What the tests reach, by clang's source-based coverage: lines, branches and MC/DC of src/ by the
 # unit tests, in float and double and for each degree of thermal.h, and lines of port/host by the
-# scripts of tests/tool; or one of the two. Gaps of src/ are named by file and line, or explained
-# there (see coverage.awk). Unit tests that fail are named, too; scripts of the tool may, as they
-# notice the files in which it counts. Ends with `N passed, N failed`.
-# INVCAL_ASSERT is compiled to nothing, as it is by default.
+# scripts of tests/tool; or one of the two. Gaps in src/ are listed by file and line unless they are
+# explained there (see coverage.awk). Unit tests that fail are listed, too; scripts of the tool may
+# fail, as they notice the files of its counts. Ends with `N passed, N failed`.
+# INVCAL_ASSERT compiles to nothing, as it does by default.
 cd "$(dirname "$0")/.." || exit 1
 case $2 in '' | src | host) ;; *)
     echo "PART is src or host, not '$2'" >&2
@@ -30,14 +30,14 @@ build() {
         >> "$out/build.log" 2>&1 || { cat "$out/build.log"; return 1; }
 }
 
-# Runs lines `NAME COMMAND ...`, two at a time. What they count stands in NAME.*.profraw; which failed, in failed.
+# Runs lines `NAME COMMAND ...`, two at a time. Their counts go to NAME.*.profraw, failures to the file failed.
 run() {
     # shellcheck disable=SC2016 # for the shell inside
     OUT=$out xargs -P 2 -L 1 sh -c 'LLVM_PROFILE_FILE=$OUT/$0.%m.profraw "$@" > "$OUT/$0.log" 2>&1 ||
         echo "$0 fails, see $OUT/$0.log" >> "$OUT/failed"'
 }
 
-# show NAME SOURCES PROGRAM ...: NAME.show, what NAME-*.profraw say
+# show NAME SOURCES PROGRAM ...: makes NAME.show of NAME-*.profraw
 show() {
     name=$1
     sources=$2

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/derived.sh BUILD
-# What is made of something else is what that makes now: the layout of the sources, expected.h, turns_design.h,
-# releases/values.h, the man page, the pictures of the manual; and scripts and English are sound.
+# Whatever is derived is up to date: the layout of the sources, expected.h, turns_design.h, releases/values.h, the man
+# page, the pictures of the manual. Checks the shell scripts and the English, too.
 # Ends with `N passed, N failed`.
 build=$1
 cd "$(dirname "$0")/.." || exit 1
 passed=0
 failed=0
-export PYTHONDONTWRITEBYTECODE=1 # nothing beside the scripts
+export PYTHONDONTWRITEBYTECODE=1 # leave no files beside the scripts
 
 gate() { # SENTENCE COMMAND...
     sentence=$1
@@ -40,17 +40,17 @@ releases() {
         python3 tests/reference/releases/values.py > "$build/values.h" &&
         diff tests/reference/releases/values.h "$build/values.h"
 }
-magnetometer() { # of a recording that is not kept here
+magnetometer() { # from a recording that is not part of the project
     python3 tests/reference/magnetometer.py "$recordings/ck_acc_mag.csv" > "$build/magnetometer.h" &&
         diff tests/reference/magnetometer.h "$build/magnetometer.h"
 }
-logs() { # the same: what the library keeps of them today
+logs() { # from such recordings: what the library keeps of them today
     ${CC:-cc} -std=c99 -DINVCAL_DOUBLE=1 -Iinclude tests/reference/gyro_logs.c src/?*.c -lm -o "$build/gyro_logs" &&
         "$build/gyro_logs" "$recordings/xsens_mti_acc.txt" "$recordings/xsens_mti_gyro.txt" \
             "$recordings/mpu9150_0.txt" "$recordings/mpu9150_1.txt" > "$build/gyro_logs.h" &&
         diff tests/unit/gyro_logs.h "$build/gyro_logs.h"
 }
-samples() { # the same, from all samples
+samples() { # from all samples of such recordings
     python3 tests/reference/gyro_samples.py "$recordings" > "$build/gyro_samples.h" &&
         diff tests/reference/gyro_samples.h "$build/gyro_samples.h"
 }
@@ -62,13 +62,13 @@ manual() {
         test -z "$(LC_ALL=C.UTF-8 man --warnings -l -Tutf8 "$build/invcal.1" 2>&1 > /dev/null)"
 }
 
-# A file that a slip of the shell has made would be committed, and shipped.
+# A stray file, made by a mistyped command, would be committed and shipped.
 top_level() {
     ! find . -maxdepth 1 ! -name . | sed 's|^./||' | grep -vxE 'Makefile|src|include|tests|port|README.md|LICENSE|CHANGELOG.md|build|\.(git|gitignore|github|ci|clang-format|clang-tidy)'
 }
 
 mkdir -p "$build"
-gate "the sources are laid out by .clang-format" layout
+gate "the sources are formatted by .clang-format" layout
 gate "expected.h is what the reference script prints" expected
 gate "turns_design.h is what its script prints" turns
 recordings=${RECORDINGS:-../shared/data}
@@ -77,12 +77,12 @@ if [ -d "$recordings" ]; then
     gate "gyro_logs.h is what its program prints" logs
     gate "gyro_samples.h is what its script prints" samples
 fi
-gate "what releases wrote means what values.py reads" releases
+gate "releases' files and values are what their scripts print" releases
 gate "the tool writes every key that its last release wrote" python3 tests/reference/releases/tool.py "$build/invcal" --check
-gate "nothing else stands at the top level" top_level
-gate "shellcheck has nothing against the shell scripts" scripts
-gate "text and comments have no word misspelt, and none of tests/words.txt" sh tests/words.sh
-gate "man and mandoc have nothing against the manual" manual
+gate "nothing else is at the top level" top_level
+gate "shellcheck accepts the shell scripts" scripts
+gate "text and comments have no misspelt word, and none of tests/words.txt" sh tests/words.sh
+gate "man and mandoc accept the man page" manual
 gate "the manual shows the picture that the tool draws" sh tests/picture.sh "$build/invcal" --check
 gate "the manual shows the figures that its commands draw" sh tests/figures.sh "$build/invcal" --check
 

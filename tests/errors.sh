@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# port/manual/errors.md has every answer of the library, none that there is not, and the words that
-# the library says: sh tests/errors.sh BUILD. CC and CFLAGS as for the library.
+# sh tests/errors.sh BUILD: port/manual/errors.md has every answer of the library, no others, and the
+# library's own words for them. CC and CFLAGS as for the library.
 build=$1
 cd "$(dirname "$0")/.." || exit 1
 page=port/manual/errors.md
@@ -32,14 +32,14 @@ enumerators() { # HEADER TYPE
         }'
 }
 
-# The page's rows that begin with a name of the list: the name, and what stands in the next cell.
+# The page's rows that begin with a name of the list: the name and the next cell.
 rows() { # LIST
     awk -F ' *[|] *' 'NR == FNR { known[$1]; next }
         { gsub(/`/, "", $2) }
         $2 in known { print $2 "|" $3 }' "$1" "$page"
 }
 
-# A program that prints the names of a list, each with what the function says of it.
+# A program that prints the names of a list, each with the function's text for it.
 program() { # LIST FUNCTION
     printf '#include <stdio.h>\n#include "invcal/thermal.h"\nint main(void)\n{\n'
     sed "s/.*/    printf(\"&|%s\\\\n\", $2(&));/" "$1"
@@ -52,13 +52,13 @@ type() { # HEADER TYPE [FUNCTION]
     rows "$out/$2.names" > "$out/$2.rows"
     sed 's/|.*//' "$out/$2.rows" > "$out/$2.first"
     [ -s "$out/$2.names" ] && diff "$out/$2.names" "$out/$2.first"
-    result $? "every $2 has its row, and only one"
+    result $? "every $2 has exactly one row"
     [ -n "$3" ] || return
     program "$out/$2.names" "$3" > "$out/$2.c"
     # shellcheck disable=SC2086 # words
     ${CC:-cc} $CFLAGS -std=c99 -Iinclude "$out/$2.c" "$build/float/libinvcal.a" -lm -o "$out/$2" &&
         "$out/$2" > "$out/$2.said" && diff "$out/$2.said" "$out/$2.rows"
-    result $? "$2: in the words of $3"
+    result $? "$2: the words are those of $3"
 }
 
 type invcal.h invcal_status invcal_status_text
@@ -75,15 +75,15 @@ done < "$out/invcal_status.names" > "$out/unused"
 ! grep . "$out/unused"
 result $? "the library or the tool gives every invcal_status"
 
-# Whatever else the page names is there, and so is every exit code.
+# Any other name on the page is in a header, and every exit code is on the page.
 grep -oE '\b(INVCAL|invcal)_[A-Za-z_]+' "$page" | sort -u > "$out/named"
 cat include/invcal/*.h | grep -oE '\b(INVCAL|invcal)_[A-Za-z_]+' | sort -u > "$out/known"
 [ -s "$out/named" ] && ! comm -23 "$out/named" "$out/known" | grep .
-result $? "names nothing that no header knows"
+result $? "every name is in a header"
 sed -n 's/^ *EXIT_[A-Z]* = \([0-9]\).*/\1/p' port/host/cli/command.h > "$out/codes"
 awk '/^\| exit code/ { on = 1; next } !/^\|/ { on = 0 } on && /^\| [0-9]/ { print $2 }' "$page" |
     diff "$out/codes" -
-result $? "every exit code of the tool"
+result $? "every exit code of the tool has its row"
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

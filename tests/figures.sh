@@ -2,19 +2,19 @@
 # SPDX-License-Identifier: MIT
 #
 # The figures of the manual. The pages mathematics*.md name the commands that draw them, in blocks of `sh`: with --svg
-# NAME.svg, or with --report NAME.html, a page in which the figure is the picture of that title:
+# NAME.svg, or with --report NAME.html, a page that contains the figure under its title:
 #
 #     ![TITLE: what it shows](NAME.svg)
 #
-#     sh tests/figures.sh path/to/invcal             draws them again in port/manual
-#     sh tests/figures.sh path/to/invcal --check     they are what stands there, and below 60 kB
+#     sh tests/figures.sh path/to/invcal             redraws them in port/manual
+#     sh tests/figures.sh path/to/invcal --check     those there are up to date, and below 60 kB
 manual=$(cd "$(dirname "$0")/../port/manual" && pwd) || exit 2
 tool=$(cd "$(dirname "$1")" && pwd) || exit 2
 drawn=$(mktemp -d) || exit 2
 trap 'rm -rf "$drawn"' EXIT
 PATH=$tool:$PATH
 
-# With the style of its own page's pictures: the second.
+# The picture of that title, with the page's style for pictures, which is its second.
 part() { # TITLE < PAGE
     awk -v title="<title>$1</title>" '
         /^<style>/ { styles++ }
@@ -41,5 +41,5 @@ while read -r name title; do
     fi
 done < "$drawn/figures"
 
-# No other figure stands there.
+# There is no other figure.
 test "$(grep -c . "$drawn/figures")" -eq "$(find "$manual" -name '*.svg' | grep -c .)"

@@ -2,17 +2,17 @@
 # SPDX-License-Identifier: MIT
 #
 # The example firmware (port/cortex-m/firmware), from power-on to the stored calibration, on an
-# emulated Cortex-M4F, and once more on a Cortex-M0+; then that of both sensors
+# emulated Cortex-M4F and again on a Cortex-M0+; then that for both sensors
 # (port/cortex-m/firmware_imu). $1: folder to build in.
-# Lines that begin with "world:" are the simulated world's: it knows the truth, the firmware does
-# not, and what the firmware printed is compared with it here.
+# Lines that begin with "world:" come from the simulated world, which knows the truth. The firmware
+# does not; what it printed is compared with the truth here.
 . "$(dirname "$0")/target.sh"
 targets=${1:-build/targets}
 out=$targets/firmware
 passed=0
 failed=0
 
-check() { # name command...: the command's last line says what is wrong, if it fails
+check() { # NAME COMMAND...: if it fails, its last line says what is wrong
     name=$1
     shift
     if "$@" > "$out/why" 2>&1; then
@@ -24,11 +24,11 @@ check() { # name command...: the command's last line says what is wrong, if it f
     fi
 }
 
-build() { # target firmware
+build() { # TARGET FIRMWARE
     target_make "$targets" "port/cortex-m/$1" "$2"
 }
 
-run() { # target machine log firmware
+run() { # TARGET MACHINE LOG FIRMWARE
     timeout 60 qemu-system-arm -M "$2" -nographic -monitor none -serial stdio \
         -semihosting-config enable=on,target=native \
         -kernel "$targets/cortex-m-$1/$4.elf" < /dev/null > "$3"
@@ -37,14 +37,14 @@ run() { # target machine log firmware
     return $status
 }
 
-# Looks at the log line by line; in END, or before, the program says what is wrong, if anything.
+# Runs an awk program on the log; whatever it prints is what is wrong.
 log() {
     why=$(awk "$1" "$out/$shown.log")
     echo "$why"
     [ -z "$why" ]
 }
 
-# After each reset but the last: as many positions as were stored last, so often.
+# After each reset but the last: as many positions as were stored last. And as many resets as there should be.
 resumed() {
     log '
         /^power on/ { starts++ }
@@ -57,14 +57,14 @@ resumed() {
         }
         /^new session/ { begun++ }
         END {
-            if (starts != 4) print starts + 0 " starts, but one for power-on and three for resets"
+            if (starts != 4) print starts + 0 " starts, not one at power-on and three after resets"
             if (resets != 1 || cuts != 1) print resets + 0 " resets and " cuts + 0 " cuts of power"
             if (found != 2) print "a session was found " found + 0 " times"
-            if (begun != 1) print begun + 0 " sessions were begun"
+            if (begun != 1) print begun + 0 " sessions were started"
         }'
 }
 
-# Position by position, none skipped; none twice but the one whose storing failed.
+# Positions are numbered in order, none skipped, none repeated but the one that could not be stored.
 counted() {
     log '
         /^session stored, positions: / { stored = $NF }
@@ -81,7 +81,7 @@ asked() {
         END { if (different < 9) print different + 0 " orientations were asked for" }'
 }
 
-# The one that was taken while somebody pulled, and no other. It does not keep the end away.
+# Only the one that was taken while somebody pulled. It does not keep the session from ending.
 outlier() {
     log '
         /^world: somebody pulls/ { pulled++; next_is = 1 }
@@ -93,7 +93,7 @@ outlier() {
         }'
 }
 
-# Before any reset: what comes after one may begin in motion, and look like another short rest.
+# Before any reset: after one, the first rest may have begun earlier, and look like another that is too short.
 too_short() {
     log '
         /^world: reset/ { exit }
@@ -101,14 +101,14 @@ too_short() {
         END { if (refused != 1) print "refused " refused + 0 " times" }'
 }
 
-said() { # pattern times
+said() { # PATTERN TIMES
     found=$(grep -c "$1" "$out/$shown.log")
     echo "said $found times: $1"
     [ "$found" -eq "$2" ]
 }
 
-# What the firmware printed, value and sigma, against the world's truth of so many names.
-true_to() { # label name_x name_y name_z
+# Values and sigmas that the firmware printed, against the world's truth of these names.
+true_to() { # LABEL NAME_X NAME_Y NAME_Z
     log '
         /^'"$1"'/ { for (i = 1; i <= 3; i++) value[i] = $(NF - 3 + i); next_is = 1; next }
         next_is && /^sigma:/ { for (i = 1; i <= 3; i++) sigma[i] = $(1 + i) }
@@ -137,7 +137,7 @@ applied() {
         END { if (n < 5) print n + 0 " readings" }'
 }
 
-# The libc of the firmware: no heap, no printf, no arithmetic in double.
+# What the firmware links: no heap, no printf, no arithmetic in double.
 is_lean() {
     names=$(arm-none-eabi-nm "$targets/cortex-m-m4f/$1.elf" |
         awk '$3 ~ /^(_sbrk|_*malloc.*|.*printf.*|__aeabi_(d|f2d|i2d|ui2d|l2d|ul2d).*)$/ { print $3 }')
@@ -145,8 +145,8 @@ is_lean() {
     [ -z "$names" ]
 }
 
-# The run quoted in the folder's README.md was this one: its lines are there, in that order.
-quoted() { # firmware
+# The folder's README.md quotes this run: its lines are in the log, in that order.
+quoted() { # FIRMWARE
     awk '/^```text$/ { on = 1; next } /^```$/ { on = 0 } on' "port/cortex-m/$1/README.md" |
         awk '
             NR == FNR { if ($0 != "...") quote[++n] = $0; next }
@@ -158,7 +158,7 @@ quoted() { # firmware
             }' - "$out/$shown.log"
 }
 
-# Of both sensors: as many positions after each reset as were stored last.
+# With both sensors: as many positions after each reset as were stored last.
 both_resumed() {
     log '
         /^world: reset in a move/ { resets++ }
@@ -172,13 +172,13 @@ both_resumed() {
         END {
             if (resets != 2 || cuts != 1) print resets + 0 " resets and " cuts + 0 " cuts of power"
             if (found != 3) print "a session was found " found + 0 " times"
-            if (begun != 1) print begun + 0 " sessions were begun"
+            if (begun != 1) print begun + 0 " sessions were started"
         }'
 }
 
-# The first move that is taken after a reset, or while the flash was slow, is refused as a gap, the one of the
-# hurry as clipped; no other. The result is of the others. The one of the slow flash is made again: before its rest
-# was stored, power failed.
+# The first move after a reset, and the one while the flash was slow, are refused as gaps, the hurried one as clipped;
+# no other is. The result uses the others. The move of the slow flash is repeated, as power failed before its rest was
+# stored.
 refused_moves() {
     log '
         /^power on/ { gap = starts++ > 0; taken = stored }
@@ -208,7 +208,7 @@ refused_moves() {
         END { if (refused != 4 || said != 5) print refused + 0 " moves were refused, said " said + 0 " times" }'
 }
 
-# The tour of the faces; after it, for the moves that are missing, the turns that add most.
+# The tour of the faces; after it, in place of the missing moves, the turns that add most.
 toured() {
     log '
         /^next: / { is_face = /^next: [+-][xyz] up$/; if (!is_face && taken < 11) print taken ": " $0 }
@@ -225,13 +225,13 @@ mkdir -p "$out" || exit 1
 shown=m4f
 check "builds for the Cortex-M4F" build m4f firmware
 check "needs no heap, no printf, no double" is_lean firmware
-check "ends by itself, content with what is stored" run m4f mps2-an386 "$out/m4f.log" firmware
+check "ends by itself, once a good calibration is stored" run m4f mps2-an386 "$out/m4f.log" firmware
 check "asks for orientations" asked
-check "was reset twice and went on with as many positions" resumed
+check "after a reset and a power cut it goes on with as many positions" resumed
 check "counts its positions" counted
-check "a rest too short is named" too_short
-check "the same place is named" said '^refused: nothing new: the same place' 1
-check "flash that fails is named" said '^session not stored: the memory' 1
+check "a rest that is too short is reported" too_short
+check "the same place again is reported" said '^refused: nothing new: the same place' 1
+check "flash that fails is reported" said '^session not stored: the memory' 1
 check "each store finds only its own" said '^stored calibration: nothing is stored$' 3
 check "a position that is wrong by 50 mg is left out" outlier
 check "flash that is slower than the queue does no harm" said '^world: the flash takes 3 s$' 1
@@ -249,9 +249,9 @@ check "prints the same there" diff "$out/m4f.log" "$out/m0plus.log"
 shown=imu
 check "both sensors: builds for the Cortex-M4F" build m4f firmware_imu
 check "both sensors: needs no heap, no printf, no double" is_lean firmware_imu
-check "both sensors: ends by itself, content with what is stored" run m4f mps2-an386 "$out/imu.log" firmware_imu
-check "both sensors: was reset in two moves, and once while it stored, and went on" both_resumed
-check "both sensors: those moves are refused, one while the flash was slow, and one that was too quick" refused_moves
+check "both sensors: ends by itself, once a good calibration is stored" run m4f mps2-an386 "$out/imu.log" firmware_imu
+check "both sensors: after resets in two moves and a power cut while it stores it goes on" both_resumed
+check "both sensors: those moves are refused, and one while the flash was slow, and one that was too quick" refused_moves
 check "both sensors: it makes the tour, then the turn that adds most" toured
 check "both sensors: its verdict is good" said '^verdict: good$' 1
 check "both sensors: the world agrees" said '^world: the stored calibration is good$' 1

@@ -5,9 +5,9 @@
 # The first impression: on a new Debian with a C compiler and make, and nothing else, `make demo` and
 # `make test` work; every other target of `make help` either works, too, or says in one line for each
 # thing that is missing what to install. The locale is POSIX, as on such a machine, and the path of the
-# sources has a blank, and more of which a shell makes something else. The machine is a folder,
-# BUILD/first/root, made by debootstrap in two minutes, and kept. Three minutes more. Prints a line for
-# each target, and at the end `N passed, N failed`. With GOALs, those only.
+# sources contains a blank and characters that are special to a shell. The machine is a folder,
+# BUILD/first/root, which debootstrap makes in two minutes, and which is kept. The rest takes three
+# minutes. Prints a line for each target, and at the end `N passed, N failed`. With GOALs, only those.
 mkdir -p "$1/first" || exit 2
 out=$(cd "$1/first" && pwd)
 shift
@@ -38,8 +38,8 @@ on_machine() { # GOAL...: make, there
         make -C "/$place" "$@" > "$out/log" 2>&1 < /dev/null
 }
 
-# What it says beside make's own lines, what passes and the sum: only what is missing.
-is_told() {
+# Besides make's own lines, what passes and the sum, it says only what is missing.
+names_missing() {
     grep -vE '^make(\[[0-9]+\])?: |: PASS$|^[0-9]+ passed, [0-9]+ failed$' "$out/log" > "$out/said"
     grep -q . "$out/said" && ! grep -vE ' is not installed: make deps\b' "$out/said"
 }
@@ -54,7 +54,7 @@ if [ ! -e "$out/made" ]; then
 fi
 rm -rf "${machine:?}/${place%%/*}"
 mkdir -p "$machine/$place"
-# What is built here, and a cache of this script among it, stays here.
+# The build folder stays here, with the machine in it.
 tar -cf - --exclude="./$(basename "${out%/first}")" . | tar -xf - -C "$machine/$place" ||
     fail "the sources cannot be copied"
 
@@ -84,7 +84,7 @@ for goal; do
         if on_machine "$goal"; then
             result 0 "make $goal works"
         else
-            is_told
+            names_missing
             result $? "make $goal: $(sort -u "$out/said" | head -n 1)"
         fi
         ;;

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/fuzz.sh BUILD SECONDS [NAME...]
-# Runs the fuzzers tests/fuzz/NAME.c, or all of them, for so many seconds each, two at a time, from
-# the seeds in tests/fuzz/seeds/NAME. Prints a line for each, and at the end `N passed, N failed`.
-# A fuzzer passes if it has found nothing and tried them as fast as its file says. What it has
-# found stands in BUILD/fuzz/NAME/found-*; what it has learned, in BUILD/fuzz/NAME/corpus, is the
-# beginning of the next run only with KEEP=1. DOUBLE=1: the library's fuzzers in double.
+# Runs the fuzzers tests/fuzz/NAME.c, or all of them, for SECONDS each, two at a time, from the
+# seeds in tests/fuzz/seeds/NAME. Prints a line for each, and at the end `N passed, N failed`.
+# A fuzzer passes if it finds nothing and tries as many inputs per second of CPU time as its file demands. What it
+# finds goes to BUILD/fuzz/NAME/found-*; its corpus, BUILD/fuzz/NAME/corpus, is where the next run
+# begins only with KEEP=1. DOUBLE=1: the library's fuzzers in double.
 out=$1/fuzz${DOUBLE:+-double}
 seconds=$2
 shift 2

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/gates.sh BUILD [NAME...]
-# Are the gates awake? Plants one bug after the other in a copy of the sources, and demands that the
-# gate that is there for it, green before, turns red, and says the right thing. A plant: its name, the
-# file, what sed does to it, what the gate must say, and the gate. Prints a line for each, and at the end
-# `N passed, N failed`. BUILD has what `make size bench` measured.
+# Do the gates catch bugs? Plants one bug after the other in a copy of the sources, and checks that its
+# gate, green before, turns red and says the right thing. A plant: its name, the file, what sed does to
+# it, what the gate must say, and the gate. Prints a line for each, and at the end `N passed, N failed`.
+# BUILD has what `make size bench` measured.
 cd "$(dirname "$0")/.." || exit 1
 . tests/target.sh
 need gcc clang-19 clang-format-19 clang-tidy-19 llvm-cov-19 cppcheck pmccabe frama-c python3 \
@@ -30,10 +30,10 @@ result() { # 0 or 1, SENTENCE
     fi
 }
 
-# Without a bug the gate is green; asked once of each.
+# Without a bug the gate is green; each is tried once.
 green() { # GATE...
-    asked=$build/gates/green/$(printf %s "$*" | tr -c 'A-Za-z0-9_' _)
-    [ -e "$asked" ] || { "$@" > "$log" 2>&1 < /dev/null && : > "$asked"; }
+    tried=$build/gates/green/$(printf %s "$*" | tr -c 'A-Za-z0-9_' _)
+    [ -e "$tried" ] || { "$@" > "$log" 2>&1 < /dev/null && : > "$tried"; }
 }
 
 plant() { # NAME FILE SED SAYS GATE...
@@ -48,7 +48,7 @@ plant() { # NAME FILE SED SAYS GATE...
     sed -e "$edit" "$build/gates/kept" > "$file"
     if cmp -s "$file" "$build/gates/kept"; then
         : > "$log"
-        result 1 "$name: the bug finds no place in $file"
+        result 1 "$name: the bug cannot be planted in $file"
     elif "$@" > "$log" 2>&1 < /dev/null; then
         result 1 "$name: the gate stays green"
     elif ! grep -Eq -- "$says" "$log"; then
@@ -56,7 +56,7 @@ plant() { # NAME FILE SED SAYS GATE...
     else
         result 0 "$name"
     fi
-    cp "$build/gates/kept" "$file" # a new time: what was made of it is made again
+    cp "$build/gates/kept" "$file" # with a new time, so that make rebuilds what depends on it
 }
 
 unit() { make test LONG=1 ONLY="$1"; }
@@ -110,7 +110,7 @@ plant libc src/calibrate.c 's/(invcal_real)dof;/tanf((float)dof);/' \
 plant example README.md 's/invcal_session_why(&session)/invcal_session_because(\&session)/' \
     'it compiles: FAIL' unit readme
 plant output README.md 's/invcal_save_session(&board_progress, &session)/(void)0/; s/counts(&calibration, board/counts(\&session.nominal, board/' \
-    'gets calibrated readings: FAIL' unit readme
+    'gets calibrated readings.*: FAIL' unit readme
 plant answer port/manual/errors.md 's/`INVCAL_REST_GAP`/`INVCAL_REST_HOLE`/' \
     'errors: .*: FAIL' unit errors
 plant tutorial port/manual/tutorial.md 's/328\.10/328.11/' \
@@ -126,25 +126,25 @@ plant json port/host/result/json.c 's/"residual_rms"/"residual_RMS"/' \
 
 # ---- the sources ------------------------------------------------------------------------------
 
-plant layout src/circle.c 's/^    /   /' 'laid out by .clang-format: FAIL' make derived
+plant layout src/circle.c 's/^    /   /' 'formatted by .clang-format: FAIL' make derived
 plant reference tests/reference/expected.h 's/0\.4082/0.4083/' \
     'expected.h is what the reference script prints: FAIL' make derived
 plant design tests/reference/turns_design.h 's/0\.45016/0.45017/' \
     'turns_design.h is what its script prints: FAIL' make derived
 plant releases tests/reference/releases/values.h 's/0xca, 0x01/0xcb, 0x01/' \
-    'values.py reads: FAIL' make derived
+    'what their scripts print: FAIL' make derived
 plant script tests/readme.sh 's/^root=/unused=1\n&/' 'shell scripts: FAIL' make derived
 plant spelling src/circle.c 's|^enum { TERMS|/* Sep''erate. */\n&|' 'Sep''erate ==> Separate' make derived
 plant wording README.md 's/^## Try it/&, who''ever you are/' 'README.md:[0-9]+:who''ever: better: ' make derived
-plant manual port/host/man.sh 's/\.TP\\n/.TPP\\n/' 'against the manual: FAIL' make derived
+plant manual port/host/man.sh 's/\.TP\\n/.TPP\\n/' 'accept the man page: FAIL' make derived
 plant key port/host/result/json.c 's/"residual_worst"/"residual_worse"/' 'last release wrote: FAIL' make derived
 plant picture port/host/sphere.svg 's/38 positions/39 positions/' 'that the tool draws: FAIL' make derived
 plant figure port/manual/sweep.svg 's/0\.5/0.6/' 'that its commands draw: FAIL' make derived
 plant word include/invcal/store.h '/^\/\* Loads them\.$/,/\*\/$/d' \
-    'against the headers and pages: FAIL' make manual
-plant cut include/invcal/allan.h 's/its tau, s/its tau,/' 'a member ends there: FAIL' make manual
+    'accepts the headers and pages: FAIL' make manual
+plant cut include/invcal/allan.h 's/its tau, s/its tau,/' 'continues at the next: FAIL' make manual
 plant link port/manual/errors.md 's/(porting\.md)/(porter.md)/' \
-    'link of the pages leads somewhere: FAIL' make manual
+    'link of the pages is dead: FAIL' make manual
 plant image port/manual/pages.awk 's|sub(/\.\*\\//, "", target)|target = target|' 'no picture \.\./host' make manual
 plant misra src/calibrate.c 's/^    const invcal_real n = /    const unsigned long octal = 017; (void)octal;\n&/' \
     'misra' make rules
@@ -166,7 +166,7 @@ plant library Makefile 's|(BUILD)/double/libinvcal.a:lib|(BUILD)/float/libinvcal
 plant version port/cmake/CMakeLists.txt 's/SameMinorVersion/AnyNewerVersion/' \
     'older API: FAIL' packages cmake
 plant mangled include/invcal/invcal.h 's/__cplusplus/__cplus_plus/' \
-    'float: the example prints what it has to: FAIL' packages cplusplus
+    'float: the example prints what it must: FAIL' packages cplusplus
 plant tree port/stage.sh 's/@VERSION@/@VERSIONS@/' 'version of invcal.h: FAIL' packages stage
 
 # ---- proof, coverage, mutation, fuzzing, numerics -----------------------------------------------
@@ -222,6 +222,6 @@ plant pack port/cmsis-pack/invcal.invcal.pdsc '/session\.c/d' \
 plant sketch port/arduino/examples/Calibrate/sensor.cpp 's/bytes\[0\] << 8 | bytes\[1\]/bytes[1] << 8 | bytes[0]/' \
     'true within 2 mg: FAIL' make check-packages PACKAGES=arduino
 
-[ $((passed + failed)) -gt 0 ] || echo "GATES=$wanted: no bug is called that" >&2
+[ $((passed + failed)) -gt 0 ] || echo "GATES=$wanted: there is no such bug" >&2
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -32,14 +32,14 @@ foreign() {
     nm -g "$1" | awk 'NF == 3 && $3 !~ /^invcal_/ { printf "%s ", $3 }'
 }
 
-# Scalar and packed double instructions of SSE2; other machines have names of their own, and are
-# looked at where their tests run.
+# Scalar and packed double instructions of SSE2. Other machines' have other names; the tests of the
+# targets look for those.
 doubles() {
     objdump -d "$1" | awk '/[ \t](cvtss2sd|cvtsd2ss|(add|sub|mul|div|sqrt|ucomi|comi|max|min)[sp]d)[ \t]/ { n++ }
         END { if (n) printf "%d double instructions", n }'
 }
 
-# Positions are computed: no tables in these modules. Single constants are none.
+# Positions are computed: no tables in these modules. Single constants are not tables.
 tables() {
     size -A "$1/src/plan.o" "$1/src/circle.o" |
         awk '$1 ~ /^\.rodata/ && $1 !~ /^\.rodata\.cst/ { n += $2 }
@@ -58,7 +58,7 @@ for real in float double; do
     result "$real: the library is there" ""
     allowed='memcpy|memset|sqrtf|fabsf'
     [ $real = double ] && allowed='memcpy|memset|sqrt|fabs'
-    # What sanitizers and coverage bring along is not the library's.
+    # Sanitizers and coverage add code and data that are not the library's.
     case " $CFLAGS" in *-fsanitize* | *coverage*) continue ;; esac
     result "$real: needs nothing but $allowed" "$(undefined "$lib" "$allowed")"
     result "$real: no writable data" "$(writable "$lib")"

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/manual.sh BUILD
-# Makes the manual, BUILD/manual/html, of the pages in port/manual and the headers, and demands that
-# nothing public lacks a word and no link leads nowhere. Ends with `N passed, N failed`.
+# Makes the manual, BUILD/manual/html, from the pages in port/manual and the headers, and checks that
+# everything public is documented and no link is dead. Ends with `N passed, N failed`.
 build=$(mkdir -p "$1" && cd "$1" && pwd) || exit 1
 cd "$(dirname "$0")/.." || exit 1
 html=$build/manual/html
@@ -33,21 +33,21 @@ pages() {
         BUILD=$build VERSION=$version doxygen port/manual/Doxyfile && cat port/manual/style.css >> "$html/search/search.css"
 }
 
-# Doxygen does not miss the comment of an enumerator.
+# Doxygen does not warn of an enumerator without a comment.
 enumerators() {
     ! awk '/^ *(typedef )?enum \{/ { on = 1; next } /^\}/ { on = 0 }
         on && /^ +INVCAL_/ && !/\/\*/ { print FILENAME ":" FNR ": no comment: " $1 }' \
         include/invcal/*.h | grep .
 }
 
-# Each member has a page's line of its own: a sentence that goes on at the next one would be cut.
+# Each member has its own entry on the page: a sentence that continues at the next one would be cut.
 members() {
     ! awk '/^ +[a-z].*;.*\/\*.*([,:]|[^a-z](is|are|the|of|and|or)) \*\/$/ {
-        print FILENAME ":" FNR ": the comment goes on at the next member: " $1 " " $2 }' \
+        print FILENAME ":" FNR ": the comment continues at the next member: " $1 " " $2 }' \
         include/invcal/*.h | grep .
 }
 
-# FILE#LABEL of all links; what is there of neither.
+# All links, as FILE#LABEL, lead to a file or a label that exists.
 links() {
     cd "$html" || return 1
     awk '{
@@ -76,7 +76,7 @@ links() {
         ! sed 's,^\./,,' "$build/manual.links" | grep -vxF -f "$build/manual.labels"
 }
 
-# Doxygen leaves the path of a picture that it does not find.
+# Where Doxygen does not find a picture, it keeps the path.
 pictures() {
     (cd "$html" && cat md_*.html index.html | grep -oE '<(img|object)[^>]*(src|data)="[^"]*"' | sed 's/.*="//; s/"$//' | sort -u) > "$build/manual.pictures"
     test "$(wc -l < "$build/manual.pictures")" -gt 5 && while read -r picture; do
@@ -84,7 +84,7 @@ pictures() {
     done < "$build/manual.pictures"
 }
 
-# The same in the Markdown itself, as GitHub shows it: files, and headings in them.
+# Links in the Markdown itself, as GitHub shows it: to files, and to headings in them.
 sources() {
     find README.md CHANGELOG.md port tests -name '*.md' -exec awk '
         FNR == 1 { code = 0; folder = FILENAME; sub(/[^\/]*$/, "", folder) }
@@ -121,18 +121,18 @@ sources() {
         }' {} +
 }
 
-# What Doxygen has not understood of the Markdown stands in the page as it was typed.
+# Markdown that Doxygen does not understand is in the page as it was typed.
 leftovers() {
     ! awk '/<pre|class="fragment"/ { code = 1 } !code && /`|\*\*/ { print FILENAME ":" FNR ": " $0 }
         /<\/pre>|<\/div><!-- fragment -->/ { code = 0 }' "$html"/md_*.html "$html/index.html" | grep .
 }
 
-gate "every link of the pages leads somewhere" sources
-gate "Doxygen has nothing against the headers and pages" pages
+gate "no link of the pages is dead" sources
+gate "Doxygen accepts the headers and pages" pages
 gate "every enumerator has a comment" enumerators
-gate "every comment of a member ends there" members
+gate "no comment of a member continues at the next" members
 gate "no Markdown is left in the HTML" leftovers
-gate "every link of the HTML leads somewhere" links
+gate "no link of the HTML is dead" links
 gate "every picture of the HTML is there" pictures
 
 echo "$html/index.html"

@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/mutation.sh BUILD SAMPLE SEED [FILE...]
-# Do the unit tests notice small changes of the library? Builds them and runs tests/mutation/run.py,
-# whose head says the rest. Prints survivors that are not known, a table, and at the end
-# `N passed, N failed`.
+# Do the unit tests notice small changes to the library? Builds them and runs tests/mutation/run.py,
+# whose head says the rest. Prints unknown survivors, a table, and at the end `N passed, N failed`.
 out=$1/mutation
 export CC="${CC:-cc}"
-export PYTHONDONTWRITEBYTECODE=1 # nothing beside the scripts
+export PYTHONDONTWRITEBYTECODE=1 # leave no files beside the scripts
 cd "$(dirname "$0")/.." || exit 1
 
 sample=$2 seed=$3
@@ -30,8 +29,8 @@ suites() { # BUILD: the suites in it
         echo "$1/float/$name $1/double/$name"
     done
 }
-# There a suite stops at its first failure, tries one of ten where it tries many, and thermal.h has
-# all its degrees.
+# For mutants a suite stops at its first failure and tries one case of ten where it tries many, and
+# thermal.h has all its degrees.
 stop='-O2 -DTEST_SHORT=10 -include stdlib.h
     "-DUNITY_OUTPUT_FLUSH()=if (Unity.CurrentTestFailed) exit(1)"'
 # shellcheck disable=SC2046 # names without blanks

@@ -23,7 +23,7 @@ mkdir -p "$out"
 passed=0
 failed=0
 
-check() { # SENTENCE COMMAND...: one thing that either holds or does not
+check() { # SENTENCE COMMAND...: passes if the command succeeds
     sentence=$1
     shift
     if "$@" > "$out/log" 2>&1 < /dev/null; then
@@ -57,7 +57,7 @@ stage() {
     sh port/stage.sh "$1" "$out/$1"
 }
 
-# prints_as_expected COMMAND...: it prints what the example, tests/packages/example.c, has to.
+# prints_as_expected COMMAND...: it prints what the example, tests/packages/example.c, must print.
 example=$root/tests/packages/example.c
 prints_as_expected() {
     "$@" > "$out/printed" && diff "$root/tests/packages/expected.txt" "$out/printed"

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/packages.sh BUILD [NAME...]
-# Consumes the packages as their users do: each script of tests/packages, or those named. Each prints
-# a line for each check; what was missing is one line and a failure. Two at a time. At the end
+# Uses the packages as their users would: each script of tests/packages, or those named, two at a
+# time. Each prints a line for each check; a missing tool is one line and a failure. At the end
 # `N passed, N failed`.
 build=$1
 shift
@@ -26,7 +26,7 @@ printf '%s\n' "$@" | xargs -P 2 -n 1 sh -c '
 
 for name; do
     cat "$logs/$name.log"
-    # One that does not tell its result has crashed.
+    # One that gives no result has crashed.
     tail -n 1 "$logs/$name.log" | grep -Eqx '[0-9]+ passed, [0-9]+ failed' ||
         echo "0 passed, 1 failed"
 done | awk '/^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3; next } { print }

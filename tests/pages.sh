@@ -6,7 +6,7 @@
 # read it out.
 #
 #     sh tests/pages.sh BUILD PAGE.html|PICTURE.svg ...
-#     sh tests/pages.sh --self-test BUILD      each planted fault turns its check red
+#     sh tests/pages.sh --self-test BUILD      each planted fault must turn its check red
 #
 # Screenshots and printed sheets stay in BUILD/pages for people to look at.
 here=$(dirname "$0")/pages
@@ -25,5 +25,5 @@ for command in python3 chromium pdftotext pdftoppm; do
         exit 1
     fi
 done
-# 3 and 4 are where Chromium talks: held, so that nothing else gets these numbers.
+# Descriptors 3 and 4 are Chromium's pipes: opened here, so that nothing else gets these numbers.
 PYTHONDONTWRITEBYTECODE=1 python3 "$here/pages.py" "$@" 3< /dev/null 4< /dev/null

@@ -1,16 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# The picture of port/manual/tool.md: the two halves of the sphere, out of the report on the Xsens positions.
+# The picture of port/manual/tool.md: the two halves of the sphere, from the report on the Xsens positions.
 #
 #     sh tests/picture.sh path/to/invcal > port/host/sphere.svg
-#     sh tests/picture.sh path/to/invcal --check      it is what stands there
+#     sh tests/picture.sh path/to/invcal --check      that file is up to date
 here=$(dirname "$0")
 tool=$1
 page=$(mktemp) || exit 2
 trap 'rm -f "$page" "$page.svg"' EXIT
 
-# The styles of the page, and its parts drawn beside and below one another.
+# The styles of the page, and its parts side by side and below one another.
 "$tool" calibrate "$here/data/xsens_mti_positions.csv" --positions --gravity 9.81744 \
     --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --quiet --report "$page" &&
 awk 'BEGIN {

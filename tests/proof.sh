@@ -3,26 +3,26 @@
 #
 # sh tests/proof.sh BUILD [MODULE...]
 # Proves that the modules of src/, or those named, have no undefined behaviour, by Frama-C/Eva from the
-# entry points tests/proof/MODULE.c, whose inputs are arbitrary. A module holds if there is no alarm, no
-# warning that would make the analysis unsound, and if it reached every statement of every function
-# of the module: what is not reached is not proved. Prints a line for each proof, and at the end
+# entry points tests/proof/MODULE.c, whose inputs are arbitrary. A module passes if there is no alarm
+# and no warning that would make the analysis unsound, and if every statement of every function of the
+# module is reached: what is not reached is not proved. Prints a line for each proof, and at the end
 # `N passed, N failed`. DOUBLE=1: with invcal_real double; INT16=1: with an int of 16 bits, as on
-# AVR. BRIEF=1: each in one configuration. JOBS=N: so many at a time.
+# AVR. BRIEF=1: each in one configuration. JOBS=N: N at a time.
 #
 # Lines in tests/proof/MODULE.c:
 #     // eva: OPTIONS           options of Eva for it
-#     // config: -DX=1 ...      proved once more so configured
-#     // wide: -DX=1 ...        the same, but for what does not fit where int has 16 bits
-#     // trusted: N             ACSL annotations on its way that Eva takes for granted, not proved: no
-#                               more and no fewer. Why they hold stands behind, in their own module
-#     // stubs: MODULE ...      whose functions the file defines, as any that do what their headers say:
-#                               their own proofs stand for them
-#     // dead: FUNCTION N ...   N statements of it that no input reaches; why stands behind
-# With -DX=1 behind the colon the last two are of that configuration, in place of what stands above.
+#     // config: -DX=1 ...      proved again in this configuration
+#     // wide: -DX=1 ...        the same, unless int has 16 bits, where it does not fit
+#     // trusted: N             exactly N ACSL annotations that it meets are taken for granted by Eva, not
+#                               proved. Why they hold is said after them, in their own module
+#     // stubs: MODULE ...      the file itself defines their functions, with any behaviour that the
+#                               headers allow; their own proofs cover the real ones
+#     // dead: FUNCTION N ...   N of its statements are reached by no input; why follows
+# With -DX=1 after the colon, trusted and dead apply to that configuration, in place of those without.
 cd "$(dirname "$0")/.." || exit 1
 
-# The sources that a module needs: those that define what its code, or the code of one that it needs,
-# or of a header, names.
+# The sources that a module needs: those that define what is named in its code, in a header, or in
+# the code of a source that it needs.
 sources() { # MODULE
     awk -v module="$1" -v stubs="$(options stubs "$1")" '
         BEGIN {
@@ -61,7 +61,7 @@ sources() { # MODULE
     ' "tests/proof/$1.c" tests/proof/*.h include/invcal/*.h src/*
 }
 
-options() { # KEY MODULE: what stands behind it in the module's file
+options() { # KEY MODULE: what follows the key in the module's file
     sed -n "s|^// $1: *||p" "tests/proof/$2.c"
 }
 
@@ -77,7 +77,7 @@ analyse() { # MODULE MACROS
         "tests/proof/$1.c" $(sources "$1")
 }
 
-# Reads the log of an analysis, prints why it is no proof, if so; and what it takes on trust.
+# Reads the log of an analysis; prints why it is not a proof, if it is not, and what it takes on trust.
 judge() { # MODULE LOG MACROS
     { options trusted "$1" | sed 's/^/trusted /'; options dead "$1" | sed 's/^/dead /'; cat "$2"; } |
         awk -v module="$1" -v macros=" $3 " '
@@ -88,11 +88,11 @@ judge() { # MODULE LOG MACROS
             else for (; $(i + 1) ~ /^[0-9]+$/; i += 2) dead[$i] = $(i + 1)
             next
         }
-        # What follows the heading of an alarm, on its line or the next, tells whether it is an
+        # What follows the heading of an alarm, on its line or the next, says whether it is an
         # annotation that is not proved.
         /^\[eva:alarm\]/ { heading = $0 }
         heading != "" && (/ got status / || $0 != heading) {
-            # invalid: in one of the states told apart, which no run comes to
+            # invalid: in one of the states that Eva keeps apart, which no execution reaches
             if (/(assertion|invariant) got status (unknown|invalid)/) {
                 split(heading, at, /[] :]+/)
                 if (!trust[at[3] ":" at[4]]++) {
@@ -117,13 +117,13 @@ judge() { # MODULE LOG MACROS
             if (!/Unspecified sequence with side effect/) { errors++; print "  " warning; shown = 3 }
             warning = ""
         }
-        # libc as Frama-C specifies it; anything else without a body would be guessed
+        # Frama-C specifies libc; the behaviour of anything else without a body would be a guess
         /using specification for function/ &&
             !/function (Frama_C_[a-z_]+|(sqrt|sin|cos|fabs)f?|mem(cpy|set|cmp)|__builtin_clz)$/ { errors++; shown = 1 }
         /Stats for function </ {
             split($0, part, /[<>]/); n = split(part[2], path, "/")
             name = path[n]
-            # of an inline function in a header one of its copies is enough
+            # of the copies of an inline function, one is enough
             if (path[n - 1] == module ".h") sub(/_[0-9]+$/, "", name)
             if (path[n - 1] ~ "^" module "[.][ch]$" && !(name in mine)) { mine[name] = 1; functions++ }
         }
@@ -148,7 +148,7 @@ judge() { # MODULE LOG MACROS
         }'
 }
 
-prove() { # BUILD MODULE MACROS: prints one line, after what is wrong
+prove() { # BUILD MODULE MACROS: prints one line, then what is wrong
     log=$1/proof/$2$(printf %s "$3" | tr -c 'A-Za-z0-9=' _).log
     start=$(date +%s)
     analyse "$2" "$3" > "$log" 2>&1
@@ -184,7 +184,7 @@ for module; do
 done > "$out/proof/jobs"
 tr '\n' '\0' < "$out/proof/jobs" |
     xargs -0 -n 2 -P "${JOBS:-2}" sh tests/proof.sh --one "$out" | tee "$out/proof/summary"
-# A proof of which nothing is said has crashed.
+# A proof without a result has crashed.
 awk -v wanted="$(($(wc -l < "$out/proof/jobs") / 2))" '/: PASS \(/ { p++ } /: FAIL \(/ { f++ }
     END {
         if (p + f < wanted) f = wanted - p

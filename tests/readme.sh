@@ -3,7 +3,7 @@
 #
 # Compiles the programs of README.md and of two pages of the manual, and runs them on the board of tests/readme, with
 # the float library of the build folder $1: each must calibrate, go on after a reset, and after another one find what
-# it has stored. CC and CFLAGS as for the library.
+# it stored. CC and CFLAGS as for the library.
 build=$1
 here=$(dirname "$0")
 root=$here/..
@@ -23,12 +23,12 @@ result() { # name, status
     fi
 }
 
-# With the memory as it is; what is shown stands in $out/log.
+# Keeps the memory; what is shown goes to $out/log.
 runs() {
     BOARD_MEMORY=$out/memory "$out/program" > "$out/log" 2>&1
 }
 
-# builds PAGE LINES: its first block of C, of at most so many lines; with an empty memory.
+# builds PAGE LINES: the first C block of a page, of at most LINES lines; empties the memory.
 builds() {
     awk '/^```c$/ { on = 1; next } on && /^```$/ { exit } on' "$root/$1" > "$out/program.c"
     lines=$(grep -c . "$out/program.c")
@@ -48,7 +48,7 @@ builds() {
 is_guided() {
     BOARD_RESET=6 runs
     [ $? -eq 3 ] && runs
-    result "$1: a hand that follows its words, through a reset, gets calibrated readings" $?
+    result "$1: a hand that follows its words gets calibrated readings, despite a reset" $?
 
     places=$(grep -c ' up' "$out/log")
     echo "after a reset in move 6 it shows $places places" > "$out/log"
@@ -56,7 +56,7 @@ is_guided() {
     result "$1: after the reset it goes on" $?
 
     runs && [ "$(grep -c . "$out/log")" -eq 1 ]
-    result "$1: once more switched on it finds the calibration" $?
+    result "$1: switched on again, it finds the calibration" $?
 }
 
 builds README.md 25
@@ -67,10 +67,10 @@ is_guided port/manual/gyroscope_firmware.md
 builds port/manual/wearable.md 45
 BOARD_RESET=12 runs
 [ $? -eq 3 ] && runs
-result 'port/manual/wearable.md: lying around for a month, through a reset, it gets calibrated readings' $?
+result 'port/manual/wearable.md: after lying around for a month, despite a reset, its readings are calibrated' $?
 BOARD_RESET=9 runs
 [ $? -eq 3 ] && grep -q '^day 1: |a| is 1 g within [0-2]\.' "$out/log"
-result 'port/manual/wearable.md: once more switched on it finds the calibration' $?
+result 'port/manual/wearable.md: switched on again, it finds the calibration' $?
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/rules.sh BUILD [tool]
-# The rules of the sources, a line for each and at the end `N passed, N failed`. Of the library:
+# The rules for the sources, a line for each and at the end `N passed, N failed`. For the library:
 # cppcheck with its MISRA C:2012 addon, less what tests/rules/misra.txt excuses; clang-tidy by
-# .clang-tidy (of the example firmware too); conversions that change a value, and names that nobody may
-# use; a bound for every loop; cyclomatic complexity. Of the tool, with `tool`: clang-tidy (minutes) and
+# .clang-tidy (for the example firmware, too); conversions that change a value, and poisoned names; a
+# bound for every loop; cyclomatic complexity. For the tool, with `tool`: clang-tidy (minutes) and
 # complexity.
-# A third argument does one job, as xargs calls this script.
+# More arguments run one job; that is how xargs calls this script.
 for command in cppcheck clang-tidy-19 clang-19 gcc pmccabe arm-none-eabi-gcc; do
     if ! command -v $command > /dev/null; then
         echo "$command is not installed: make deps" >&2
@@ -17,15 +17,15 @@ done
 out=$1/rules
 flags='-std=c99 -ffp-contract=off -Iinclude'
 firmware=port/cortex-m/firmware
-# Newlib's headers ask for two macros that only gcc has.
+# Newlib's headers need two macros that only gcc predefines.
 arm="--target=arm-none-eabi -isystem $(arm-none-eabi-gcc -print-file-name=include)
     -isystem /usr/include/newlib -D__INT32_C(c)=c##L -D__UINT32_C(c)=c##UL -Iport -I$firmware"
 
-# What <float.h> says, as cppcheck reads no headers of the system.
+# What <float.h> defines, as cppcheck reads no system headers.
 float_h='-DFLT_RADIX=2 -DFLT_MANT_DIG=24 -DFLT_MAX_EXP=128 -DFLT_EPSILON=1.2e-7f
     -DDBL_MANT_DIG=53 -DDBL_EPSILON=2.2e-16'
 
-misra() { # name flag...: one configuration, all sources at once, as some rules ask of all of them
+misra() { # NAME FLAG...: one configuration; all sources at once, as some rules are about all of them
     name=$1
     shift
     rm -rf "$out/cppcheck-$name"
@@ -38,8 +38,8 @@ misra() { # name flag...: one configuration, all sources at once, as some rules 
         src > "$out/misra-$name.log" 2>&1 || echo "cppcheck failed" >> "$out/misra-$name.log"
 }
 
-# What converts a value into one that may be another, and what is poisoned, for both reals.
-strict() { # compiler flag...
+# Conversions that may change a value, and poisoned names, for both number types.
+strict() { # COMPILER FLAG...
     compiler=$1
     shift
     for real in 0 1; do
@@ -50,11 +50,11 @@ strict() { # compiler flag...
     done > "$out/strict-$compiler.log" 2>&1
 }
 
-tidy() { # group file flag...
+tidy() { # GROUP FILE FLAG...
     group=$1 file=$2
     shift 2
     log=$out/tidy-$group-$(echo "$file" | tr / -).log
-    # stderr only counts warnings; a file that does not compile is told on stdout.
+    # stderr only counts warnings; that a file does not compile is reported on stdout.
     # shellcheck disable=SC2086 # flags are words
     clang-tidy-19 --quiet "$file" -- $flags "$@" > "$log" 2> /dev/null ||
         echo "$file: not clean by clang-tidy" >> "$log"
@@ -79,17 +79,17 @@ jobs() {
     fi
 }
 
-complex() { # limit file...: functions above it
+complex() { # LIMIT FILE...: functions above it
     limit=$1
     shift
     pmccabe "$@" 2>&1 | awk -v limit="$limit" '
-        !/^[0-9]/ { print; next } # what it says else
+        !/^[0-9]/ { print; next } # its messages
         $1 > limit { print $1 " of at most " limit ": " $6 " " $7 }
         END { if (NR == 0) print "no function" }'
 }
 
-report() { # name: what a gate says goes through it; nothing is good
-    found=$(awk '!seen[$0]++') # headers are seen many times
+report() { # NAME: prints what a gate says on stdin; it passes if that is nothing
+    found=$(awk '!seen[$0]++') # headers are checked many times
     if [ -z "$found" ]; then
         echo "$1: PASS"
     else
@@ -114,13 +114,13 @@ if [ -n "$2" ]; then
 else
     awk -v runs=2 -f tests/rules/misra.awk tests/rules/misra.txt "$out"/misra-*.log 2>&1 |
         report 'cppcheck and MISRA C:2012, less tests/rules/misra.txt'
-    cat "$out"/tidy-*.log | report 'clang-tidy: src, the example firmware and what it stands on'
+    cat "$out"/tidy-*.log | report 'clang-tidy: src, the example firmware and what it is built on'
     cat "$out"/strict-*.log |
-        report 'conversions change no value, no poisoned name, no array of variable length'
+        report 'no conversion that changes a value, no poisoned name, no array of variable length'
     awk -f tests/rules/loops.awk tests/rules/bounds.txt src/*.c src/*.h 2>&1 |
         report 'every loop has a bound'
     complex 10 src/*.c src/*.h | report 'cyclomatic complexity of src, at most 10'
     awk -f tests/rules/includes.awk tests/rules/folders.txt port/host/*/*.[ch] 2>&1 |
-        report 'the folders of port/host know those before them, and no circle'
+        report 'the folders of port/host know only those before them, without cycles'
 fi | awk '{ print } /: PASS$/ { p++ } /: FAIL$/ { f++ }
     END { print p + 0 " passed, " f + 0 " failed"; exit f > 0 || p == 0 }'

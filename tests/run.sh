@@ -1,12 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Runs every test that stands in the build folder $1, and the scripts beside this file, two at a
-# time. Prints a line for each suite, below it what failed and where its log is, and at the end
-# `N passed, N failed`.
-# CC, CFLAGS and UNITY are handed on to scripts that compile something. ONLY='rests|tool': suites with
-# such names only. PART=src: the unit tests of the library; PART=host: all but these. LONG=1: with those that take long.
-# LONG=only: without scripts that are the same without it. BRIEF=1: without the pages that are followed word by word.
+# Runs every test in the build folder $1, and the scripts next to this file, two at a time. Prints a
+# line for each suite, below it what failed and where its log is, and at the end `N passed, N failed`.
+# CC, CFLAGS and UNITY are passed on to scripts that compile something. ONLY='rests|tool': only suites whose names match.
+# PART=src: the unit tests of the library; PART=host: everything else. LONG=1: with the tests that take long. LONG=only:
+# the same, without the scripts that LONG does not change. BRIEF=1: without the pages that are followed word by word.
 build=$1
 tests=$(dirname "$0")
 logs=$build/run
@@ -54,10 +53,10 @@ other_scripts() {
     done
 }
 
-# (Not by `&`, which would take SIGINT away from what is run.)
+# (Not with `&`, whose jobs ignore SIGINT.)
 suites | awk -v only="$ONLY" '$1 ~ only' > "$logs/list"
 if [ ! -s "$logs/list" ]; then
-    echo "ONLY='$ONLY': no suite is called like that" >&2
+    echo "ONLY='$ONLY': no suite has such a name" >&2
     exit 2
 fi
 # shellcheck disable=SC2016 # $log and the like belong to the inner shell
@@ -65,8 +64,8 @@ xargs -L 1 -P 2 sh -c 'log=$1/$2.log; shift 2
     "$@" > "$log" 2>&1 < /dev/null
     echo "exit status $?" >> "$log"' suite "$logs" < "$logs/list"
 
-# Of a log: each line that says FAIL, below the first of what was said since the check before, and what
-# was said after the last check; no more than fits a screen or two.
+# From a log: each line that says FAIL, preceded by the first lines since the previous check, and what
+# follows the last check; no more than a screen or two.
 failures() { # LOG
     awk '
         function say(line) {
@@ -94,10 +93,10 @@ failures() { # LOG
         }' "$1"
 }
 
-# A suite tells its result as "N Tests F Failures I Ignored" (Unity) or "N passed, N failed".
-# One that says neither has crashed, and one that has tried nothing tells nothing: one failure.
+# A suite gives its result as "N Tests F Failures I Ignored" (Unity) or "N passed, N failed".
+# One that gives neither has crashed, and one that ran no test shows nothing: one failure each.
 while read -r name _; do
-    : >> "$logs/$name.log" # of one that was not run
+    : >> "$logs/$name.log" # in case it was not run
     result=$(awk '
         / Tests .* Failures .* Ignored/ { p = $1 - $3 - $5; f = $3 }
         /^[0-9]+ passed, [0-9]+ failed$/ { p = $1; f = $3 }

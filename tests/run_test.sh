@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/run_test.sh FOLDER
-# tests/run.sh prints what failed, not all that was said. Suites are made in FOLDER for it that fail
-# in one way each.
+# tests/run.sh prints what failed, not all output. Makes suites in FOLDER that fail in one way each,
+# and runs them.
 here=$(dirname "$0")
 out=$1
 passed=0
@@ -28,7 +28,7 @@ suite() { # NAME, its script on stdin
     { echo '#!/bin/sh'; cat; } > "$out/double/test_$1"
     chmod +x "$out/double/test_$1"
 }
-runs() { # NAME: only that suite; what is printed in $out/said
+runs() { # NAME: runs only that suite; what it prints goes to $out/said
     PART='' ONLY="^double-$1\$" sh "$here/run.sh" "$out" > "$out/said" 2>&1
 }
 says() { grep -Fqx -- "$1" "$out/said"; }
@@ -50,11 +50,11 @@ echo '3001 passed, 1 failed'
 exit 1
 END
 ! runs one
-check "one check of many fails: so does all" [ $? -eq 0 ]
-check "its result is told" says 'double-one: 3001 passed, 1 failed'
-check "the check is told" says 'one: this: FAIL'
+check "one check of many fails: so does the suite" [ $? -eq 0 ]
+check "its result is printed" says 'double-one: 3001 passed, 1 failed'
+check "the check is printed" says 'one: this: FAIL'
 check "and why" says because
-check "and where the rest stands" says "    all of it: $out/run/double-one.log"
+check "and where the rest is" says "    all of it: $out/run/double-one.log"
 check "and no more" lines 5
 
 suite unity << 'END'
@@ -68,7 +68,7 @@ exit 1
 END
 ! runs unity
 check "a suite of Unity fails" [ $? -eq 0 ]
-check "Unity: the check is told" says 'test_unity.c:9:two:FAIL: Expected 1 Was 2'
+check "Unity: the check is printed" says 'test_unity.c:9:two:FAIL: Expected 1 Was 2'
 check "Unity: and no more" lines 4
 
 suite all << 'END'
@@ -78,8 +78,8 @@ exit 1
 END
 ! runs all
 check "every check fails" [ $? -eq 0 ]
-check "the first are told" says 'all: 40: FAIL'
-check "of the others how many" says '    ... 460 lines more'
+check "the first are printed" says 'all: 40: FAIL'
+check "of the others, how many" says '    ... 460 lines more'
 check "no more than a screen or two" lines 44
 
 suite crash << 'END'
@@ -89,8 +89,8 @@ kill -s SEGV $$
 END
 ! runs crash
 check "a suite that crashes has failed" [ $? -eq 0 ]
-check "what it said first is told" says 'trace 1'
-# (Of a crash the shell has a word to say, too.)
+check "its first lines are printed" says 'trace 1'
+# (The shell adds a line about the crash.)
 check "but not all" grep -qx '    \.\.\. 9[01] lines more' "$out/said"
 check "and how it ended" grep -q '^exit status 1[0-9][0-9]$' "$out/said"
 
@@ -100,7 +100,7 @@ exit 23
 END
 ! runs leak
 check "what ends badly after its last check has failed" [ $? -eq 0 ]
-check "what it said is told" says 'ERROR: detected memory leaks'
+check "what it said is printed" says 'ERROR: detected memory leaks'
 check "and how it ended" says 'exit status 23'
 
 echo "$passed passed, $failed failed"

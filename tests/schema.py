@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Checks a JSON file against one object of a schema: schema.py SCHEMA OBJECT FILE
 
-Fails if the file is no strict JSON, is not that object, or is not one of those that the schema as
-a whole allows; and if the schema would have let a mistake pass: in turn every object is given a
-member too many, every member another name and every value another type, all to be refused.
+Fails if the file is not strict JSON, is not that object, or is not one of those that the schema as
+a whole allows. Fails, too, if the schema would accept a mistake: in turn, every object gets a surplus
+member, every member another name, and every value another type; the schema must refuse each.
 """
 
 import copy
@@ -16,12 +16,12 @@ import jsonschema
 def members_once(pairs):
     names = [name for name, _ in pairs]
     if len(set(names)) < len(names):
-        raise ValueError("a member is there twice")
+        raise ValueError("a duplicate member")
     return dict(pairs)
 
 
 def no_constant(word):
-    raise ValueError(word + " is no JSON")
+    raise ValueError(word + " is not JSON")
 
 
 def read(path):
@@ -30,7 +30,7 @@ def read(path):
 
 
 def places(value, path=()):
-    """The path of the value and of all that is inside."""
+    """The path of the value and of everything inside."""
     yield path
     if isinstance(value, (dict, list)):
         for key, item in value.items() if isinstance(value, dict) else enumerate(value):
@@ -69,10 +69,10 @@ def main(schema_path, name, path):
     value = read(path)
     errors = [e.json_path + ": " + e.message for e in one.iter_errors(value)]
     if not errors and not whole.is_valid(value):
-        errors = ["the schema as a whole does not name " + name + ", or names more than this"]
+        errors = ["the schema as a whole does not allow " + name + ", or allows more than one object here"]
     if not errors:
         errors = [
-            "a mistake passes at " + "/".join(map(str, path))
+            "the schema accepts a mistake at " + "/".join(map(str, path))
             for path, wrong in mistakes(value)
             if one.is_valid(wrong)
         ]

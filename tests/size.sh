@@ -3,9 +3,9 @@
 # shellcheck disable=SC2154 # target_facts sets what is not set here
 #
 # `make size`: flash, stack and structures on every target, against tests/size/budgets.txt.
-# $1: folder to build in. TARGETS: folders, all under port/ unless given. V=1: every function too.
-# UPDATE=1: writes the budgets again. A target is called by its last folder. Everything is compiled
-# again: what is left of a module that is gone would count. How the stack is computed: size/stack.awk.
+# $1: folder to build in. TARGETS: folders, by default all under port/. V=1: every function, too.
+# UPDATE=1: rewrites the budgets. A target has the name of its last folder. Everything is recompiled,
+# as objects of deleted modules would count. How the stack is computed: size/stack.awk.
 build=$1
 budgets=tests/size/budgets.txt
 passed=0
@@ -44,7 +44,7 @@ stacks() {
         "$out/public" "$out/whole.sections" "$out/code" "$out"/src/*.su
 }
 
-undeclared() { # a function that no header declares is nobody's, and one not seen is not measured
+undeclared() { # a global function that no header declares would escape the measurement
     "${prefix}nm" -g --defined-only "$out"/src/*.o | awk 'FILENAME != "-" { known[$2]; next }
         $2 == "T" && !($3 in known) { print "fault", $3 " is global, and declared in no header" }' \
         "$out/public" "$out/declared" -
@@ -90,7 +90,7 @@ size_of() {
     fi
     measure > "$out/measured"
     awk -f tests/size/figures.awk "$out/measured" > "$build/$name.figures"
-    # Not every emulator has an exit status of the program: its last word tells.
+    # Not every emulator passes on the program's exit status: what it prints last decides.
     make_target depth > "$out/depth.log" 2>&1
     if ! grep -q 'OK' "$out/depth.log"; then
         cat "$out/depth.log"
@@ -110,7 +110,7 @@ for target in ${TARGETS:-$(all_targets)}; do
 done
 if [ -n "$UPDATE" ]; then
     awk -f tests/size/update.awk $budgets "$build"/*.figures > "$build/budgets.txt" &&
-        mv "$build/budgets.txt" $budgets && echo "$budgets: written again"
+        mv "$build/budgets.txt" $budgets && echo "$budgets: rewritten"
 fi
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
-# Sums up what the images of the targets printed. First argument: the digest of the host; then
-# the logs, BUILD/TARGET/IMAGE.log, those of one target in a row, each with a last line
-# `exit status N`. Exits 1 if anything failed.
+# Summarizes what the images of the targets printed. First argument: the digest of the host; then
+# the logs, BUILD/TARGET/IMAGE.log, those of a target in a row, each with a last line
+# `exit status N`. Exits with 1 if anything failed.
 
 function judge_digest() {
     tests[target]++
@@ -12,8 +12,8 @@ function judge_digest() {
     return !same
 }
 
-# A suite tells its result as "N Tests F Failures I Ignored" (Unity). One that does not has crashed;
-# one that ends badly after that has failed too: either counts as one failure.
+# A suite gives its result as "N Tests F Failures I Ignored" (Unity). One that does not has crashed;
+# one that ends badly after that has failed, too: either counts as one failure.
 function judge_suite() {
     if (!said || (status && !failures)) failures++
     tests[target] += count

@@ -5,7 +5,7 @@
 # sh tests/targets.sh BUILD [TARGET...]
 # Builds the unit tests for every target folder under port/, or those named, runs them in its
 # emulator, two images at a time, and compares the digest of its calibrations with the host's,
-# which BUILD/float/digest prints. Shows what failed, one table, why tests were skipped, and at the
+# which BUILD/float/digest prints. Shows what failed, a table, why tests were skipped, and at the
 # end `N passed, N failed`.
 build=$1
 shift
@@ -13,7 +13,7 @@ here=$(dirname "$0")
 limit=600 # seconds for one image
 . "$here/target.sh"
 
-# Those that run the long tests first: they take the longest.
+# Those with the long tests come first, as they take longest.
 if [ $# -eq 0 ]; then
     all=$(ls port/*/target.mk port/*/*/target.mk)
     # shellcheck disable=SC2046,SC2086 # names without blanks
@@ -32,7 +32,7 @@ list=$build/targets/images
 for target; do
     target=${target%/target.mk}
     target_facts "$build/targets" "$target" || exit 1
-    rm -f "$out"/*.elf "$out"/*.log # of suites that are no more
+    rm -f "$out"/*.elf "$out"/*.log # of suites that no longer exist
     if ! target_make "$build/targets" "$target" -j2 tests digest; then
         echo "$target does not build" >&2
         exit 1

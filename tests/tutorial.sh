@@ -5,12 +5,12 @@
 # library.
 #
 #     ```sh          is run, block after block in one shell, which stops at the first failure
-#     ```text        below it is what it prints; `...` stands for any text, alone for any lines
+#     ```text        after it, is what that prints; `...` stands for any text, or on a line of its own for any lines
 #     ```c, ```cpp   is saved under the name in its first line, and compiles without a warning
 #     ```python      is saved under the name in its first line
 #
-# `git clone` copies this tree with what BUILD holds, so nothing is built twice; `cc` is $CC, and
-# $INVCAL this tree. C++ is left out where there is no compiler for it. Ends with `N passed, N failed`.
+# `git clone` copies this tree and what BUILD contains, so nothing is built twice; `cc` is $CC, and
+# $INVCAL this tree. C++ is skipped without a compiler for it. Ends with `N passed, N failed`.
 build=$(cd "$1" && pwd) || exit 1
 cd "$(dirname "$0")/.." || exit 1
 root=$(pwd)
@@ -31,7 +31,7 @@ result() { # 0 or 1, SENTENCE
     fi
 }
 
-# The page as a script, and what is to be printed as $out/N.text.
+# Turns the page into a script, and what it must print into $out/N.text.
 awk -v out="$out" '
     /^```/ && kind != "" {
         if (kind == "c" || kind == "python") print "END_OF_FILE"
@@ -51,7 +51,7 @@ awk -v out="$out" '
     kind == "text" { print > (out "/" n ".text") }
     kind == "sh" || kind == "c" || kind == "python"' "$page" > "$out/script"
 
-# What the script calls.
+# Functions for the script.
 git() { # clone ADDRESS FOLDER
     mkdir "$3" "$3/build" "$3/build/float" "$3/build/double" &&
         cp -Rp "$root/Makefile" "$root/README.md" "$root/include" "$root/src" "$root/port" "$root/tests" "$3" &&
@@ -75,7 +75,7 @@ compiles() { # NAME
     unset MAKEFLAGS MAKELEVEL COLUMNS
     # shellcheck disable=SC2034 # the page uses it
     INVCAL=$root
-    PATH=$build:$PATH # and the tool
+    PATH=$build:$PATH # for the tool
     cd "$out/work" && set -e
     # shellcheck source=/dev/null
     . "$out/script"
@@ -94,7 +94,7 @@ for file in "$out"/*.compiled; do
     result "$(cat "$file")" "$2: $name compiles without a warning"
 done
 
-# What a block has said, line by line as the page has it.
+# Compares what a block printed with the page, line by line.
 agrees() { # PAGE SAID
     awk 'function pattern(line) {
             gsub(/[][\\^$.|?*+(){}]/, "\\\\&", line)
@@ -109,11 +109,11 @@ agrees() { # PAGE SAID
                 while (any && i < n && said[i + 1] !~ pattern(want[w])) i++
                 any = 0
                 if (said[++i] !~ pattern(want[w])) {
-                    print "wanted: " want[w] "\nsaid:   " said[i]
+                    print "wanted:  " want[w] "\nprinted: " said[i]
                     exit 1
                 }
             }
-            if (!any && i < n) { print "said too: " said[i + 1]; exit 1 }
+            if (!any && i < n) { print "also printed: " said[i + 1]; exit 1 }
         }' "$1" "$2"
 }
 

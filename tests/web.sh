@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# sh tests/web.sh BUILD [PATTERN]: the page in Chromium and Firefox beside each other, and the bits of its numbers.
-# At the end `N passed, N failed`. PATTERN: tests of such names only, or digest. One of them: sh tests/web.sh --part NAME
+# sh tests/web.sh BUILD [PATTERN]: the page in Chromium and Firefox at the same time, and the bits of its numbers.
+# At the end `N passed, N failed`. PATTERN: only tests whose names match, or digest. One part: sh tests/web.sh --part NAME
 # BUILD PATTERN.
 
 # Calibrations as WebAssembly have the native build's bits (tests/digest).
@@ -43,7 +43,7 @@ parts() {
     case $pattern in '' | digest) echo digest ;; esac
 }
 rm -f "$build"/web/*.log
-# (Not by `&`, which takes SIGINT away.)
+# (Not with `&`, whose jobs ignore SIGINT.)
 parts | xargs -P 3 -I '{}' sh tests/web.sh --part '{}' "$build" "$pattern"
 parts | while read -r name; do
     cat "$build/web/$name.log" || echo "$name: not all of them: FAIL"

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # sh tests/words.sh
-# The English of all text and comments: codespell finds no word that is misspelt, and no word of
-# tests/words.txt is there. Prints FILE:LINE, the word and the better one.
+# The English of all text and comments: codespell finds no misspelt word, and no word of
+# tests/words.txt is there. Prints FILE:LINE, the word and a better one.
 cd "$(dirname "$0")/.." || exit 1
 command -v codespell > /dev/null || { echo "codespell is not installed: make deps" >&2; exit 1; }
 not_ours="-name unity -o -path tests/data -o -name words.txt -o -name package-lock.json"

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 #
 # sh port/amalgamation/amalgamate.sh FOLDER
-# Makes the whole library two files in FOLDER: invcal.h of include/invcal, and invcal.c of src. A
-# header stands before the first that includes it; what the system has, on top, once. The same
-# sources give the same bytes.
+# Turns the whole library into two files in FOLDER: invcal.h from include/invcal, and invcal.c from src. A
+# header precedes the first that includes it; system headers are on top, once. The same sources give
+# the same bytes.
 if [ $# -ne 1 ] || [ ! -d "$1" ]; then
     echo "usage: sh port/amalgamation/amalgamate.sh FOLDER" >&2
     exit 2
@@ -14,8 +14,8 @@ cd "$(dirname "$0")/../.." || exit 2
 export LC_ALL=C # the order of a glob
 version=$(sh port/version.sh) || exit 2
 
-join() { # OF FILE...: the files, and before each what it includes of OF, include or src
-    awk -v of="$1" '
+join() { # FOLDER FILE...: the files, and before each what it includes from FOLDER, include or src
+    awk -v folder="$1" '
         function add(file,    line, body, part) {
             if (file in added) {
                 return
@@ -29,8 +29,8 @@ join() { # OF FILE...: the files, and before each what it includes of OF, includ
                     }
                 } else if (line ~ /^#include "/) {
                     split(line, part, "\"")
-                    if (of == "include" || part[2] !~ /\//) {
-                        add(of "/" part[2])
+                    if (folder == "include" || part[2] !~ /\//) {
+                        add(folder "/" part[2])
                     }
                 } else if (line != "" || body !~ /\n\n$/) {
                     sub(/SPDX-License-Identifier: MIT/, "==== " file " ====", line)

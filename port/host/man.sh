@@ -1,21 +1,21 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Prints the manual page of the tool $1, made of its own help: there is nothing beside it to forget.
-# How a help is laid out: text begins in the first column, options behind two blanks and what they
-# mean from column 23 on; what is indented otherwise stays as it is.
+# Prints the manual page of the tool $1, made from its own help, so that the two cannot differ.
+# The help has text in the first column, options after two blanks and their meaning from column 23 on;
+# other indented lines are kept as they are.
 tool=$1
 export COLUMNS=64 # of 78, without what man indents words by
 version=$("$tool" --version) || exit 1
 list=$("$tool" --help) || exit 1
 commands=$(echo "$list" | awk '/^  [a-z]/ && $1 != "invcal" { print $1 }')
 
-# The help of a command, line by line, as what the program `part` makes of it.
+# The help of a command, through an awk program.
 help_of() {
     "$tool" "$1" --help all | awk -v command="$1" "$escape $2"
 }
 
-# Text for troff: what it would take for its own, and ASCII where it would show typography.
+# Text for troff: escapes its requests, and characters that it would replace by typographic ones.
 escape='
 function raw(s) {
     gsub(/\\/, "\\e", s)
@@ -26,7 +26,7 @@ function raw(s) {
     gsub(/~/, "\\(ti", s)
     return s ~ /^\./ ? "\\\&" s : s
 }
-# Hyphens of words may stay what they are.
+# Hyphens within words need no escape.
 function text(s) {
     s = raw(s)
     while (match(s, /[A-Za-z]\\-[A-Za-z]/)) {

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
-# What Doxygen reads of a header: its comments, which are laid out for people, with Doxygen's marks.
+# Adds Doxygen's markup to a header's comments, which are laid out for people.
 #
-#     the comment at the top, and one that stands alone     of the file
-#     a comment before a declaration                        of it
-#     a comment behind a member or a value                  of that
+#     the comment at the top, and one by itself             belongs to the file
+#     a comment before a declaration                        to the declaration
+#     a comment after a member or a value                   to that
 #     name   text, name a parameter of the declaration      \param
 #     Returns ...; below it  INVCAL_...  text               \return, \retval
 #     Cost: ..., Stack: ..., Error: ...                     a paragraph with this title

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
-# What Doxygen reads of a Markdown page: awk -f pages.awk FILE. Headings get a label, as GitHub gives
-# them one; links to labels and headers become references; links to files that are neither headers nor
-# pages become plain text, for they would lead nowhere.
+# Prepares a Markdown page for Doxygen: awk -f pages.awk FILE. Headings get labels as on GitHub; links
+# to labels and headers become references; links to files that are neither headers nor pages become
+# plain text, as they would be dead.
 BEGIN {
-    page = ARGV[1] # Doxygen gives it in full
+    page = ARGV[1] # Doxygen passes the full path
     if (index(page, ENVIRON["PWD"] "/") == 1) {
         page = substr(page, length(ENVIRON["PWD"]) + 2)
     }
@@ -18,12 +18,12 @@ is_code { print; next }
 FNR > 1 && /^#/ {
     text = $0
     sub(/^#+ */, "", text)
-    # Those of the index are groups of the navigation already (layout.awk): no sections of its own.
+    # Headings of the index are groups of the navigation already (layout.awk), so not sections.
     print page == "port/manual/README.md" ? "<h1>" text "</h1>" : $0 " {#" label(page, slug(text)) "}"
     next
 }
 
-# A code span that goes on in the next line is brought into one.
+# Joins a code span that continues on the next line.
 { text = before $0; before = "" }
 gsub(/`/, "&", text) % 2 && $0 != "" { before = text " "; next }
 
@@ -68,9 +68,9 @@ function unbroken(code,    n, i, word, out) {
     return out
 }
 
-# A name of the library alone in a code span becomes a link, and an error if there is no such name.
-# (INVCAL_CONFIG_HEADER is one that only its user
-# defines, and some are as the linker has them: invcal_session_init_float_24.)
+# A code span that is a name of the library becomes a link, which is an error if there is no such name.
+# (INVCAL_CONFIG_HEADER is defined only by users, and some names are the linker's, such as
+# invcal_session_init_float_24.)
 function names(text,    out, name) {
     while (match(text, /`(invcal|INVCAL)_[A-Za-z0-9_]+`/)) {
         name = substr(text, RSTART + 1, RLENGTH - 2)
@@ -109,7 +109,7 @@ function links(text,    out, link, words, target, hash, is_picture) {
         hash = index(link, "](")
         words = substr(link, 2, hash - 2)
         target = substr(link, hash + 2, length(link) - hash - 2)
-        if (is_picture) { # IMAGE_PATH has the folder
+        if (is_picture) { # IMAGE_PATH contains the folder
             sub(/.*\//, "", target)
             link = "[" words "](" target ")"
         }
@@ -123,7 +123,7 @@ function resolved(words, target,    hash, name, path) {
     name = hash ? substr(target, hash + 1) : ""
     path = hash ? substr(target, 1, hash - 1) : target
     path = path == "" ? page : plain(folder path)
-    gsub(/`/, "", words) # would be shown
+    gsub(/`/, "", words) # Doxygen would show them
     if (name != "") {
         return "[" words "](@ref " label(path, name) ")"
     }

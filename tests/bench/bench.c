@@ -21,7 +21,7 @@ static invcal_session session;
 
 /* ---- the clock ------------------------------------------------------------------------------ */
 
-static uint32_t idle; /* what two readings of the counter take */
+static uint32_t idle; /* the cost of two readings of the counter */
 static uint32_t begun;
 
 static void begin(void)
@@ -55,7 +55,7 @@ static void make_positions(void)
             for (unsigned c = 0; c < 3; c++) {
                 sum += matrix[a][c] * p.vertical[c];
             }
-            /* whole counts: some noise, as a sensor has it */
+            /* whole counts give some noise, like a sensor's */
             raw[i][a] = (invcal_real)(int32_t)(8192 * sum);
         }
     }
@@ -128,7 +128,8 @@ static void bench_frame(void)
     }
 }
 
-/* One that turns about two axes at different rates: samples alone; with the looks at them; and the solution. */
+/* A magnetometer that turns about two axes at different rates: only samples; samples with looks;
+ * and the solution. */
 static void bench_magnetometer(void)
 {
     static invcal_magnetometer magnetometer;
@@ -344,7 +345,7 @@ static void bench_session(void)
     report("next_orientation", end());
 }
 
-/* A sample of one axis at rest, on average; and what all of them tell. */
+/* A sample of one axis at rest, on average; and the solution from all of them. */
 static void bench_allan(void)
 {
     static invcal_allan allan;

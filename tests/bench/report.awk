@@ -3,7 +3,7 @@
 # One table, a row for each operation, a column for each target; then what is over its budget, and
 # "N passed, N failed".
 # Usage: awk -f report.awk BUDGETS UNITS TARGET.figures...
-#     UNITS  "target unit", or "target fault" if its program did not run to its end
+#     UNITS  "target unit", or "target fault" if its program did not finish
 FNR == 1 {
     file++
     target = FILENAME
@@ -13,7 +13,7 @@ FNR == 1 {
 /^#/ || NF == 0 { next }
 file == 1 && $1 == "figure" { for (i = 2; i <= NF; i++) column[$i] = i; next }
 file == 1 { operations[$1]; for (name in column) budget[$1, name] = $(column[name]); next }
-file == 2 && $2 == "fault" { failure[++failed] = $1 " does not run to its end"; next }
+file == 2 && $2 == "fault" { failure[++failed] = $1 " does not finish"; next }
 file == 2 { names[++targets] = $1; unit[$1] = $2; next }
 {
     if (!seen[$1]++) rows[++n] = $1
@@ -27,13 +27,13 @@ function width(t) { return length(t) < 12 ? 14 : length(t) + 2 }
 END {
     printf "%-28s", ""
     for (i = 1; i <= targets; i++) printf "%*s", width(names[i]), names[i]
-    printf "%10s\n%-28s", "wanted", ""
+    printf "%10s\n%-28s", "goal", ""
     for (i = 1; i <= targets; i++) printf "%*s", width(names[i]), unit[names[i]]
     printf "%10s\n", "m4f"
     for (r = 1; r <= n; r++) {
         printf "%-28s", rows[r]
         for (i = 1; i <= targets; i++) printf "%*s", width(names[i]), value[rows[r], names[i]]
-        printf "%10s\n", budget[rows[r], "issue"] == "-" ? "" : budget[rows[r], "issue"]
+        printf "%10s\n", budget[rows[r], "goal"] == "-" ? "" : budget[rows[r], "goal"]
     }
     for (i = 1; i <= targets; i++) for (r in operations) {
         if (!((r, names[i]) in value)) failure[++failed] = names[i] ": " r " was not measured"

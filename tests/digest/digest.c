@@ -25,7 +25,7 @@ static invcal_calibration nominal;
 
 static uint32_t digest;
 
-/* A line: what it is, and its bits. */
+/* A line: a name and bits. */
 static void put_line(const char *name, uint32_t bits)
 {
     report_text(name);
@@ -156,7 +156,7 @@ static float random_uniform(void)
     return (float)(state >> 8) / 8388608 - 1;
 }
 
-/* All directions alike: a point in the unit ball, and outwards from there. */
+/* Uniform in direction: a random point in the unit ball, projected outwards. */
 static void random_direction(float eta[3])
 {
     float square;

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# The fleet of the manual, with GNU parallel and with Apache Spark from PyPI in local mode: sh tests/fleet/fleet.sh BUILD
-# Follows port/manual/fleet.md word by word, and compares what the two make of its logs with what the tool
-# makes of each. Ends with `N passed, N failed`.
+# sh tests/fleet/fleet.sh BUILD: the manual's fleet, with GNU parallel and with Apache Spark from PyPI in local mode.
+# Follows port/manual/fleet.md word by word, and compares the results of both for its logs with those of the
+# tool for each log. Ends with `N passed, N failed`.
 build=$(cd "$1" && pwd) || exit 1
 cd "$(dirname "$0")/../.." || exit 1
 venv=$build/fleet/venv
@@ -24,7 +24,7 @@ check() { # SENTENCE COMMAND ...
     fi
 }
 
-# Debian's python, which has a venv; what is installed stays in the build folder.
+# A virtual environment of Debian's python, in the build folder.
 if ! cmp -s tests/fleet/requirements.txt "$venv/installed"; then
     rm -rf "$venv"
     { /usr/bin/python3 -m venv "$venv" && "$venv/bin/pip" install -q -r tests/fleet/requirements.txt; } \
@@ -32,7 +32,7 @@ if ! cmp -s tests/fleet/requirements.txt "$venv/installed"; then
     cp tests/fleet/requirements.txt "$venv/installed"
 fi
 
-# The engine talks to nobody but itself.
+# Spark talks only to itself.
 PATH=$build:$venv/bin:$PATH
 SPARK_LOCAL_IP=127.0.0.1
 PYSPARK_PYTHON=$venv/bin/python3
@@ -41,14 +41,14 @@ export PATH SPARK_LOCAL_IP PYSPARK_PYTHON
 check "fleet.md: its commands print what it says" sh tests/tutorial.sh "$build" fleet
 check "fleet.py: 40 lines at most" [ "$(wc -l < "$work/fleet.py")" -le 40 ]
 
-# One log after the other, by itself.
+# One log after the other, each by itself.
 cd "$work" || exit 1
 while read -r log; do
     invcal calibrate "$log" --gravity 9.80665 --json-lines 2> stderr
 done < logs.txt > alone.jsonl
 without_record() { sed 's/"record": {[^}]*}, //' "$1"; }
 without_record calibrations.jsonl > parallel.jsonl
-check "parallel: line by line what the tool prints of each log" cmp alone.jsonl parallel.jsonl
+check "parallel: prints the lines that the tool prints for each log" cmp alone.jsonl parallel.jsonl
 check "there are calibrations, and refusals" \
     [ "$(grep -c '"verdict": "good"' alone.jsonl) $(grep -c '"error"' alone.jsonl)" = "12 2" ]
 
@@ -69,8 +69,8 @@ for line, row in zip(alone, rows):
         assert not row["offset_x"] and not row["m33"], row
         continue
     numbers = [line["accuracy95"], *line["offset"], *sum(line["matrix"], [])]
-    told = [float(row[name]) for name in list(row)[4:]]
-    assert told == numbers, (told, numbers)
+    found = [float(row[name]) for name in list(row)[4:]]
+    assert found == numbers, (found, numbers)
 END
 check "Spark: its table has every line, and every number to the last bit" [ $? -eq 0 ]
 

@@ -8,7 +8,7 @@
 
 enum { SAMPLES_MOST = 40000 }; /* of one input: so it takes milliseconds */
 
-/* What goes on, and what is known of it. */
+/* What is happening, and what is known of it. */
 typedef struct {
     invcal_session *session;
     invcal_background *background; /* null if there is none */
@@ -27,7 +27,7 @@ static uint32_t next_random(drive_state *d)
 
 /* ---- what must hold --------------------------------------------------------------------------- */
 
-/* Of any session, begun or resumed. */
+/* For any session, begun or resumed. */
 static void look_at_session(const drive_state *d)
 {
     const invcal_session *session = d->session;
@@ -48,7 +48,7 @@ static void look_at_session(const drive_state *d)
     }
 }
 
-/* The mean lies among the samples that there have been. */
+/* The mean lies within the range of the samples so far. */
 static void look_at_rest(const drive_state *d, const invcal_rest *rest, invcal_real mean[3])
 {
     REQUIRE(rest->count > 0 && rest->end - rest->begin >= rest->count);
@@ -65,7 +65,7 @@ static void look_at_rest(const drive_state *d, const invcal_rest *rest, invcal_r
     }
 }
 
-/* What it says that it has done since `before`, it has. */
+/* It has done since `before` what the event says. */
 static void look_at_event(const drive_state *d, invcal_event event, const invcal_session *before)
 {
     const invcal_session *session = d->session;
@@ -103,7 +103,7 @@ static void look_at_event(const drive_state *d, invcal_event event, const invcal
     look_at_session(d);
 }
 
-/* Is it what is_good and reaches say? */
+/* Checks what is_good and reaches say. */
 static void look_at_answers(const drive_state *d, invcal_status status, const invcal_quality *q)
 {
     const invcal_real zero[3] = {0, 0, 0};
@@ -152,7 +152,7 @@ static void ask_next(const drive_state *d, invcal_real up[3])
     REQUIRE((invcal_session_is_at(d->session, up) & ~1) == 0);
 }
 
-/* What the positions so far tell, and what they leave open. */
+/* What the positions so far determine, and what they leave open. */
 static void prospect(const drive_state *d)
 {
     const invcal_session *session = d->session;
@@ -235,15 +235,15 @@ static void move(drive_state *d, const int32_t to[3], unsigned samples)
 
     for (unsigned i = 1; i <= samples; i++) {
         for (unsigned a = 0; a < 3; a++) {
-            const int64_t way = ((int64_t)to[a] - d->place[a]) * i / samples;
-            raw[a] = saturated(d->place[a] + way + (i % 2 ? 90 : -90));
+            const int64_t part = ((int64_t)to[a] - d->place[a]) * i / samples;
+            raw[a] = saturated(d->place[a] + part + (i % 2 ? 90 : -90));
         }
         feed(d, raw);
     }
     memcpy(d->place, to, sizeof d->place);
 }
 
-/* About the field of a usual nominal calibration: some thousand counts. */
+/* Roughly the field of a common nominal calibration: some thousand counts. */
 static void turn(drive_state *d, const invcal_real up[3], unsigned samples)
 {
     int32_t to[3];
@@ -308,7 +308,7 @@ static void any_samples(drive_state *d)
     memcpy(d->place, raw, sizeof raw);
 }
 
-/* Rails and a noise, which are refused or hold from now on. */
+/* Rails and a noise, which are refused, or apply from now on. */
 static void restate(const drive_state *d)
 {
     const invcal_session before = *d->session;
@@ -328,7 +328,7 @@ static void restate(const drive_state *d)
     }
 }
 
-/* In the background no stream ends. */
+/* In the background the stream never ends. */
 static void end_stream(const drive_state *d)
 {
     const invcal_session before = *d->session;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * drive.h: a session is led by the fuzzer's bytes: rests, moves, any samples, gaps and whatever
- * else can be asked of it. After every event it is looked at.
+ * drive.h: the fuzzer's bytes drive a session: rests, moves, any samples, gaps and anything else that
+ * can happen to it. Checks it after every event.
  */
 #ifndef DRIVE_H
 #define DRIVE_H

@@ -170,8 +170,8 @@ void require_regular(const invcal_calibration *calibration)
 
 /* ---- solutions, looked at in double ----------------------------------------------------------- */
 
-/* m^-1, and the product of the lengths of the rows over the determinant: above 1 by how much they
- * lean towards each other. */
+/* m^-1, and the product of the lengths of the rows over the determinant, which is the more above 1, the
+ * more they lean towards each other. */
 static double invert(const invcal_real m[3][3], double inverse[3][3])
 {
     double c[3][3];
@@ -216,7 +216,7 @@ static void axes_of(const invcal_calibration *calibration, const invcal_calibrat
     }
 }
 
-/* Sylvester, of the symmetric part of p less `shift`. */
+/* Sylvester's criterion, for the symmetric part of p minus `shift`. */
 static int is_definite(double shift, double p[3][3])
 {
     const double x = p[0][0] - shift;
@@ -230,7 +230,7 @@ static int is_definite(double shift, double p[3][3])
            x * (y * z - yz * yz) - xy * (xy * z - yz * xz) + xz * (xy * yz - y * xz) > 0;
 }
 
-/* How far the centre is from the zero of nominal; and what rounding of a large zero hides of it. */
+/* How far the centre is from the zero of nominal; and how much of that the rounding of a large zero hides. */
 static double centre_of(const invcal_calibration *calibration, const invcal_calibration *nominal,
                         double *hidden)
 {
@@ -261,7 +261,7 @@ void require_calibration(const invcal_calibration *calibration, const invcal_cal
     require_finite(&calibration->matrix[0][0], 9);
     const double leaning = invert((const invcal_real(*)[3])nominal->matrix, unused);
     const double slack = 1e-3 + 1000 * leaning * (double)INVCAL_EPSILON;
-    if (slack < 0.05) { /* the limits are those of the library, but for rounding */
+    if (slack < 0.05) { /* the limits are the library's, up to rounding */
         axes_of(calibration, nominal, p);
         REQUIRE(is_definite((is_of_angles ? 1 / 30.0 : 0.1) - slack, p));
         REQUIRE(centre_of(calibration, nominal, &hidden) <

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * fuzz.h: what the fuzzers of the library share: inputs from the fuzzer's bytes, and what must hold
- * of a result.
+ * fuzz.h: shared by the fuzzers of the library: inputs from the fuzzer's bytes, and what must hold for
+ * a result.
  */
 #ifndef FUZZ_H
 #define FUZZ_H
@@ -14,7 +14,7 @@
 /* The entry that libFuzzer calls. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* The bytes, taken one after the other; behind their end there are zeros. */
+/* The bytes, one after the other; zeros follow their end. */
 typedef struct {
     const uint8_t *at;
     size_t left;
@@ -24,11 +24,11 @@ uint8_t take_byte(source *s);
 uint32_t take_u32(source *s);
 int32_t take_i32(source *s);
 
-/* A number: the usual one as a rule (and where the bytes have ended), else near it, a power of ten,
- * one of the special values (NaN, infinite, denormal, the largest ...), or any bits at all. */
+/* A number: mostly the usual one (always after the bytes have ended), else one near it, a power of ten,
+ * a special value (NaN, infinite, denormal, the largest ...), or any bits at all. */
 invcal_real take_real(source *s, invcal_real usual);
 
-/* What positions are solved with, and what is done to the result. */
+/* What positions are solved with, and how the result is used. */
 typedef struct {
     invcal_calibration nominal;
     invcal_real noise;
@@ -38,7 +38,7 @@ typedef struct {
     int is_linear; /* made of X */
 } conditions;
 
-/* Conditions for readings of some thousand counts; all that they hold may be unusual. */
+/* Conditions for readings of some thousand counts; any of their values may be unusual. */
 conditions take_conditions(source *s);
 
 /* 24 directions, well spread. */
@@ -51,23 +51,23 @@ void fuzz_fail(const char *file, int line, const char *condition, const char *fu
 
 int is_finite(invcal_real x);
 
-/* count numbers, finite; or a standard deviation each: finite and not negative. */
+/* count numbers are finite; or standard deviations: finite and not negative. */
 void require_finite(const invcal_real *x, unsigned count);
 void require_sigma(const invcal_real *x, unsigned count);
 
 /* A calibration that is stored, or nominal: finite, its matrix regular. */
 void require_regular(const invcal_calibration *calibration);
 
-/* A solution: finite, against its nominal positive definite, no semi-axis shorter than 0.1, the centre
- * within 10; of one that was made of X = (delta, dk, gamma), 1/30, and 10 on each axis. Where nominal
- * is all but singular rounding hides what it is: finite. */
+/* A solution: finite, positive definite relative to its nominal, no semi-axis shorter than 0.1, the centre
+ * within 10; for one that was made of X = (delta, dk, gamma) these are 1/30, and 10 on each axis. If
+ * nominal is nearly singular, rounding hides all but that it is finite. */
 void require_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal,
                          int is_of_angles);
 
-/* The same; and as much when it is turned and in a unit, as the conditions want it. */
+/* The same; and it can be made triangular and scaled, as the conditions say. */
 void require_solution(const invcal_calibration *calibration, const conditions *c);
 
-/* What is said of count positions with some left out, and how it hangs together. */
+/* The quality of count positions with some left out is consistent. */
 void require_quality(const invcal_quality *quality, unsigned count);
 void require_noise(const invcal_quality *quality, invcal_real stated);
 
@@ -77,7 +77,7 @@ void require_direction(const invcal_real up[3]);
 /* The bits of a set. */
 unsigned count_bits(invcal_mask set);
 
-/* An output that must stay as it is where a function fails: marked before, looked at behind. */
+/* An output that must stay as it is if a function fails: marked before, checked after. */
 void mark(void *object, size_t size);
 void require_mark(const void *object, size_t size);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Files that may be anything, for every command that reads one: logs and positions with any heading,
+ * Files with any content, for every command that reads one: logs and positions with any heading,
  * calibrations, noise, directions. The first byte chooses the command line, the rest is the file.
  * fuzz: more than 20 inputs per second of CPU time
  * fuzz: of at most 16000 bytes

@@ -11,12 +11,12 @@ work=$out/$name
 rm -rf "$work/seeds" "$work/folder"
 mkdir -p "$work/seeds" "$work/corpus" "$work/folder"
 
-# Seeds are text as it is, or bytes as hexadecimal figures with comments.
+# Seeds are plain text, or bytes as hexadecimal digits with comments.
 unhex() {
     # shellcheck disable=SC2059 # the format is what is to be printed
     printf "$(sed 's/#.*//' "$1" | tr -d ' \n' | awk '
-        function figure(i) { return index("0123456789abcdef", substr($0, i, 1)) - 1 }
-        { for (i = 1; i < length($0); i += 2) printf "\\%03o", 16 * figure(i) + figure(i + 1) }')"
+        function digit(i) { return index("0123456789abcdef", substr($0, i, 1)) - 1 }
+        { for (i = 1; i < length($0); i += 2) printf "\\%03o", 16 * digit(i) + digit(i + 1) }')"
 }
 for seed in "$here/seeds/$name"/*; do
     case $seed in

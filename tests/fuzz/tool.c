@@ -19,7 +19,7 @@
 /* main of the tool, renamed. */
 int tool_main(int argc, char **argv);
 
-/* Not worth waiting for: nobody reads these files again. */
+/* Not worth waiting for: these files are not read again. */
 int fsync(int file)
 {
     (void)file;
@@ -34,7 +34,7 @@ __typeof__(optimal_directions) __real_optimal_directions, __wrap_optimal_directi
 __typeof__(optimal_within) __real_optimal_within, __wrap_optimal_within;
 __typeof__(grid_directions) __real_grid_directions, __wrap_grid_directions;
 
-/* Up to REAL_MOST positions it is the tool's own set, beyond that one repeated. */
+/* Up to REAL_MOST positions it is the tool's own set; above, a repeated one. */
 static unsigned real_count(unsigned n)
 {
     return n < REAL_MOST ? n : REAL_MOST;
@@ -53,7 +53,7 @@ void __wrap_optimal_directions(unsigned n, int with_axes, double (*direction)[3]
     repeat(direction, real_count(n), n);
 }
 
-/* On stops of 45 degrees, whatever is asked for. */
+/* On stops of 45 degrees, whatever the request. */
 void __wrap_grid_directions(unsigned n, unsigned step, int with_axes, double (*direction)[3])
 {
     (void)step;
@@ -61,7 +61,7 @@ void __wrap_grid_directions(unsigned n, unsigned step, int with_axes, double (*d
     repeat(direction, real_count(n), n);
 }
 
-/* The sets of the limits before are kept. */
+/* Keeps the sets of the previous limits. */
 double __wrap_optimal_within(unsigned n, const double limits[3], int with_axes,
                              double (*direction)[3])
 {
@@ -97,7 +97,7 @@ static sink said;
 static FILE *own_stderr;
 static FILE *own_stdin;
 static FILE *own_stdout;
-static int first_file; /* descriptor that the tool is the first to open */
+static int first_file; /* the first descriptor that the tool opens */
 
 static ssize_t take(void *cookie, const char *text, size_t size)
 {
@@ -206,7 +206,7 @@ static void make_files(void)
     run("invcal calibrate positions.csv --positions --out cal.json", NULL);
 }
 
-/* The folder stands in FUZZ_FOLDER, else here. */
+/* The folder is FUZZ_FOLDER, or else this one. */
 void tool_begin(void)
 {
     const char *parent = getenv("FUZZ_FOLDER");
@@ -232,7 +232,7 @@ static int is_warning(const char *line)
     return strncmp(line, "invcal: warning: ", 17) == 0;
 }
 
-/* Every error is one line; warnings may stand before it. */
+/* Every error is one line; warnings may precede it. */
 static void look_at_errors(int code, int is_live)
 {
     const char *line = said.text;
@@ -345,7 +345,7 @@ static void look_at_results(int argc, char **argv, int code)
     }
 }
 
-/* What a process leaves behind, and the system takes back. */
+/* What a process leaves for the system to free. */
 static void tidy(const struct sigaction *old)
 {
     sigaction(SIGINT, &old[0], NULL);

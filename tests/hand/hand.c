@@ -10,7 +10,7 @@
 enum { FINE = 200 }; /* parts of a step, to integrate */
 
 static double up[3] = {0.1, -0.05, 0.9937};
-static double vector[3], wobble[3]; /* of the turn; rad/s on the way */
+static double vector[3], wobble[3]; /* of the turn; rad/s during it */
 static unsigned thinking = HAND_THINK, turned = HAND_TURN, turn_steps = HAND_TURN;
 
 /* The sum of twelve uniform numbers. */
@@ -47,7 +47,7 @@ static void cross(const double a[3], const double b[3], double out[3])
     }
 }
 
-/* A direction, if these are words for one: of all that a cube has the one with the same words. */
+/* The direction of a cube's faces, edges and corners that has these words, if there is one. */
 static int is_direction(const char *text, double direction[3])
 {
     char words[INVCAL_WORDS];
@@ -99,7 +99,7 @@ int hand_reads(const char *text, unsigned steps)
     return is_read;
 }
 
-/* In the axes of the device what is up turns the other way round. */
+/* In the axes of the device, up turns in the opposite sense. */
 static void turn(double rate[3])
 {
     const double tau = (turned + 0.5) / turn_steps;
@@ -119,7 +119,7 @@ static void turn(double rate[3])
     to_unit(up);
 }
 
-/* A moment to understand the words; then on the way, shaking; then at rest. */
+/* A moment to understand the words; then a turn, with some shaking; then rest. */
 int hand_moves(double rate[3], double force[3])
 {
     const int is_moving = thinking == HAND_THINK && turned < turn_steps;

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Mutants of a C source: one small change each, of the kind that a slip of the pen makes.
+"""Mutants of a C source: one small change each, such as a typing mistake makes.
 
-Text is changed, not a syntax tree: the layout by clang-format tells a binary operator (a blank on
-both sides) from a unary one. Left alone: comments, texts, preprocessor lines but the values of
-#define, INVCAL_ASSERT, and the sizes of declared arrays (a larger one is no error, and the
-sanitizers of `make check` see a smaller one).
+Changes text, not a syntax tree: clang-format's layout tells a binary operator (a blank on both
+sides) from a unary one. Leaves alone: comments, string literals, preprocessor lines except for the
+values of #define, INVCAL_ASSERT, and the sizes of declared arrays (a larger one is not an error, and
+the sanitizers of `make check` catch a smaller one).
 """
 import collections
 import hashlib
@@ -19,7 +19,7 @@ TOKEN = re.compile(
       |(?P<op><<=|>>=|->|\+\+|--|<<|>>|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|[^\s\w])""",
     re.VERBOSE | re.DOTALL | re.MULTILINE)
 
-BINARY = {  # only with blanks around
+BINARY = {  # only between blanks
     "+": "-", "-": "+", "*": "/", "/": "*", "%": "*", "<<": ">>", ">>": "<<", "&": "|", "|": "&",
     "^": "&", "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*=", "|=": "&=", "&=": "|=", "^=": "|=",
     "<<=": ">>=", ">>=": "<<=", "&&": "||", "||": "&&"}
@@ -36,7 +36,7 @@ Mutant = collections.namedtuple("Mutant", "file line before after start end repl
 
 
 def tokens_of(text):
-    """Everything that may be changed, in order; what stands in INVCAL_ASSERT(...) is dropped."""
+    """Everything that may be changed, in order; drops INVCAL_ASSERT(...)."""
     tokens = [m for m in TOKEN.finditer(text) if m.lastgroup != "skip"]
     kept, i = [], 0
     while i < len(tokens):
@@ -118,7 +118,7 @@ def changes(text, statuses):
 
 
 def mutants_of(file, statuses, seed):
-    """All of a file. `key` orders them at random, the same wherever they stand in it."""
+    """All of a file. `key` orders them at random, but does not depend on their line numbers."""
     text = open(file, encoding="utf-8").read()
     seen = collections.Counter()
     for start, end, replacement in changes(text, statuses):

@@ -3,14 +3,13 @@
 
 Runs the unit tests on SAMPLE mutants of the FILEs (default: all of src/), two at a time, and demands
 that they kill 90 % of them. BUILD has the tests with TEST_SHORT, BUILD/whole those at full length:
-mutation.sh makes both. A mutant is killed when it makes a suite fail, crash or take forever: the short form of
-every suite that links the module, its own and the quick ones first, in float and in double; then, in
-float, the module's own with the sanitizers of `make check`, and its own as a whole.
-One that compiles to the same bytes, or to none, is no mutant and not counted.
+mutation.sh makes both. A mutant is killed if a suite fails, crashes or does not end: first the short form
+of every suite that links the module, its own and the quick ones first, in float and in double; then, in
+float, the module's own with the sanitizers of `make check`, and its own at full length.
+One that compiles to the same bytes, or not at all, does not count.
 
-Survivors stand in survivors.txt with a reason, which changes no figure. One that does not is
-printed, and so is an entry that is killed; one whose line is gone is a failure. V=1: a line for
-each mutant.
+Known survivors are in survivors.txt with a reason; they still count as survivors. Prints the others, and
+entries that are killed; an entry whose line is gone is a failure. V=1: a line for each mutant.
 """
 import concurrent.futures
 import filecmp
@@ -50,7 +49,7 @@ def read(path):
 # ---- building and running ------------------------------------------------------------------------
 
 def compiled(folder, module, flags):
-    """The object of folder/src/module.c, or None if that is no C."""
+    """The object of folder/src/module.c, or None if that does not compile."""
     path = "%s/%s.o" % (folder, module)
     done = subprocess.run([*CC, *flags, "-c", "-o", path, "%s/src/%s.c" % (folder, module)],
                           stderr=subprocess.DEVNULL, check=False)
@@ -89,12 +88,12 @@ class Workshop:
             self.modules[suite] = set(re.findall(r"libinvcal\.a\((\w+)\.o\)", said))
             start = time.perf_counter()
             if not passes(folder + "/suite", SECONDS["short"]):
-                sys.exit(suite + " fails, and nothing is changed yet")
+                sys.exit(suite + " fails without a mutant")
             self.cost[suite] = time.perf_counter() - start
 
     @functools.lru_cache(maxsize=None)
     def own(self, file):
-        """The suite of its name, or else the one that names most of its functions, and most often."""
+        """The suite of its name, or else the one that names most of its functions; if equal, most often."""
         if "test_" + name_of(file) in self.modules:
             return "test_" + name_of(file)
         functions = re.findall(r"^\w.*?\b(invcal_\w+)\(", read(file), re.M)
@@ -113,13 +112,13 @@ class Workshop:
 
     @functools.lru_cache(maxsize=None)
     def require(self, kind, suite, real, options, modules):
-        """What fails by itself, or for want of sanitizers, kills nothing."""
+        """A suite that fails without a mutant, or for lack of sanitizers, kills nothing."""
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree("src", folder + "/src")
             objects = [compiled(folder, m, flags_of(kind, real, options)) for m in modules]
             link("%s/%s" % (self.tests[kind], real), suite, objects, folder + "/suite", *options)
             if not passes(folder + "/suite", SECONDS[kind]):
-                sys.exit("%s fails (%s, %s), and nothing is changed yet" % (suite, kind, real))
+                sys.exit("%s fails (%s, %s) without a mutant" % (suite, kind, real))
 
     def judge(self, mutant):
         """One of RESULTS, and what killed it."""
@@ -214,7 +213,7 @@ def main():
         print("survivors.txt is stale, this is %s: %s\n    - %s\n    + %s" %
               ("gone" if (file, before, after) in gone else "killed", file, before, after))
     good = summary(counts) and not gone
-    print("%d of %d possible mutants tried; at least %.0f %% are to be killed" %
+    print("%d of %d possible mutants tried; at least %.0f %% must be killed" %
           (len(chosen), len(everything), 100 * LEAST))
     print("%d passed, %d failed" % (good, not good))
     sys.exit(not good)

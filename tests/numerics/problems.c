@@ -19,9 +19,9 @@ void tearDown(void)
 }
 
 enum { LEAST = 9 };
-static const double LOWEST = 150;   /* of positions spread evenly over the sphere it is 130 */
-static const double HIGHEST = 1e6;  /* what the bound is stated up to, */
-static const double HOPELESS = 1e9; /* and where refusals are looked for */
+static const double LOWEST = 150;   /* evenly spread positions have 130 */
+static const double HIGHEST = 1e6;  /* the bound is stated up to here, */
+static const double HOPELESS = 1e9; /* and refusals are expected up to here */
 
 typedef double direction_set[MAX_POSITIONS][3];
 
@@ -32,7 +32,7 @@ static void set(double out[3], double x, double y, double z)
     out[2] = z;
 }
 
-/* Directions that leave parameters open, each kind in its own way. */
+/* Directions that leave parameters open, each kind differently. */
 enum { PLANE, CONE, TWO_CIRCLES, FACES, EIGHT, POINT, KINDS };
 
 static void open_direction(int kind, random_source *source, unsigned i, double angle, double out[3])
@@ -59,7 +59,7 @@ static void open_direction(int kind, random_source *source, unsigned i, double a
     }
 }
 
-/* EIGHT: the positions cluster about eight directions drawn before. */
+/* EIGHT: the positions cluster about eight random directions. */
 static void open_set(int kind, random_source *source, unsigned count, direction_set out)
 {
     const double angle = random_uniform(source, 0.3, 1.2);
@@ -84,7 +84,7 @@ static void open_set(int kind, random_source *source, unsigned count, direction_
     }
 }
 
-/* The same set, every direction moved by its own random vector times spread. */
+/* The same set, each direction moved by a random vector times spread. */
 static void spread_set(direction_set open, direction_set move, unsigned count, double spread,
                        direction_set out)
 {
@@ -98,7 +98,7 @@ static void spread_set(direction_set open, direction_set move, unsigned count, d
     }
 }
 
-/* A bound as quality.condition is one: tr H'H tr (H'H)^-1. */
+/* The same bound as quality.condition: tr H'H tr (H'H)^-1. */
 static double condition_of(direction_set directions, unsigned count)
 {
     const invcal_calibration nominal = unit_nominal();
@@ -121,7 +121,7 @@ static double condition_of(direction_set directions, unsigned count)
     return trace * of_inverse;
 }
 
-/* Directions whose condition is the wanted one within a third; the less the spread, the higher. */
+/* Directions with the wanted condition, to a third; it is the higher, the smaller the spread. */
 static unsigned directions_of(random_source *source, double wanted, direction_set out)
 {
     for (;;) {
@@ -149,8 +149,8 @@ static unsigned directions_of(random_source *source, double wanted, direction_se
     }
 }
 
-/* What the sensor's data sheet may say: fields and units that occur. The matrix is scaled axes, or
- * an earlier calibration with cross terms. Everything as a float holds it. */
+/* What the sensor's data sheet may say, in common fields and units. The matrix is scaled axes, or
+ * an earlier calibration with cross terms. All numbers are rounded to float. */
 static invcal_calibration nominal_of(random_source *source)
 {
     static const double unit[][2] = {
@@ -202,7 +202,7 @@ static void problem(random_source *source)
     const double bottom = top > HIGHEST ? HIGHEST : LOWEST;
     const double wanted = bottom * pow(top / bottom, random_uniform(source, 0, 1));
     const triad_truth truth = triad_random(source, random_uniform(source, 0, 0.2));
-    /* What makes parameters worse than 0.01 is noise, not rounding. */
+    /* Errors of parameters above 0.01 come from noise, not from rounding. */
     const double noise = random_uniform(source, 0, 1) < 0.2
                              ? 0
                              : 0.01 * pow(10, random_uniform(source, -4, 0)) / sqrt(wanted);

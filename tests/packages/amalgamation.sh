@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154 # package.sh and target_facts set what is not set here
 #
-# The library as two files: compiled by every compiler, with the example; and on a target of
-# each family it computes the same bits as the library of many files does here.
+# The library as two files: every compiler compiles it, with the example; and on a target of each
+# family it computes the same bits as the library of many files does here.
 . "$(dirname "$0")/../target.sh"
-. "$(dirname "$0")/../package.sh" # after it, as it ends with a sum if a command is missing
+. "$(dirname "$0")/../package.sh" # last, as both define need, and this one's ends with a result
 need gcc g++ clang-19 clang++-19 arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc powerpc-linux-gnu-gcc \
     qemu-system-arm qemu-system-riscv32 simavr qemu-ppc
 strict='-std=c99 -O1 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow
@@ -36,7 +36,7 @@ runs_as_cpp() { # COMPILER FLAG...
         prints_as_expected "$out/example"
 }
 
-# As port/README.md has it: what is not called goes, beside the example's own and the C library's.
+# With the options of port/README.md, the linker drops what is not called.
 links_what_is_called() { # COMPILER
     "$1" -O1 -ffunction-sections -fdata-sections -c "$files/invcal.c" -o "$out/invcal.o" &&
         sed '/^#include "invcal\/[^i]/d' "$example" > "$out/example.c" &&
@@ -44,7 +44,7 @@ links_what_is_called() { # COMPILER
         ! nm "$out/example" | grep -q 'invcal_allan' && nm "$out/invcal.o" | grep -q ' T invcal_allan'
 }
 
-takes_config() { # a header of choices reaches library and user
+takes_config() { # a header of choices reaches the library and its user
     echo '#define INVCAL_MAX_POSITIONS 17' > "$out/choices.h"
     printf '%s\n' '#include "invcal/invcal.h"' \
         'typedef char as_chosen[INVCAL_MAX_POSITIONS == 17 ? 1 : -1];' \
@@ -54,7 +54,7 @@ takes_config() { # a header of choices reaches library and user
         "$out/chosen"
 }
 
-# A tree in which the two files stand for src and include: each header is the one header.
+# A tree in which the two files replace src and include: every header is a copy of invcal.h.
 lay_tree() {
     mkdir -p "$out/tree/src" "$out/tree/include/invcal" && cp "$files"/invcal.[ch] "$out/tree/src/" &&
         for header in include/invcal/*.h; do
@@ -74,21 +74,21 @@ same_bits() { # TARGET
 }
 
 check "it can be staged" stage amalgamation
-check "staged again, in another locale, it is the same bytes" same_bytes
+check "staged again in another locale, it has the same bytes" same_bytes
 for compiler in gcc clang-19; do
-    check "$compiler, float: the example prints what it has to" \
+    check "$compiler, float: the example prints what it must" \
         runs_example $compiler
-    check "$compiler, double: the example prints what it has to" \
+    check "$compiler, double: the example prints what it must" \
         runs_example $compiler -DINVCAL_DOUBLE=1
     check "$compiler, parabolas and 64 positions" compiles $compiler -DINVCAL_THERMAL_DEGREE=2 \
         -DINVCAL_MAX_POSITIONS=64
     check "$compiler, no thermal polynomial" compiles $compiler -DINVCAL_THERMAL_DEGREE=0
 done
 check "only what is called is linked" links_what_is_called gcc
-check "gcc as C++: the example prints what it has to" runs_as_cpp g++
-check "clang as C++: the example prints what it has to" runs_as_cpp clang++-19
+check "gcc as C++: the example prints what it must" runs_as_cpp g++
+check "clang as C++: the example prints what it must" runs_as_cpp clang++-19
 check "INVCAL_CONFIG_HEADER is included" takes_config
-check "a tree of it can be laid" lay_tree
+check "a tree can be made of it" lay_tree
 "$build/float/digest" | grep '^digest ' > "$out/digest"
 for target in cortex-m/m0plus cortex-m/m4f riscv/rv32imac avr/atmega1284p powerpc; do
     check "$target computes the bits of this machine" same_bits $target

@@ -4,9 +4,9 @@
 #
 # The Arduino library, as Arduino's own builder takes it: each example is built for a board, and the image,
 # as it would be flashed, runs in simavr on that board's processor, with a simulated MPU-6050 on its I2C bus
-# and a hand that does what it is told (tests/packages/arduino/board.c): from power-on to the calibration
-# found in the EEPROM after the last. Calibrate on an Uno, through a reset, a power cut while the session is
-# stored, and a position that is wrong; Gyroscope on a Mega, through a turn that is too quick and lost samples.
+# and a hand that follows the instructions (tests/packages/arduino/board.c): from the first power-on to the
+# last, when the calibration is found in the EEPROM. Calibrate runs on an Uno, with a reset, a power cut while
+# the session is stored, and a wrong position; Gyroscope on a Mega, with a turn that is too quick and lost samples.
 . "$(dirname "$0")/../package.sh"
 need arduino-builder avr-g++ avr-size simavr gcc g++
 library=$out/libraries/invcal
@@ -41,7 +41,7 @@ properties() {
         }' "$library/library.properties"
 }
 
-# What stands there is on the include path of every sketch.
+# Files there are on the include path of every sketch.
 one_header() {
     found=$(cd "$library/src" && find . -maxdepth 1 -type f)
     echo "$found"
@@ -49,7 +49,7 @@ one_header() {
 }
 
 # builds BOARD SKETCH [FLAG]: into $out/SKETCH.build. A warning in our files is an error.
-# (Debian's gcc-avr 5.4 has no DECIMAL_DIG in C++, which the core of 1.8.7 asks for.)
+# (Debian's gcc-avr 5.4 lacks DECIMAL_DIG in C++, which the core of 1.8.7 needs.)
 builds() {
     rm -rf "$out/$2.build"
     mkdir -p "$out/$2.build"
@@ -76,7 +76,7 @@ takes_options() {
     mkdir "$out/Small" && cp "$library"/examples/Calibrate/* "$out/Small/" &&
         mv "$out/Small/Calibrate.ino" "$out/Small/Small.ino" &&
         builds "$fqbn" Small -DINVCAL_MAX_POSITIONS=12 &&
-        echo "$(ram Calibrate) bytes, and with fewer positions $(ram Small)" &&
+        echo "$(ram Calibrate) bytes, with fewer positions $(ram Small)" &&
         [ $(($(ram Calibrate) - $(ram Small))) -eq 48 ]
 }
 
@@ -86,7 +86,7 @@ builds_simulation() {
         "$build/float/libinvcal.a" -lsimavr -lm -o "$out/board"
 }
 
-# runs_on_board MCU SKETCH [gyroscope]: what it prints, into $out/SKETCH.session, which the checks below read.
+# runs_on_board MCU SKETCH [gyroscope]: what it prints goes to $out/SKETCH.session, for the checks below.
 runs_on_board() {
     session=$out/$2.session
     # shellcheck disable=SC2086 # or no argument
@@ -96,7 +96,7 @@ runs_on_board() {
     [ "$status" -eq 0 ]
 }
 
-# runs MCU SKETCH: what comes from the UART, into $out/SKETCH.printed. simavr colours it, and shows
+# runs MCU SKETCH: what comes from the UART goes to $out/SKETCH.printed. simavr colours it, and shows
 # carriage return and line feed as a dot each.
 runs() {
     escape=$(printf '\033')
@@ -107,7 +107,7 @@ runs() {
     [ "$status" -eq 0 ]
 }
 
-# said PATTERN...: lines that match them were printed, in this order.
+# said PATTERN...: lines that match the patterns were printed, in this order.
 said() {
     printf '%s\n' "$@" > "$out/patterns"
     awk 'NR == FNR { pattern[++n] = $0; next }
@@ -124,7 +124,7 @@ went_on() {
         END { exit bad > 0 || found != 2 }' "$session"
 }
 
-# The one that was taken while somebody pulled, and no other.
+# Only the one that was taken while somebody pulled.
 outlier() {
     awk '/^world: somebody pulls/ { next_is = 1 }
         next_is && /^positions taken: / { wrong = $NF; next_is = 0 }
@@ -154,7 +154,7 @@ readings() {
         }' "$session"
 }
 
-# What README.md says that the example takes: enough, and not more than a tenth too much.
+# What the example takes, according to README.md: no less than is true, and at most a tenth more.
 costs() {
     set -- "$(avr-size "$out/Calibrate.build/Calibrate.ino.elf" | awk 'NR == 2 { print $1 + $2, $2 + $3 }')" \
         "$(sed -n 's/^world: RAM .*, stack //p' "$session")" \
@@ -165,7 +165,7 @@ costs() {
         END { exit good != 3 }'
 }
 
-# Flash, and RAM with the deepest stack.
+# Flash, and RAM including the deepest stack.
 fits_uno() {
     set -- "$(avr-size "$out/Calibrate.build/Calibrate.ino.elf" | awk 'NR == 2 { print $1 + $2 }')" \
         "$(awk '/^world: RAM / { print $3 + $5 }' "$session")"
@@ -173,7 +173,7 @@ fits_uno() {
     [ "$1" -le 28672 ] && [ "$2" -le 1638 ]
 }
 
-# An Uno, 32 KB of flash and 2 KB of RAM: who only applies what is stored pays only for that.
+# An Uno, 32 KB of flash and 2 KB of RAM: a sketch that only applies what is stored pays only for that.
 applies_on_uno() {
     mkdir "$out/Apply" && cp "$library"/examples/Calibrate/storage.* "$out/Apply/" &&
         cat > "$out/Apply/Apply.ino" <<'EOF'
@@ -233,7 +233,7 @@ browser_stores() {
         "$out/browser"
 }
 
-# The one for both sensors is not for an Uno: it says so.
+# The example for both sensors says that it is not for an Uno.
 builds_gyroscope() {
     mkdir -p "$out/Gyroscope" && cp "$library"/examples/Gyroscope/* "$out/Gyroscope/" &&
         builds mega:cpu=atmega2560 Gyroscope
@@ -257,19 +257,19 @@ near_both_truths() {
         END { exit n != 10 || good != 10 }' "$session"
 }
 
-# RAM with the deepest stack; half a kilobyte is left for the user's code.
+# RAM including the deepest stack; half a kilobyte is left for the user's code.
 fits_mega() {
     awk '/^world: RAM / { print $3 + 0, $5; exit !($3 > 0 && $3 + $5 <= 7680) }' "$session"
 }
 
 check "it can be staged" stage_library
 check "library.properties keeps to the specification" properties
-check "a sketch sees one header of it, no others" one_header
+check "a sketch sees only one of its headers" one_header
 check "the example builds for $board, without a warning" builds_example
-check "a macro reaches library and sketch" takes_options
+check "a macro reaches the library and the sketch" takes_options
 check "the simulated board builds" builds_simulation
 check "the image runs on it, from power-on to the end" runs_on_board "$mcu" Calibrate
-check "it asks, takes positions, and is content" said '^stored calibration: none$' \
+check "it asks for positions, takes them, and ends with a good verdict" said '^stored calibration: none$' \
     '^calibration begins$' '^next: [+]z up$' '^good: move on$' '^positions taken: 4$' \
     '^world: reset' '^goes on, positions taken: 4$' '^next: .*tilt' '^world: power fails' \
     '^goes on, positions taken: ' '^verdict: good$' '^calibration stored$' '^world: power returns$' \
@@ -277,9 +277,9 @@ check "it asks, takes positions, and is content" said '^stored calibration: none
 check "after a reset and a power cut it goes on with what was stored" went_on
 check "a position that is wrong by 50 mg is left out" outlier
 check "samples were lost, as the chip does not wait" said 'nobody has read: [1-9]'
-check "what it has stored is true within 2 mg" near_truth
+check "what it stored is true within 2 mg" near_truth
 check "after the last power-on it finds and applies what was stored" readings
-check "README.md says what it takes" costs
+check "README.md states its costs" costs
 [ "$board" = mega ] || check "it leaves an Uno 4 KB of flash and 400 bytes of RAM" fits_uno
 check "an Uno stores, finds and applies a calibration" applies_on_uno
 check "the sketch of port/manual/arduino.md builds, without a warning" builds_page
@@ -287,14 +287,14 @@ check "the example for the page in a browser builds, without a warning" builds_b
 check "it prints readings, stores what the page sends, and refuses what is damaged" browser_stores
 check "the example for both sensors builds for a Mega, without a warning" builds_gyroscope
 check "its image runs there, from power-on to the end" runs_on_board atmega2560 Gyroscope gyroscope
-check "it asks for the tour, goes round for what is missing, and begins again on request" said \
+check "it asks for the tour, then for the missing turns, and begins again on request" said \
     '^stored calibration: none$' '^calibration begins$' '^next: [+]z up$' '^good: move on$' '^next: [+]x up$' \
     '^turns made, of 12: 0$' '^turns made, of 12: 1$' '^move refused: ' '^turns made, of 12: 10$' \
     '^next: [+]x up$' '^turns made, of 12: 11$' '^turns made, of 12: 12$' '^verdict: good$' \
     '^calibration stored$' '^world: power returns$' '^stored calibration: found$' '^rate, mrad/s: ' \
     '^calibration begins$'
-check "the moves that are spoilt are refused" refused_moves
-check "what it has stored of both sensors is true" near_both_truths
+check "the spoilt moves are refused" refused_moves
+check "what it stored of both sensors is true" near_both_truths
 check "after the last power-on it finds and applies that" readings
 check "it leaves a Mega half a kilobyte of RAM" fits_mega
 check "it says that an Uno is too small" too_large_for_uno

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154 # package.sh sets what is not set here
 #
-# A program and a library that were compiled with different choices have different ideas of their
-# structures: they must not link. Tried with each function that the use of a structure begins with.
+# A program and a library that were compiled with different choices have different structures, so they must
+# not link. Tries each function with which the use of a structure begins.
 . "$(dirname "$0")/../package.sh"
 need cc
 
@@ -13,7 +13,7 @@ links() {
     library=$2
     shift 2
     printf '#include "invcal/%s.h"\n' allan expert gyro plan store thermal > "$out/$function.c"
-    # Its address is enough for the linker, and needs no arguments.
+    # The linker needs only its address, and that takes no arguments.
     echo "void (*volatile f)(void) = (void (*)(void))$function; int main(void) { return f == 0; }" \
         >> "$out/$function.c"
     cc -std=c99 -O2 -Iinclude "$@" "$out/$function.c" "$library" -lm -o "$out/program"

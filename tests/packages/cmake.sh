@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154 # package.sh sets what is not set here
 #
-# CMake: installed and found by find_package, or fetched by FetchContent, here from a copy.
+# CMake: the library installed and found by find_package, or fetched by FetchContent, here from this tree.
 . "$(dirname "$0")/../package.sh"
 need cmake cc arm-none-eabi-gcc
 unset CFLAGS LDFLAGS
@@ -31,7 +31,7 @@ project() { # NAME LINE...: a project with these lines, and the example
     } > "$folder/CMakeLists.txt"
 }
 
-builds() { # OPTION...: the project made last
+builds() { # OPTION...: builds the latest project
     cmake -S "$folder" -B "$folder/build" "$@" && cmake --build "$folder/build"
 }
 
@@ -41,7 +41,7 @@ found() { # TARGET
     builds -DCMAKE_PREFIX_PATH="$prefix" && prints_as_expected "$folder/build/example"
 }
 
-# Of 0.1: 0.0 and 0.2 are other APIs, 1 too.
+# If this is 0.1, then 0.0, 0.2 and 1 have other APIs.
 refused() { # VERSION
     project refused "find_package(invcal $1 CONFIG REQUIRED)"
     ! builds -DCMAKE_PREFIX_PATH="$prefix" > "$out/refused.log" 2>&1 &&
@@ -58,7 +58,7 @@ fetched() { # TARGET
         cmake --install "$folder/build" --prefix "$out/nothing" && [ ! -e "$out/nothing/include" ]
 }
 
-# The choices reach the user of the library, of whom main asks.
+# The choices reach the user of the library, as main checks.
 chosen() {
     echo '#define INVCAL_MAX_POSITIONS 17' > "$out/choices.h"
     installs -DINVCAL_TOOL=OFF -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_CONFIG_HEADER="$out/choices.h" || return
@@ -72,7 +72,7 @@ chosen() {
     builds -DCMAKE_PREFIX_PATH="$prefix" && "$folder/build/example"
 }
 
-# Cross compiled: as a part of a project for a machine without an operating system.
+# Cross-compiled, as part of a project for a machine without an operating system.
 crossed() {
     project crossed "add_subdirectory($root/port/cmake invcal)" \
         'add_executable(example example.c)' 'target_link_libraries(example PRIVATE invcal::invcal)'
@@ -83,12 +83,12 @@ crossed() {
 }
 
 check "it installs" installs
-check "and the tool, which is the one that make builds" tool_is_there
+check "it installs the tool, the same that make builds" tool_is_there
 check "what it installs is optimised" grep -q '^CMAKE_BUILD_TYPE:STRING=Release$' \
     "$out/library/CMakeCache.txt"
 for target in invcal::invcal invcal::double; do
-    check "find_package, $target: the example prints what it has to" found $target
-    check "FetchContent, $target: the example prints what it has to" fetched $target
+    check "find_package, $target: the example prints what it must" found $target
+    check "FetchContent, $target: the example prints what it must" fetched $target
 done
 case $version in
 0.*)
@@ -97,6 +97,6 @@ case $version in
     ;;
 esac
 check "find_package does not take it for the next major version" refused "$((${version%%.*} + 1))"
-check "what is chosen reaches who links it" chosen
+check "choices reach a project that links it" chosen
 check "it builds for a Cortex-M4F" crossed
 finish

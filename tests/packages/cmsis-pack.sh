@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154 # package.sh sets what is not set here
 #
-# The CMSIS-Pack, without Arm's tools: its description by the rules of PACK.xsd for what it uses
-# (tests/packages/cmsis-pack/pdsc.xsd), what it names compared with what is there, and its component
-# built as it says.
+# The CMSIS-Pack, without Arm's tools: its description by those rules of PACK.xsd that it needs
+# (tests/packages/cmsis-pack/pdsc.xsd), the files that it names, and its component, built as it says.
 . "$(dirname "$0")/../package.sh"
 need xmllint cc arm-none-eabi-gcc
 pack=$out/cmsis-pack
@@ -15,7 +14,7 @@ keeps_to_rules() {
     xmllint --noout --schema tests/packages/cmsis-pack/pdsc.xsd "$pdsc"
 }
 
-# select XPATH: the attributes or texts, a line each.
+# chosen XPATH: the attributes or texts, a line each.
 chosen() {
     xmllint --xpath "$1" "$pdsc" | sed 's/^ *[A-Za-z]*="\(.*\)"$/\1/'
 }
@@ -45,7 +44,7 @@ names_all_sources() {
         printf '%s\n' src/*.c | LC_ALL=C sort | diff - "$out/sources"
 }
 
-# As a tool does that puts the component into a project: sources and include folders as listed.
+# Like a tool that puts the component into a project: sources and include folders as listed.
 compiles() { # FOLDER COMPILER FLAG...
     folder=$out/$1
     shift
@@ -67,7 +66,7 @@ check "the description keeps to the rules" keeps_to_rules
 check "names and versions agree" named_after_content
 check "what it names is there" names_what_is_there
 check "it names all sources" names_all_sources
-check "its component: the example prints what it has to" runs_example
+check "its component: the example prints what it must" runs_example
 check "its component compiles for a Cortex-M4F" compiles m4f arm-none-eabi-gcc -mcpu=cortex-m4 \
     -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -Os -Wall -Wextra -Werror
 finish

@@ -35,9 +35,9 @@ for compiler in g++ clang++-19; do
     for standard in c++11 c++14 c++17 c++20; do
         check "$compiler, $standard: each header compiles alone" headers $compiler $standard
     done
-    check "$compiler, float: the example prints what it has to" \
+    check "$compiler, float: the example prints what it must" \
         links $compiler c++11 0 "$build/float/libinvcal.a"
-    check "$compiler, double: the example prints what it has to" \
+    check "$compiler, double: the example prints what it must" \
         links $compiler c++20 1 "$build/double/libinvcal.a"
 done
 check "g++ links the two files" links_two_files gcc g++

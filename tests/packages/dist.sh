@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154 # package.sh sets what is not set here
 #
-# What `make dist` makes of the last commit, in clones, is the same each time; the tarball is complete, and
-# works by itself. FULL=1: all tests run in it.
+# What `make dist` makes of the last commit is the same in every clone; the tarball is complete, and works
+# by itself. FULL=1: runs all tests in it.
 . "$(dirname "$0")/../package.sh"
 need git gzip tar zip unzip cc
 git clone -q "$root" "$out/one" || exit 1
@@ -15,7 +15,7 @@ made() {
     make -s -C "$out/one" dist
 }
 
-made_again() { # elsewhere, by somebody who has set other things
+made_again() { # elsewhere, by somebody with other settings
     git clone -q "$root" "$out/two" || return
     git -C "$out/two" config core.autocrlf true
     git -C "$out/two" config tar.umask 0077
@@ -52,7 +52,7 @@ all_tests_pass() {
     return $result
 }
 
-# The zips hold what make package lays out; the library of Arduino is one that its IDE adds.
+# The zips contain what make package lays out; Arduino's IDE can add its library.
 packages_are_zipped() {
     for package in amalgamation arduino cmsis-pack esp-idf platformio zephyr; do
         top=invcal zip=invcal-$version-$package.zip
@@ -68,7 +68,7 @@ packages_are_laid_out() {
     make -s -C "$tree" packages && [ -s "$tree/build/packages/amalgamation/invcal/invcal.c" ]
 }
 
-# Only this asks git, and must not take a clone around it for its own: one line.
+# Only this needs git, and must not mistake an enclosing clone for its own: one line.
 refuses_dist() {
     ! make -s -C "$tree" dist 2> "$out/refused" && grep -q 'is made from a clone$' "$out/refused" &&
         [ "$(grep -vc '^make' "$out/refused")" -eq 1 ]
@@ -79,7 +79,7 @@ named() {
         ! grep -o 'invcal-[0-9.]*\.tar' "$tree/port/README.md" | grep -vFx "invcal-$version.tar"
 }
 
-# What it writes is kept for those that come after it.
+# What it writes is kept for later releases.
 kept() {
     releases=$tree/tests/reference/releases
     grep -q "^## $version " "$tree/CHANGELOG.md" && [ -s "$releases/$version.txt" ] &&
@@ -87,15 +87,15 @@ kept() {
 }
 
 check "make dist makes tarball and packages" made
-check "made again in another clone, it is the same bytes" made_again
-check "what is not committed is not forgotten" refuses_change
+check "made again in another clone, it has the same bytes" made_again
+check "it refuses to leave out what is not committed" refuses_change
 check "it holds the files of the commit" is_complete
 check "owner and time are the same for all of them" is_of_root
 check "make demo works in it" demo_works
 check "make packages works in it" packages_are_laid_out
 check "the packages are zipped, as make package lays them out" packages_are_zipped
-check "make dist in it says that there is no clone" refuses_dist
+check "make dist in it says that it needs a clone" refuses_dist
 check "port/README.md names it" named
-check "CHANGELOG.md has it, and what it writes is kept" kept
+check "CHANGELOG.md lists it, and what it writes is kept" kept
 [ -z "$FULL" ] || check "make test passes in it" all_tests_pass
 finish

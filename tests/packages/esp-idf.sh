@@ -5,7 +5,7 @@
 # The component, without ESP-IDF: the manifest by the rules of its reference, and by Espressif's
 # compote where that is installed (pip install idf-component-manager); options by Kconfig's own
 # language (kconfiglib); the build and the example with mocks of what they call (tests/packages/esp-idf).
-# That our use of ESP-IDF is as its documentation says is checked; ESP-IDF is not.
+# This checks that we use ESP-IDF as its documentation says; it does not check ESP-IDF.
 . "$(dirname "$0")/../package.sh"
 need cmake cc python3
 component=$out/invcal
@@ -14,7 +14,7 @@ enable=
 . tests/packages/rtos/options.sh
 . tests/packages/rtos/sample.sh
 
-stage_component() { # its folder is its name
+stage_component() { # its folder gives it its name
     sh port/stage.sh esp-idf "$component"
 }
 
@@ -75,11 +75,11 @@ fi
 check "its options can be listed" read_options
 check "they and their defaults are those of the headers" same_defaults
 check "and so are their ranges" same_ranges
-check "each reaches the library and who requires it" builds_with_options
-check "the example prints what it has to" runs_example_program
+check "each reaches the library and components that require it" builds_with_options
+check "the example prints what it must" runs_example_program
 check "the component's own example builds, without a warning" builds_example
 check "a calibration can be simulated" simulate
 check "the example calibrates and stores" calibrates "$out/build/calibrate.elf"
 check "what it prints is true within 4 sigma" near_truth
-check "started again it applies what was stored" starts_again "$out/build/calibrate.elf" 1
+check "started again, it applies what was stored" starts_again "$out/build/calibrate.elf" 1
 finish

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the packages are tried with, as C and as C++: six faces and twelve edges of a cube, read by a
- * sensor of 16384 counts per g whose x axis reads 1 % too much and whose z axis is 300 counts off; the
- * calibration is stored as bytes, taken from there, and applied. Prints what expected.txt says.
+ * The packages' test program, as C and as C++: six faces and twelve edges of a cube, read by a sensor of
+ * 16384 counts per g whose x axis reads 1 % too much and whose z axis is 300 counts off. Encodes the
+ * calibration as bytes, decodes it, and applies it. Prints what expected.txt says.
  */
 #include <math.h>
 #include <stdio.h>

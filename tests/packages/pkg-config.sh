@@ -7,9 +7,9 @@
 need pkg-config cc
 prefix=$out/prefix
 stage=$out/stage
-export PKG_CONFIG_LIBDIR="$prefix/lib/pkgconfig" # what the machine has besides is not asked
+export PKG_CONFIG_LIBDIR="$prefix/lib/pkgconfig" # ignore other .pc files of this machine
 
-# With DESTDIR, as a distribution does it; then moved to where it is to be.
+# With DESTDIR, as a distribution does it; then moved to its prefix.
 installs() {
     make -s install BUILD="$build" PREFIX="$prefix" DESTDIR="$stage" && [ ! -e "$prefix" ] &&
         mv "$stage$prefix" "$prefix"
@@ -31,7 +31,7 @@ runs_example() { # NAME
         $(pkg-config --libs "$1") -o "$out/example" && prints_as_expected "$out/example"
 }
 
-# Only the sizes of the structures tell which it is; a wrong one would crash or lie.
+# Programs depend on the sizes of structures; with the wrong type they would crash or give wrong results.
 is_double() { # NAME 0|1
     printf '%s\n' '#include "invcal/invcal.h"' \
         'int main(void) { return sizeof(invcal_real) == sizeof(double); }' > "$out/real.c"
@@ -41,7 +41,7 @@ is_double() { # NAME 0|1
     [ $? -eq "$2" ]
 }
 
-choices_told() { # what the libraries were compiled with goes into the flags of their users
+has_choices() { # the flags for users contain the options of the libraries
     make -s pkg-config BUILD="$out" PREFIX=/usr DEGREE=2 CFLAGS='-O2 -DINVCAL_MAX_POSITIONS=40' &&
         grep -q '^Cflags: .*-DINVCAL_MAX_POSITIONS=40 -DINVCAL_THERMAL_DEGREE=2$' \
             "$out/invcal.pc" "$out/invcal-double.pc"
@@ -54,14 +54,14 @@ uninstalls() { # all of it, and nothing else
     [ "$left" = ./include/invcal/mine.h ] || { echo "left: $left"; return 1; }
 }
 
-check "make install DESTDIR= puts all under it" installs
+check "make install DESTDIR= installs everything below it" installs
 check "the installed tool runs" tool_runs
 for package in invcal invcal-double; do
-    check "$package tells the version of invcal.h" version $package
-    check "$package: the example prints what it has to" runs_example $package
+    check "$package has the version of invcal.h" version $package
+    check "$package: the example prints what it must" runs_example $package
 done
 check "invcal is in float" is_double invcal 0
 check "invcal-double is in double" is_double invcal-double 1
-check "the flags tell what the libraries were compiled with" choices_told
-check "make uninstall removes that and nothing else" uninstalls
+check "the flags contain the options of the libraries" has_choices
+check "make uninstall removes all of it, and nothing else" uninstalls
 finish

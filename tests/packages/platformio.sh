@@ -3,8 +3,8 @@
 # shellcheck disable=SC2154 # package.sh sets what is not set here
 #
 # The PlatformIO library: its manifest by the rules of the documentation, and by `pio pkg pack` where
-# that is installed (pip install platformio); compiled as PlatformIO does, which itself would fetch a
-# platform: the folder src, with include, src and the manifest's flags.
+# that is installed (pip install platformio). Compiled as PlatformIO, which would download a platform,
+# compiles it: the folder src, with include, src and the manifest's flags.
 . "$(dirname "$0")/../package.sh"
 need cc avr-gcc python3
 library=$out/platformio
@@ -35,7 +35,7 @@ assert manifest["build"] == {}
 EOF
 }
 
-# Without its license pio can judge it here: it fetches the list of all licenses to compare.
+# Without the license, which pio would compare with a list that it downloads.
 packs() {
     cp -R "$library" "$out/unlicensed" &&
         sed -i '/"license"/d' "$out/unlicensed/library.json" &&
@@ -59,7 +59,7 @@ runs_example() {
         -o "$out/native/program" && prints_as_expected "$out/native/program"
 }
 
-# Its example is Arduino's, which tests/packages/arduino.sh runs; here <invcal.h> has to be found too.
+# Its example is Arduino's, which tests/packages/arduino.sh runs; here <invcal.h> must be found, too.
 same_example() {
     diff -r port/arduino/examples/Calibrate "$library/examples/Calibrate" &&
         printf '#include <invcal.h>\nint main(void) { return INVCAL_OK; }\n' > "$out/arduino.c" &&
@@ -73,7 +73,7 @@ if command -v pio > /dev/null; then
 else
     echo "$name: pio is not installed: its own check of the manifest is skipped"
 fi
-check "the example prints what it has to" runs_example
+check "the example prints what it must" runs_example
 check "it compiles for an AVR" compiles avr avr-gcc -mmcu=atmega2560 -Os
 check "its example is the Arduino library's" same_example
 finish

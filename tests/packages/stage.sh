@@ -3,7 +3,7 @@
 # shellcheck disable=SC2154 # package.sh sets what is not set here
 #
 # port/stage.sh itself, in a small tree with a package that copies, substitutes and makes files. Whatever
-# is wrong is told in one line, and changes nothing.
+# is wrong gives one line, and changes nothing.
 . "$(dirname "$0")/../package.sh"
 tree=$out/tree
 dest="$out/a folder/laid out"
@@ -39,7 +39,7 @@ substitutes() { # in its own files only
         [ "$(cat "$dest/one.c")" = 'not @VERSION@' ]
 }
 
-# Beside other things, and once more: what is no longer part of it goes, and nothing else.
+# Laid out again, among other files: removes what is no longer part of it, and nothing else.
 upgrades() {
     echo mine > "$dest/deep/mine.txt"
     echo 'two, newer' > "$tree/src/two.c"
@@ -63,8 +63,8 @@ keeps_others() {
     stays 'two.c was changed since it was laid out' || return
     echo 'two, newer' > "$dest/two.c"
     lists 'src/*.c ./'
-    echo his > "$dest/one.c"
-    stays 'one.c is there, and not listed as ours (0.1.0 kept no list)'
+    echo foreign > "$dest/one.c"
+    stays 'one.c exists, and is not listed as ours (0.1.0 kept no list)'
 }
 
 refuses() { # SAID LINE...
@@ -77,7 +77,7 @@ refuses() { # SAID LINE...
 
 names_packages() {
     ! sh "$tree/port/stage.sh" none "$dest" 2> "$out/said" &&
-        [ "$(cat "$out/said")" = "stage.sh: unknown package 'none': there are toy" ]
+        [ "$(cat "$out/said")" = "stage.sh: unknown package 'none'; packages: toy" ]
 }
 
 refuses_tilde() {
@@ -87,18 +87,18 @@ refuses_tilde() {
 
 check "it copies, renames and makes" lays_out
 check "a package's own files get the version of invcal.h" substitutes
-check "a later one replaces it beside other things" upgrades
-check "what others have written or changed is left alone" keeps_others
-check "a file that is not there is named" refuses 'port/toy/files:4: no file src/three.c' \
+check "a later version replaces it, and leaves other files alone" upgrades
+check "foreign files and changed ones are left alone" keeps_others
+check "a missing file is named" refuses 'port/toy/files:4: no file src/three.c' \
     'src/one.c ./' 'src/three.c ./'
-check "a glob of nothing is named" refuses 'port/toy/files:3: no file src/*.h' 'src/*.h ./'
-check "several files need a folder" refuses 'port/toy/files:3: 2 files, and all is no folder/' \
+check "a glob that matches nothing is named" refuses 'port/toy/files:3: no file src/*.h' 'src/*.h ./'
+check "several files need a folder" refuses 'port/toy/files:3: 2 files, but all is not a folder/' \
     'src/*.c all'
-check "a file is not written over another" \
-    refuses 'port/toy/files:4: src/two.c would be written over one.c' 'src/one.c ./' 'src/two.c one.c'
+check "a file does not overwrite another" \
+    refuses 'port/toy/files:4: src/two.c would overwrite one.c' 'src/one.c ./' 'src/two.c one.c'
 check "a line of one word is refused" refuses 'port/toy/files:3: not FROM TO' src/one.c
 check "a script that fails is named" refuses 'port/toy/files:3: port/toy/fail.sh failed' \
     'run port/toy/fail.sh ./'
-check "an unknown package: those that there are" names_packages
-check "a ~ that no shell has expanded is refused" refuses_tilde
+check "an unknown package: lists the known ones" names_packages
+check "a ~ that no shell expanded is refused" refuses_tilde
 finish

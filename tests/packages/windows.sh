@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154 # package.sh sets what is not set here
 #
-# The tool for Windows, by MinGW-w64 and by CMake with it; under Wine it writes the bytes that the tool here does.
+# The tool for Windows, built with MinGW-w64, also by CMake; under Wine it writes the same bytes as the tool here.
 . "$(dirname "$0")/../package.sh"
 need x86_64-w64-mingw32-gcc cmake wine
 export WINEPREFIX="$out/wine" WINEDEBUG=-all NO_COLOR=1 COLUMNS=80
@@ -19,7 +19,7 @@ cmake_builds() {
         cmake --build "$out/cmake" --target invcal_tool && wine "$out/cmake/invcal.exe" --version | grep -q '^invcal '
 }
 
-# The same in both folders: what it writes, says and returns, which is CODE.
+# The same in both folders: the files, the output and the exit status, which is CODE.
 same() { # CODE ARGUMENT...
     code=$1
     shift
@@ -37,12 +37,12 @@ for folder in here there; do
     cp "$out/$folder/1.out" "$out/$folder/log.csv"
 done
 check "calibrate, its report and file" same 0 calibrate log.csv --sensor mpu6050:2g --out cal.json --report page.html
-check "over a file that is there" same 0 calibrate log.csv --sensor mpu6050:2g --out cal.json --serial 7
+check "replaces a file" same 0 calibrate log.csv --sensor mpu6050:2g --out cal.json --serial 7
 check "apply, through a temporary file" same 0 apply cal.json log.csv
 check "export" same 0 export cal.json --format c
 check "plan" same 0 plan --limits 0.4,0.6,1
 check "watch" same 0 watch log.csv
 check "a file that is not there" same 3 calibrate nothing.csv
-check "the log is not written over" same 2 calibrate log.csv --out log.csv
+check "the log is not overwritten" same 2 calibrate log.csv --out log.csv
 check "a folder for a file" same 3 calibrate .
 finish

@@ -4,7 +4,7 @@
 #
 # The Zephyr module, without Zephyr: module.yml by the rules of scripts/zephyr_module.py, options by
 # Kconfig's own language (kconfiglib), the build and the sample with mocks of what they call
-# (tests/packages/zephyr). That our use of Zephyr is as its documentation says is checked; Zephyr is not.
+# (tests/packages/zephyr). This checks that we use Zephyr as its documentation says; it does not check Zephyr.
 . "$(dirname "$0")/../package.sh"
 need cmake cc python3
 module=$out/zephyr
@@ -13,7 +13,7 @@ enable=INVCAL=y
 . tests/packages/rtos/options.sh
 . tests/packages/rtos/sample.sh
 
-# The keys that zephyr_module.py allows, with their types; and what they name is there.
+# The keys that zephyr_module.py allows, with their types; and what they name exists.
 module_yml() { # ROOT
     /usr/bin/python3 - "$1" <<'EOF'
 import os, sys, yaml
@@ -46,7 +46,7 @@ for name, test in sample["tests"].items():
 EOF
 }
 
-# As the build of Zephyr includes it, beside the one symbol of Zephyr's that it selects.
+# As Zephyr's build includes it, with the only symbol of Zephyr's that it selects.
 top_kconfig() { # ROOT
     printf '%s\n' 'config REQUIRES_FULL_LIBC' '    bool' "source \"$1/zephyr/Kconfig\"" > "$kconfig"
 }
@@ -85,7 +85,7 @@ builds_without() {
 
 check "it can be staged" stage zephyr
 check "module.yml keeps to the rules, and names what is there" module_yml "$module"
-check "so in the repository, where port/ is the module" module_yml port
+check "the same in the repository, where port/ is the module" module_yml port
 check "sample.yaml keeps to the rules" sample_yaml
 check "its Kconfig can be read" top_kconfig "$module"
 check "its options can be listed" read_options
@@ -94,10 +94,10 @@ check "and so are their ranges" same_ranges
 check "each reaches the library and the application" builds_with_options
 check "without CONFIG_INVCAL it adds nothing" builds_without
 check "the sample builds with the repository as module, without a warning" builds_sample "$root/port"
-check "so it does in double" builds_sample "$root/port" INVCAL_DOUBLE=y
+check "the same in double" builds_sample "$root/port" INVCAL_DOUBLE=y
 check "the sample builds with the staged module, without a warning" builds_sample "$module"
 check "a calibration can be simulated" simulate --lsb 0.00001
 check "the sample calibrates and stores" calibrates "$out/build/app"
 check "what it prints is true within 4 sigma" near_truth
-check "started again it applies what was stored" starts_again "$out/build/app" 9.80665
+check "started again, it applies what was stored" starts_again "$out/build/app" 9.80665
 finish

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# sh tests/pages/all.sh BUILD: looks at what BUILD/pages.list names, by two browsers.
+# sh tests/pages/all.sh BUILD: checks the pages of BUILD/pages.list, with two browsers at a time.
 here=$(dirname "$0")
 
 {

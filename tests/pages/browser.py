@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One headless Chromium and one tab of it, by the DevTools protocol over a pipe."""
+"""A headless Chromium with one tab, by the DevTools protocol over a pipe."""
 import json
 import os
 import select
@@ -12,7 +12,7 @@ COMMAND = """chromium --headless --no-sandbox --disable-gpu --disable-quic --no-
 --hide-scrollbars --remote-debugging-pipe""".split()
 # Whatever a page asks for, no request leaves this machine.
 COMMAND += ["--host-resolver-rules=MAP * ~NOTFOUND"]
-PATIENCE = 60  # seconds for one answer
+PATIENCE = 60  # seconds to wait for an answer
 
 
 class Browser:
@@ -22,7 +22,7 @@ class Browser:
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         browser_in, self.out = os.pipe()
         self.back, browser_out = os.pipe()
-        # The caller has opened 3 and 4, so that none of these four has such a number.
+        # The caller has opened 3 and 4, so none of these four has such a number.
         os.dup2(browser_in, 3)
         os.dup2(browser_out, 4)
         self.process = subprocess.Popen(COMMAND + ["--user-data-dir=" + self.profile.name],
@@ -63,7 +63,7 @@ class Browser:
         return json.loads(message)
 
     def call(self, method, **params):
-        """One command; events that come meanwhile go to self.events."""
+        """Sends one command; events that arrive meanwhile go to self.events."""
         self.last += 1
         message = {"id": self.last, "method": method, "params": params}
         if self.session:
@@ -80,7 +80,7 @@ class Browser:
             self.events.append(answer)
 
     def open(self, url):
-        """Returns the URLs asked for until the page is complete."""
+        """Returns the URLs requested until the page is complete."""
         self.events.clear()
         self.call("Page.navigate", url=url)
         while not any(e.get("method") == "Page.loadEventFired" for e in self.events):

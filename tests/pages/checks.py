@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The checks, by name."""
-QUIET = "it asks for nothing and runs nothing"
+QUIET = "it requests nothing and runs nothing"
 FORMED = "it is well formed"
 LISTEN = "a screen reader can read it"
 CUT = "nothing is cut off"

@@ -57,7 +57,7 @@ def ciede2000(p, q):
 
 
 def nearest(a, b):
-    """The least difference of two colours, #rrggbb, and the eyes that see it."""
+    """The smallest difference of two colours, #rrggbb, and the eyes that see it."""
     def seen(colour, eye):
         return lab([min(1, max(0, v)) for v in times(EYES[eye], linear(colour))])
 
@@ -65,7 +65,7 @@ def nearest(a, b):
 
 
 def self_test():
-    """Against published figures: pairs of Sharma's table 1; and white is white for all eyes."""
+    """Checks published figures, pairs of Sharma's table 1; and that white is white for all eyes."""
     pairs = [((50, 2.6772, -79.7751), (50, 0, -82.7485), 2.0425),
              ((50, 2.5, 0), (73, 25, -18), 27.1492),
              ((60.2574, -34.0099, 36.2677), (60.4626, -34.1751, 39.4387), 1.2644),

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Evaluated in a page: looks at it as it is laid out now and returns what is wrong, as lists of
-// sentences. `view`: {print: bool, font: least size in CSS pixels}.
+// Evaluated in a page: checks its current layout and returns what is wrong, as lists of sentences.
+// `view`: {print: bool, font: smallest size in CSS pixels}.
 //
-// Text is every text node that shows; generated content (::before) is not seen. Marks are the
-// shapes of pictures, but for classes grid, paper, shade and area. What is behind a point is found
-// by elementsFromPoint, so the viewport must be as high as the page.
+// Text is every text node that shows; generated content (::before) is not checked. Marks are the
+// shapes of pictures, except for the classes grid, paper, shade and area. elementsFromPoint finds
+// what is behind a point, so the viewport must be as high as the page.
 (view) => {
   const NO_TEXT = 'style,title,desc,script,metadata,template,noscript';
   const SHAPES = 'line,polyline,polygon,path,circle,ellipse,rect';
   const DECORATIVE = '.grid,.paper,.shade,.area';
   const NOT_DRAWN = 'defs,clipPath,mask,pattern,marker,symbol,linearGradient,radialGradient';
   const TOLERANCE = 1;  // pixels
-  const SAMPLES = 200;  // marks looked at of each kind in a picture
+  const SAMPLES = 200;  // marks of each kind that are checked in a picture
   const found = {cut: [], overlap: [], text: [], marks: [], small: [], smallest: null,
                  paper: [], colours: [], words: ''};
   const root = document.documentElement;
@@ -22,8 +22,8 @@
   const describe = (e) => '<' + e.tagName + (e.getAttribute('class') ? ' class="' +
     e.getAttribute('class') + '"' : '') + '>';
   const number = (x) => String(Math.round(x * 100) / 100);
-  // What does not change while the page is looked at is asked for once: a page has some 100,000
-  // questions about some 1,000 elements.
+  // Computes only once what does not change during the check: a page has some 100,000 questions
+  // about some 1,000 elements.
   const once = (ask) => {
     const answers = new Map();
     return (e) => {
@@ -74,7 +74,7 @@
   };
   const BARE = bare();
 
-  // The colours that a fill or stroke may have: one, or those of the stops of a gradient.
+  // The colours of a fill or stroke: one, or those of the stops of a gradient.
   const findPaint = (e, which) => {
     const value = style(e)[which];
     const alpha = style(e)[which + 'Opacity'] * opacity(e);
@@ -94,7 +94,7 @@
     stroke: once((e) => findPaint(e, 'stroke'))};
   const paint = (e, which) => paints[which](e);
   const isShape = once((e) => e.matches(SHAPES));
-  // The shades at the edges of a table that goes on leave any text 6:1.
+  // The shades at the edges of a table that can be scrolled leave any text 6:1.
   const hasPicture = once((e) => style(e).backgroundImage !== 'none' && !e.matches('.scroll'));
   const background = once((e) => {
     if ((isSvg(e) && e.tagName !== 'svg') ||
@@ -105,7 +105,7 @@
     return [[c[0], c[1], c[2], c[3] * opacity(e)]];
   });
 
-  // What an element paints at a point: colours it may have there, or none.
+  // What an element paints at a point: its possible colours there, or none.
   const painted = (e, x, y) => {
     if (isShape(e)) {
       const at = new DOMPoint(x, y).matrixTransform(e.getScreenCTM().inverse());
@@ -115,7 +115,7 @@
     return background(e);
   };
 
-  // The colours that layers, topmost first, may add up to.
+  // The possible colours of layers, topmost first.
   const blend = (layers) => layers.reverse().reduce((below, layer) => {
     const sums = layer.length ? below.flatMap((b) => layer.map((c) => over(c, b))) : below;
     return [...new Map(sums.map((c) => [hex(c), c])).values()];
@@ -129,8 +129,8 @@
   const scroller = (e) => e && e !== document.body && e !== root
     ? (!isSvg(e) && scrolls(style(e).overflowX) ? e : scroller(e.parentElement)) : null;
 
-  let marks = null; // where those are that are no decoration, until something is scrolled
-  const showIn = (area, box) => { // scrolls a box into sight
+  let marks = null; // where those are that are not decoration, until something is scrolled
+  const showIn = (area, box) => { // scrolls a box into view
     const b = area && area.getBoundingClientRect();
     if (area && (box.right > b.right || box.left < b.left)) {
       marks = null;
@@ -138,7 +138,7 @@
     }
   };
 
-  // Why the part of `e` in `rect` does not show as a whole, or null.
+  // Why the part of `e` in `rect` is not fully visible, or null.
   const cutBy = (e, rect) => {
     const r = {left: rect.left, right: rect.right, top: rect.top, bottom: rect.bottom};
     for (let a = e; a; a = a.parentElement) {
@@ -171,7 +171,7 @@
       ? 'edge of the page' : null;
   };
 
-  // Line boxes are higher than letters: the part of the height where this text has ink.
+  // Line boxes are taller than letters: the part of the height where this text has ink.
   const inkOf = (text, s) => {
     ink.font = [s.fontStyle, s.fontWeight, s.fontSize, s.fontFamily].join(' ');
     const m = ink.measureText(text);
@@ -188,7 +188,7 @@
       left: r.left, right: r.right, top: r.top + top * r.height, bottom: r.top + bottom * r.height,
     }));
   };
-  const isForReadersOnly = (e) => { // cut off on purpose, to be read out
+  const isForReadersOnly = (e) => { // cut off on purpose, for screen readers
     const b = e.getBoundingClientRect();
     return !isSvg(e) && style(e).overflow === 'hidden' && b.width <= 1 && b.height <= 1;
   };
@@ -274,10 +274,10 @@
   }
 
   // ---- contrast of text ----
-  // WCAG 2.2, 1.4.3: less is enough for large letters.
+  // WCAG 2.2, 1.4.3: large letters need less.
   const needed = (size, weight) => size >= 24 || (size >= 18.66 && weight >= 700) ? 3 : 4.5;
-  // A few points of a text; where marks are near, each pixel along its middle, both ways, so that
-  // no line runs through it unseen.
+  // A few points of a text; if marks are near, each pixel along its middle, in both directions, so
+  // that no line runs through it unnoticed.
   const pointsIn = (b, t) => {
     marks ||= drawn.filter((e) => !e.matches(DECORATIVE)).map((e) => e.getBoundingClientRect());
     const near = isSvg(t.element) && marks.some((m) =>
@@ -342,8 +342,8 @@
   }
 
   // ---- contrast of marks, colours in use ----
-  // A mark stands out if its fill or its stroke does, from the paper or shade that it lies on, or
-  // the one from the other; marks below it are no background.
+  // A mark stands out if its fill or its stroke does, from the paper or shade behind it, or one from
+  // the other; marks below it do not count as background.
   const kindOf = (e) => {
     const s = style(e);
     if (e.matches('line,polyline') || (e.matches('path') && s.fill === 'none')) {

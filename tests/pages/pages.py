@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Looks at pages and pictures: nothing cut off, overlapping or unreadable. See pages.sh."""
+"""Checks pages and pictures: nothing is cut off, overlaps or is unreadable. See pages.sh."""
 import base64
 import collections
 import html
@@ -22,25 +22,25 @@ from planted import planted
 HERE = pathlib.Path(__file__).parent
 LOOK = (HERE / "look.js").read_text()
 RULES = (HERE / "rules.js").read_text()
-SIGNS = "Az09±²µσΔ°·−–×"  # what a font must have, in any rendering
+SIGNS = "Az09±²µσΔ°·−–×"  # every font must have these
 
 FEW_WORDS = 12  # a sheet with fewer is nearly empty
-MORE = re.compile("At the stand|prior")  # what takes a sheet more
+MORE = re.compile("At the stand|prior")  # what needs one more sheet
 A4 = (794, 1123)  # CSS pixels
 MARGIN = 38       # 1 cm, where the page states none
-# Width, height, scale of the device, least font; CSS pixels, of which 8 are 6 pt.
+# Width, height, scale of the device, smallest font; CSS pixels, of which 8 are 6 pt.
 VIEWS = {"phone": (360, 740, 2, 7.5), "desktop": (1280, 900, 1, 9), "print": (None, None, 1, 8)}
 PICTURE_FONT = 6  # a picture alone shrinks to the phone, and can be enlarged
-STRIP = 6000      # highest screenshot, CSS pixels
-SHOTS = os.environ.get("SHOTS") != "0"  # half of the time goes into pictures of all that is right
-# Least CIEDE2000 difference of two data colours that nothing else tells apart. The palette of Okabe
+STRIP = 6000      # tallest screenshot, CSS pixels
+SHOTS = os.environ.get("SHOTS") != "0"  # screenshots of what passes take half of the time
+# Smallest CIEDE2000 difference of two data colours that nothing else distinguishes. The palette of Okabe
 # and Ito, made for all eyes, has 10.9 between orange and purple for tritanopia.
 UNLIKE = 10
-SHOWN = 6         # faults shown of one check
+SHOWN = 6         # faults shown for one check
 
 
 class Source(html.parser.HTMLParser):
-    """What the text of a page loads, runs, or leaves open."""
+    """What the source of a page loads, runs, or does not close."""
 
     VOID = set("area base br col embed hr img input link meta source track wbr".split())
     ADDRESSES = set("src href xlink:href srcset data action formaction poster background".split())
@@ -97,8 +97,8 @@ class Source(html.parser.HTMLParser):
 
 
 class Gate:
-    def __init__(self, browser, folder, tell):
-        self.browser, self.folder, self.tell = browser, folder, tell
+    def __init__(self, browser, folder, verbose):
+        self.browser, self.folder, self.verbose = browser, folder, verbose
         self.passed = 0
         self.failed = []  # names of checks
 
@@ -106,7 +106,7 @@ class Gate:
         self.passed += not faults
         if faults:
             self.failed.append(name)
-        if self.tell:
+        if self.verbose:
             print("pages: %s: %s%s: %s" % (where, name, figure, "FAIL" if faults else "PASS"))
             for fault in faults[:SHOWN]:
                 print("    " + fault)
@@ -115,11 +115,11 @@ class Gate:
             sys.stdout.flush()
 
     def page(self, path):
-        """All checks of one page. What cannot be read or shown is one fault."""
+        """All checks of one page. A page that cannot be read or shown is one fault."""
         try:
             self.look_at(path, path.name, path.resolve().as_uri())
         except (EOFError, OSError, UnicodeDecodeError, subprocess.CalledProcessError) as error:
-            self.check(path.name, "it can be looked at", [str(error)])
+            self.check(path.name, "it can be checked", [str(error)])
 
     def look_at(self, path, name, address):
         text = path.read_text(encoding="utf-8")
@@ -128,7 +128,7 @@ class Gate:
                 old.unlink()
         asked = [url for url in self.browser.open(address) if url != address]
         if not self.source(name, text, path.suffix == ".svg", asked):
-            return  # no picture to be seen
+            return  # the browser shows no picture
         rules = self.run(RULES, SIGNS)
         self.check(name, checks.LISTEN, rules["wrong"])
         margins = [rules["margins"].get(side, MARGIN)
@@ -139,10 +139,10 @@ class Gate:
         self.paper(path, margins)
 
     def source(self, name, text, is_picture, asked):
-        """Returns whether a browser shows it."""
+        """Returns whether a browser can show it."""
         source = Source(text)
         self.check(name, checks.QUIET,
-                   source.outside + ["asked for " + url for url in asked if url[:5] != "data:"])
+                   source.outside + ["requested " + url for url in asked if url[:5] != "data:"])
         if is_picture:
             try:
                 xml.etree.ElementTree.fromstring(text)
@@ -180,7 +180,7 @@ class Gate:
             height = int(A4[1] - margins[1] - margins[3])
         self.set_media(view, scheme)
         high = max(height, self.set_view(width, height, scale))
-        self.set_view(width, high, scale)  # all of it in sight
+        self.set_view(width, high, scale)  # all of it is visible
         found = self.run(LOOK, {"print": view == "print", "font": font})
         before = len(self.failed)
         where = "%s at %s, %s" % (path.name, view, scheme)
@@ -208,8 +208,8 @@ class Gate:
             (self.folder / (name + suffix + ".png")).write_bytes(base64.b64decode(data))
 
     def colours(self, where, pictures):
-        """Two colours of one picture differ enough for all eyes, or each comes with a shape or dash
-        that the other lacks."""
+        """Two colours of one picture differ enough for all eyes, or each has a shape or dash that the
+        other lacks."""
         faults, least = [], None
         for used in pictures:
             for i, (a, kinds_a) in enumerate(used):
@@ -223,8 +223,8 @@ class Gate:
                    ", nearest %.1f" % least if least is not None else "")
 
     def paper(self, path, margins):
-        """The page as a PDF: every letter of it lies within the margins of some sheet; a head, if it has
-        one, in the upper margin of each."""
+        """The page as a PDF: every letter is within the margins of some sheet; a header, if it has one,
+        is in the upper margin of each."""
         inches = [m / 96 for m in margins]
         pdf = self.folder / (path.name + ".pdf")
         data = self.browser.call(
@@ -234,33 +234,33 @@ class Gate:
         pdf.write_bytes(base64.b64decode(data))
         boxes = subprocess.run(["pdftotext", "-bbox", str(pdf), "-"], check=True,
                                capture_output=True, text=True).stdout
-        faults, letters, sheets, heads = [], collections.Counter(), 0, []
+        faults, letters, sheets, headers = [], collections.Counter(), 0, []
         words = []  # of each sheet
-        has_head = "@top-right" in path.read_text(encoding="utf-8")
+        has_header = "@top-right" in path.read_text(encoding="utf-8")
         for line in boxes.splitlines():
             sheet = re.search(r'<page width="([\d.]+)" height="([\d.]+)"', line)
             word = re.search(r'<word xMin="(.*?)" yMin="(.*?)" xMax="(.*?)" yMax="(.*?)">(.*)</',
                              line)
             if sheet:
                 sheets += 1
-                heads.append("")
+                headers.append("")
                 words.append(0)
                 width, height = float(sheet[1]), float(sheet[2])
                 if abs(width - A4[0] * 0.75) > 2 or abs(height - A4[1] * 0.75) > 2:
                     faults.append("sheet %d is not A4: %g x %g pt" % (sheets, width, height))
             elif word:
                 box = [float(word[i]) for i in range(1, 5)]
-                room = [m * 0.75 - 2 for m in margins]
-                if has_head and 8 < box[1] and box[3] < room[1] and box[2] <= width - room[2]:
-                    heads[-1] += word[5]
+                edge = [m * 0.75 - 2 for m in margins]
+                if has_header and 8 < box[1] and box[3] < edge[1] and box[2] <= width - edge[2]:
+                    headers[-1] += word[5]
                     continue
-                if (box[0] < room[0] or box[1] < room[1] or box[2] > width - room[2] or
-                        box[3] > height - room[3]):
+                if (box[0] < edge[0] or box[1] < edge[1] or box[2] > width - edge[2] or
+                        box[3] > height - edge[3]):
                     faults.append('"%s" on sheet %d: beyond the margin' % (word[5], sheets))
                 words[-1] += 1
                 letters.update(plain(html.unescape(word[5])))
-        if has_head and (not heads[0] or len(set(heads)) > 1):
-            faults.append("heads of the sheets: %s" % heads)
+        if has_header and (not headers[0] or len(set(headers)) > 1):
+            faults.append("headers of the sheets: %s" % headers)
         if sheets > 1 and words[-1] < FEW_WORDS:
             faults.append("the last sheet has %d words" % words[-1])
         if "All 18 positions" in self.words and sheets > 3 and not MORE.search(self.words):
@@ -277,7 +277,7 @@ class Gate:
 
 
 def plain(text):
-    """Letters to count: ligatures apart, no blanks, no case."""
+    """The letters to count: ligatures split, no blanks, no case."""
     text = unicodedata.normalize("NFKC", text).casefold()
     return "".join(text.split()).replace("\u00ad", "").replace("\u200b", "")
 
@@ -285,14 +285,14 @@ def plain(text):
 def look_at_fonts(gate):
     gate.browser.open("data:text/html,<!DOCTYPE html><p>")
     missing = gate.run(RULES, SIGNS + "\ue000")["missing"]
-    faults = [] if "\ue000" in missing else ["cannot tell a missing sign"]
+    faults = [] if "\ue000" in missing else ["cannot detect a missing sign"]
     faults += ["no font has %s: make deps" % sign for sign in missing if sign != "\ue000"]
     gate.check("fonts", "some font has each of " + SIGNS, faults)
 
 
 def self_test(gate, folder):
     """Each planted fault turns its check red, and no other; the page without one is green. (What
-    is cut off in print may be missing on the sheets as well.)"""
+    is cut off in print may be missing from the sheets, too.)"""
     passed = failed = 0
     follows = {checks.CUT: {checks.SHEETS}}
 
@@ -327,7 +327,7 @@ def main():
             print("pages: %s, see %s: FAIL\n0 passed, 1 failed" % (error, log.name))
             return 1
         try:
-            gate = Gate(browser, folder, tell=not testing)
+            gate = Gate(browser, folder, verbose=not testing)
             if testing:
                 passed, failed = self_test(gate, folder)
             else:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Makes port/manual/report.png and residuals.png: parts of the report that the tutorial gets.
+"""Makes port/manual/report.png and residuals.png: parts of the tutorial's report.
 
     python3 tests/pages/picture.py BUILD 3< /dev/null 4< /dev/null     from the top of the repository
 """
@@ -12,7 +12,7 @@ import tempfile
 from browser import Browser
 
 WIDTH = 760
-# Each from one text to the other, as they begin; from the top if there is none.
+# Each from one text to another, given by their beginnings; '' is the top.
 PARTS = {"report.png": ("", "As a constant for a firmware"),
          "residuals.png": ("Residuals", "Where the positions lie")}
 TOP = """(text) => text === '' ? 0 : [...document.querySelectorAll('h2,p')].find((e) =>

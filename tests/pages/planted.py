@@ -22,9 +22,9 @@ EDITS = [
     ("clean", None, last("")),
     ("wide", CUT, ('<div class="wide">', "<div>")),
     ("hidden", CUT, last('<p style="overflow:hidden;white-space:nowrap;width:9em">'
-                         "more words than there is room for</p>")),
+                         "more words than there is space for</p>")),
     ("low", CUT, last('<p style="overflow:hidden;height:1em;width:9em">'
-                      "more words than there is room for</p>")),
+                      "more words than there is space for</p>")),
     ("outside", CUT, (SECOND, SECOND.replace("100", "380"))),
     ("mark-outside", CUT, (CIRCLE, CIRCLE.replace('cy="60"', 'cy="198"'))),
     ("clipped", CUT, last('<p style="clip-path:inset(0 50% 0 0)">half of this</p>')),
@@ -68,7 +68,7 @@ EDITS = [
     ("link", QUIET, last('<p><a style="color:inherit" href="https://example.org/">away</a></p>')),
     ("font", QUIET, css("@font-face{font-family:f;src:url(f.woff)}")),
     ("import", QUIET, css('@import "x.css";')),
-    ("escaped", QUIET, css("main::after{content:u\\72l(x.png)}")),  # only the request tells
+    ("escaped", QUIET, css("main::after{content:u\\72l(x.png)}")),  # only the request shows it
     ("unclosed", FORMED, last("<p><b>bold</p>")),
     ("void", FORMED, last("<div/></div>")),
     ("lang", LISTEN, ('<html lang="en">', "<html>")),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Evaluated in a page: what it lacks for those who listen to it, the margins that it asks a printer
-// for, in CSS pixels, and which of `signs` no font has.
+// Evaluated in a page: what it lacks for a screen reader, the margins that it sets for print, in CSS
+// pixels, and which of `signs` no font has.
 (signs) => {
   const root = document.documentElement;
   const all = (selector) => Array.from(document.querySelectorAll(selector));
@@ -41,7 +41,7 @@
     wrong.push(`id ${id} twice`);
   }
 
-  // A sign that no font has is drawn as the same box as a code that stands for nothing.
+  // A sign that no font has is drawn as the same box as an unassigned code.
   const canvas = document.createElementNS('http://www.w3.org/1999/xhtml', 'canvas');
   const draw = (sign) => {
     const ink = canvas.getContext('2d', {willReadFrequently: true});

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Makes the pages and pictures that are looked at: set.sh path/to/invcal folder. Prints their names.
+# Makes the pages and pictures to check: set.sh path/to/invcal folder. Prints their names.
 tool=$1
 out=$2
 here=$(dirname "$0")
@@ -16,7 +16,7 @@ calibrate() { # calibrate PAGE ARGUMENTS ...
     echo "$page"
 }
 
-# Real sensors: one with its maker's figures, one as positions came, one that is weak.
+# Real sensors: one with its maker's figures, one with positions as recorded, one that is weak.
 calibrate xsens "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 \
     --zero 33123,33276,32360 --lsb 0.002409639,0.002421308,0.002409639 --nominal-name factory \
     --tolerance 0.02,0.005,0.02 --need 1mg
@@ -25,12 +25,12 @@ calibrate xsens-ins "$data/xsens_mti_positions.csv" --positions --gravity 9.8174
 calibrate mpu9150 "$data/mpu9150_0_positions.csv" --positions --gravity 9.81 --unit m/s2
 calibrate t265 "$data/t265_positions.csv" --positions --gravity 9.8016 --unit m/s2
 
-# A log with two wrong positions and a temperature, and what the sensor may be wrong by.
+# A log with two wrong positions and temperatures, and a prior for the sensor's errors.
 "$tool" simulate --plan edges --outliers 2 --temperature 20,30 --tremor 0.003 > "$out/outliers.csv"
 calibrate outliers "$out/outliers.csv" --sensor mpu6050 --noise 0.01 --prior 0.05,0.02,0.02
-calibrate counts "$out/outliers.csv" # the same, of which nothing is known
+calibrate counts "$out/outliers.csv" # the same, in unknown units
 
-# Angles of a stand: as they should be, one misset, exchanged columns, an open group.
+# Angles of a stand: correct, one misset, exchanged columns, an open group.
 for trouble in none misset columns open; do
     awk -v trouble=$trouble -v seed=1 -f "$here/../tool/stand.awk" > "$out/stand-$trouble.csv"
 done
@@ -42,7 +42,7 @@ at_stand stand-misset "$out/stand-misset.csv"
 at_stand stand-columns "$out/stand-columns.csv" --stand-zero 12.5,-3
 at_stand stand-open "$out/stand-open.csv"
 
-# Temperature: lines with a wrong position, parabolas, a log whose rests drift, and nothing asked.
+# Temperature: lines with a wrong position, parabolas, no model at all, a log whose rests drift.
 sensor() { # sensor STATIONS WRONG
     awk -v what=positions -v stations="$1" -v wrong="$2" -v seed=1 -v sigma=1e-4 \
         -f "$here/../tool/thermal.awk" "$here/../reference/expected.h"
@@ -58,7 +58,7 @@ calibrate no-slopes "$out/room.csv" --positions --thermal 1 --unit g
 calibrate warming "$out/drift.csv" --thermal 1
 calibrate warming-prior "$out/drift.csv" --thermal 1 --noise 0.02 --slope 0.01,0.001,0.001
 
-# As many positions as parameters; 2000; another field; a name to trip over.
+# As many positions as parameters; 2000; another field; a name with special characters.
 "$tool" simulate --plan optimal:9 > "$out/nine.csv"
 calibrate nine "$out/nine.csv"
 "$tool" simulate --plan faces > "$out/faces.csv"
@@ -72,7 +72,7 @@ odd="$out/<b onclick=x>&\"' a-very-long-name-without-any-place-to-break-it-in-tw
 cp "$out/nine.csv" "$odd"
 calibrate hostile "$odd" --nominal-name '<i>&"'
 
-# What is refused: six faces, a plane, no rest, drifting temperatures, a wrong unit.
+# Refusals: six faces, a plane, no rest, drifting temperatures, a wrong unit.
 refused() { # refused PAGE ARGUMENTS ...
     page=$out/refused-$1.html
     shift
@@ -104,7 +104,7 @@ allan() { # allan PAGE ARGUMENTS ...
     echo "$page"
 }
 
-# Noise: white alone, with a floor, more than is to be had; in unknown units.
+# Noise: only white, with a floor, a sigma that is out of reach; in unknown units.
 echo 0 0 1 > "$out/up.txt"
 rest="simulate --plan directions:$out/up.txt --dwell 1000"
 # shellcheck disable=SC2086
@@ -123,7 +123,7 @@ plan() { # plan PAGE ARGUMENTS ...
     echo "$page"
 }
 
-# Programs: the paper's, one with noise and odd angles, a choice, too large a one, a bad one.
+# Programs: the paper's, one with noise and odd angles, a choice, one that is too large, a bad one.
 plan paper
 plan noise --per-group 7 --noise 0.0001
 plan choice --limits 0.4,0.6,1 --noise 0.0001 --budget 600
@@ -142,7 +142,7 @@ plan turns-guided --moves greedy31 --units ins
 if "$tool" plan --quiet --report "$out/plan-turns-open.html" --moves x:90,x:90,+x+y+z 2> /dev/null; then false; fi
 echo "$out/plan-turns-open.html"
 
-# Comparisons: a history of three, a fleet with one outside, two that look alike.
+# Comparisons: a history of three, a fleet with an outlier, two that are alike.
 for k in 1 2 3 4 5 6 7 8 9; do
     "$tool" simulate --plan edges --seed $k --offset "0.0$((k * k % 7 + 1)),0,0.$((k / 9 * 2))3" --zero 20000,20000,20000 \
         --lsb 0.0012 > "$out/fleet.csv"

@@ -5,7 +5,7 @@
 // wide: -DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=16384
 // config: -DINVCAL_ALLAN_TAUS=1 -DINVCAL_ALLAN_OVERLAP=1
 // trusted: 1
-// dead: -DINVCAL_ALLAN_TAUS=1 invcal_allan_begin_float_1_1 1 of one averaging time none is before another
+// dead: -DINVCAL_ALLAN_TAUS=1 invcal_allan_begin_float_1_1 1 a single averaging time is before no other
 
 static void begin(void)
 {
@@ -17,7 +17,7 @@ static void begin(void)
     ANY(m);
     (void)invcal_allan_begin(&allan, m, BETWEEN(0, UINT32_MAX));
     invcal_allan_init(&allan);
-    for (unsigned k = 0; k < INVCAL_ALLAN_TAUS; k++) { /* what is_usable lets through */
+    for (unsigned k = 0; k < INVCAL_ALLAN_TAUS; k++) { /* what is_usable accepts */
         m[k] = BETWEEN(1, INVCAL_ALLAN_LONGEST);
         (void)invcal_allan_begin(&allan, m, k + 1);
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What looks at positions, for the proofs of what calls it.
+ * A function that looks at positions, for the proofs of its callers.
  */
 #ifndef ANY_POSITIONS_H
 #define ANY_POSITIONS_H
@@ -8,7 +8,7 @@
 #include "arbitrary.h"
 #include "judge.h"
 
-/* Any reading may be looked at, and there are no more than the mask has bits: an alarm, if not. */
+/* May look at any reading; raises an alarm if there are more than the mask has bits. */
 static void look_at(const invcal_positions *positions)
 {
     (void)(1 / (positions->count <= INVCAL_MAX_POSITIONS));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Records of any bytes, decoded and loaded: for the proofs of what reads them.
+ * Records of any bytes, decoded and loaded: for the proofs of functions that read them.
  */
 #ifndef ANY_RECORD_H
 #define ANY_RECORD_H
@@ -11,7 +11,7 @@
 typedef invcal_status record_decoder(const uint8_t *bytes, uint32_t size, invcal_record *out);
 typedef invcal_status record_loader(const invcal_store *store, invcal_calibration *calibration);
 
-/* ---- the store: any failure, or so many bytes ------------------------------------------------- */
+/* ---- the store: any failure, or a number of bytes --------------------------------------------- */
 
 static unsigned loaded[3]; /* how many, and the length that they state: from, to */
 
@@ -31,9 +31,9 @@ invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint3
     return INVCAL_OK;
 }
 
-/* ---- what reads ------------------------------------------------------------------------------- */
+/* ---- the readers ------------------------------------------------------------------------------ */
 
-/* A buffer of exactly so many bytes, that state a length from low to high. */
+/* A buffer of exactly that many bytes, which state a length from low to high. */
 static void read(record_decoder *decode, record_loader *load, uint32_t size, unsigned low,
                  unsigned high)
 {
@@ -57,7 +57,7 @@ static void read(record_decoder *decode, record_loader *load, uint32_t size, uns
     (void)load(&store, &calibration);
 }
 
-/* Sizes about `right`, which fits a byte, and lengths of two bytes. */
+/* Sizes near `right`, which fits a byte, and lengths of two bytes. */
 static void read_all(record_decoder *decode, record_loader *load, uint32_t right)
 {
     const uint32_t sizes[] = {0, 3, 4, 7, 8, 9, 100, right - 1, right, right + 1, right + 2};

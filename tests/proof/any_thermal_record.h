@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Thermal records of any bytes, decoded: for the proofs of what reads them.
+ * Thermal records of any bytes, decoded: for the proofs of functions that read them.
  */
 #ifndef ANY_THERMAL_RECORD_H
 #define ANY_THERMAL_RECORD_H
@@ -8,7 +8,7 @@
 #include "arbitrary.h"
 #include "invcal/thermal.h"
 
-/* What decodes records, and by how much they are longer than those of the present version. */
+/* A function that decodes records, and by how much they are longer than those of the present version. */
 typedef invcal_status thermal_decoder(const uint8_t *bytes, uint32_t size,
                                       invcal_thermal_record *out);
 typedef struct {
@@ -18,7 +18,7 @@ typedef struct {
 
 enum { LARGEST = INVCAL_THERMAL_RECORD_BYTES(255u) + INVCAL_RECORD_SIZE_V1 - INVCAL_RECORD_SIZE };
 
-/* From a buffer of exactly so many bytes, of any version, that state a length (its lower byte from
+/* From a buffer of exactly that many bytes, of any version, which state a length (its lower byte from
  * range[0] to range[1], its upper one from range[2] to range[3]) and a degree from least to most. */
 static void decode(version of, uint32_t size, const unsigned range[4], unsigned least,
                    unsigned most)
@@ -39,7 +39,7 @@ static void decode(version of, uint32_t size, const unsigned range[4], unsigned 
     (void)of.decode(bytes, size, &record);
 }
 
-/* The same for all lengths of a range below 512; those that are there apart from those that are not. */
+/* The same for all lengths of a range below 512; lengths that fit the buffer separately from the others. */
 static void decode_lengths(version of, uint32_t size, unsigned low, unsigned high)
 {
     while (low <= high) {

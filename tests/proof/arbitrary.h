@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Inputs of the proofs. An analysis with them stands for every run with any inputs within what
- * the headers allow: ANY(object) is any bytes at all, NaN and infinities among them.
+ * Inputs of the proofs. An analysis with them covers every run with any inputs that the headers allow:
+ * ANY(object) is any bytes at all, including NaN and infinities.
  */
 #ifndef ARBITRARY_H
 #define ARBITRARY_H

@@ -22,7 +22,7 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
     return INVCAL_BAD_NOMINAL;
 }
 
-/* A place in the table is taken only if it says so. */
+/* Takes a place in the table only if the event says so. */
 invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3])
 {
     const unsigned count = session->count;
@@ -66,7 +66,7 @@ static void any_background(unsigned count)
 
 static void check_background(void)
 {
-    (void)(1 / (b.session.count < INVCAL_MAX_POSITIONS)); /* an alarm, if it does not hold */
+    (void)(1 / (b.session.count < INVCAL_MAX_POSITIONS)); /* an alarm if it does not hold */
 }
 
 void main(void)

@@ -5,9 +5,9 @@
 // eva: -eva-auto-loop-unroll 10 -eva-slevel-function invcal_crc32:0
 // dead: bits_of 2
 // dead: -DINVCAL_DOUBLE=1 bits_of 1
-// The test for a double, and its constant, is decided when it is compiled.
+// The test for double is decided at compile time.
 
-/* From a buffer of exactly so many bytes. */
+/* From a buffer of exactly that many bytes. */
 static void unseal(uint32_t size)
 {
     uint8_t buffer[300];

@@ -9,7 +9,7 @@
 // config: -D__OPTIMIZE__=1
 // config: -DINVCAL_MAX_POSITIONS=64
 
-/* Of as many positions as the mask has bits, at most; of which nothing is known, or anything. */
+/* At most as many positions as the mask has bits; nothing is known of them, or anything. */
 void main(void)
 {
     static invcal_real raw[3 * INVCAL_MAX_POSITIONS];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A driver that answers anything, and a memory that reads as anything, each time again; or as nothing,
- * whatever the answer.
+ * A driver that answers anything, and a memory that reads as anything, which may differ each time; or as
+ * nothing, whatever the answer.
  */
 #ifndef DRIVER_H
 #define DRIVER_H

@@ -11,7 +11,7 @@
 static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
 static invcal_calibration nominal;
 
-/* Of any positions, as the diagnosis asks for them: as many as the mask has bits, at most. */
+/* Any positions, as the diagnosis passes them: at most as many as the mask has bits. */
 static void any_fit(invcal_fit *fit)
 {
     ANY(*fit);
@@ -23,7 +23,7 @@ static void any_fit(invcal_fit *fit)
 static void any_solve(void)
 {
     invcal_fit any;
-    invcal_fit fit; /* of which only the positions are there */
+    invcal_fit fit; /* with only its positions set */
     invcal_column row;
     invcal_column columns[INVCAL_MORE];
 
@@ -38,7 +38,7 @@ static void any_solve(void)
     }
 }
 
-/* One of the positions, and as many unknowns as there may be. */
+/* One of the positions, and any possible number of unknowns. */
 static void any_unknowns(void)
 {
     invcal_fit fit;

@@ -16,7 +16,7 @@
 #define PACE_FROM(bits) PACE(bits, RATE_FROM(bits))
 #define PACE_TO(bits) PACE(bits, RATE_TO(bits))
 
-/* Any state of the detector of rests at these rates: of what is bounded, what the code relies on. */
+/* Any state of the detector of rests at these rates, within the bounds that the code relies on. */
 static void any_rests(invcal_rests *s, unsigned bits)
 {
     ANY(*s);

@@ -39,7 +39,7 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
 }
 
 static uint32_t loaded;  /* bytes in the store */
-static unsigned is_long; /* they state the length of a record; or another */
+static unsigned is_long; /* whether they state the length of a record */
 
 invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint32_t capacity,
                                 uint32_t *size)
@@ -59,7 +59,7 @@ invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint3
 
 /* ---- the record ------------------------------------------------------------------------------- */
 
-/* From a buffer of exactly so many bytes, that state a length whose bytes are from range[0] to range[1] and
+/* From a buffer of exactly that many bytes, which state a length whose bytes are from range[0] to range[1] and
  * from range[2] to range[3]. */
 static void decode(uint32_t size, const unsigned range[4])
 {
@@ -75,7 +75,7 @@ static void decode(uint32_t size, const unsigned range[4])
     (void)invcal_imu_record_decode(bytes, size, &record);
 }
 
-/* All lengths, the right one apart from the others. */
+/* All lengths, the right one separately from the others. */
 static void decode_all(uint32_t size)
 {
     enum { LOW = INVCAL_IMU_RECORD_SIZE % 256, HIGH = INVCAL_IMU_RECORD_SIZE / 256 };

@@ -16,7 +16,7 @@ static invcal_real raw[3 * COUNT];
 static invcal_calibration nominal;
 static invcal_real a[3][3];
 
-/* All is there. */
+/* Reads all of it, so that none may be uninitialised. */
 static void read(const invcal_quality *q)
 {
     (void)q->sigma[BETWEEN(0, INVCAL_PARAMETERS - 1)];
@@ -81,7 +81,7 @@ static void any_steps(void)
     invcal_judge_parameters(k, (const invcal_real(*)[3])a, &q);
 }
 
-/* Of any positions, and of none; the result may take the place of nominal. */
+/* Any positions, and none; the result may overwrite nominal. */
 static void any_calibrate(void)
 {
     invcal_mask left_out;

@@ -26,7 +26,7 @@ invcal_mask invcal_diagnose(const invcal_positions *positions, const invcal_cali
     return more;
 }
 
-/* ---- positions: none, any, too many; the result may take the place of nominal ---------------- */
+/* ---- positions: none, any, too many; the result may overwrite nominal ------------------------- */
 
 void main(void)
 {

@@ -8,7 +8,7 @@
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
-/* All is there. */
+/* Reads all of it, so that none may be uninitialised. */
 static void read_tables(const invcal_cell_tables *tables)
 {
     const unsigned k = BETWEEN(0, INVCAL_CELLS - 1);

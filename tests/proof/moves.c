@@ -5,7 +5,7 @@
 // trusted: 1
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 60 -eva-slevel-function drop_oldest:2000,keep_move:2000,measure_bias:200 -eva-split-return full
 
-/* What the module keeps to, and all else arbitrary. */
+/* Its invariant holds, and everything else is arbitrary. */
 static void any_moves(invcal_moves *m)
 {
     ANY(*m);

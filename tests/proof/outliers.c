@@ -7,7 +7,7 @@
 // config: -D__OPTIMIZE__=1
 // config: -DINVCAL_MAX_POSITIONS=64
 
-/* In any fit of as many positions as the mask has bits, at most. */
+/* In any fit of at most as many positions as the mask has bits. */
 void main(void)
 {
     static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
@@ -22,7 +22,7 @@ void main(void)
     fit.positions.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
     fit.positions.nominal = &nominal;
     invcal_outliers_search(&fit, &found);
-    (void)found.group; /* there, whatever was found */
+    (void)found.group; /* initialised, whatever was found */
     (void)found.suspected;
     (void)found.chance;
     (void)invcal_are_many(found.group, fit.positions.count);

@@ -25,7 +25,7 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
     ANY(*found);
 }
 
-/* ---- positions: none, any, too many; the result may take the place of nominal ---------------- */
+/* ---- positions: none, any, too many; the result may overwrite nominal ------------------------- */
 
 void main(void)
 {

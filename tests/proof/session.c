@@ -88,7 +88,7 @@ int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3])
     return 0;
 }
 
-/* Any reading of the array may be looked at. */
+/* May look at any reading of the array. */
 static void look_at(const invcal_real *raw, unsigned count)
 {
     if (count > 0) {
@@ -149,7 +149,7 @@ static void any_session(void)
 
 static void check_session(void)
 {
-    (void)(1 / (session.count <= INVCAL_MAX_POSITIONS)); /* an alarm, if it does not hold */
+    (void)(1 / (session.count <= INVCAL_MAX_POSITIONS)); /* an alarm if it does not hold */
 }
 
 static void any_begin(void)
@@ -193,7 +193,7 @@ static void any_change(void)
     check_session();
 }
 
-/* What was put back is anything, of any length; what goes on is a session, with a table within it. */
+/* What is restored is anything, of any length; what is resumed is a session, whose table is within it. */
 static void any_resume(void)
 {
     any_session();

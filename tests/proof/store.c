@@ -6,12 +6,12 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 8 -eva-slevel 0 -eva-slevel-function main:100
 
-/* One more than a record may have; with an int of 16 bits, all that there may be. */
+/* One more than a record may have; with an int of 16 bits, as many as there can be. */
 #define LARGEST (UINT_MAX > 0xFFFF ? 0x10000 : 0x7FFE)
 
 static uint8_t memory[LARGEST + 1];
 
-/* With a buffer of exactly so many bytes. */
+/* With a buffer of exactly that many bytes. */
 static void use(const invcal_store *store, uint32_t size)
 {
     uint8_t *bytes = &memory[sizeof memory - size];
@@ -30,7 +30,7 @@ static void use_all(invcal_store *store)
     for (unsigned i = 0; i < sizeof size / sizeof *size; i++) {
         use(store, size[i]);
     }
-    invcal_store_save(store, memory, 0x10000); /* refused unseen */
+    invcal_store_save(store, memory, 0x10000); /* refused by its size */
     invcal_store_erase(store);
 }
 

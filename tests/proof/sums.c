@@ -8,9 +8,9 @@
 // eva: -eva-auto-loop-unroll 64
 // config: -D__OPTIMIZE__=1
 
-enum { MOST = 27 }; /* unknowns, of a parabola of temperature */
+enum { MOST = 27 }; /* unknowns, for parabolas in temperature */
 
-/* Of so many rows. */
+/* That many rows. */
 static void rank_one(unsigned n)
 {
     static invcal_real a[INVCAL_PACKED_SIZE(MOST + 1)];

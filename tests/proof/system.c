@@ -7,10 +7,10 @@
 // config: -D__OPTIMIZE__=1 -DINVCAL_THERMAL_DEGREE=0
 // config: -DINVCAL_THERMAL_DEGREE=2
 
-/* The sizes that the library asks for. */
+/* The sizes that the library uses. */
 enum { THERMAL = 9 * (1 + INVCAL_THERMAL_DEGREE), IMU = 18, MOST = THERMAL > IMU ? THERMAL : IMU };
 
-/* In a buffer of exactly so many elements. */
+/* In a buffer of exactly that many elements. */
 static void solve(unsigned n, unsigned rows)
 {
     static invcal_real buffer[INVCAL_PACKED_SIZE(MOST + 1)];

@@ -7,7 +7,7 @@
 // config: -D__OPTIMIZE__=1
 // config: -DINVCAL_MAX_POSITIONS=64
 
-/* In any fit of as many positions as the mask has bits, at most; of any kind, at any step. */
+/* In any fit of at most as many positions as the mask has bits; of any kind, at any step. */
 void main(void)
 {
     static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
@@ -22,7 +22,7 @@ void main(void)
     fit.positions.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
     fit.positions.nominal = &nominal;
     invcal_test_for(&fit, BETWEEN(0, 0xFFFFFFFF), BETWEEN(0, 0xFFFFFFFF), &test);
-    (void)test.rank; /* all is there */
+    (void)test.rank; /* all of it is initialised */
     (void)test.squares;
     (void)test.size[BETWEEN(0, 2)];
     (void)test.shown;

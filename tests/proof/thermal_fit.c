@@ -11,8 +11,8 @@
 // config: -DINVCAL_THERMAL_DEGREE=2
 // config: -DINVCAL_THERMAL_DEGREE=0
 // dead: judge_range 1
-// The test for slopes, and its constant, is decided when it is compiled.
-// dead: -DINVCAL_THERMAL_DEGREE=0 add_at 3 count_open 1 judge_range 6 solve_highest 6 try_degree 1 nor is there a lower degree, or a slope
+// The test for slopes is decided at compile time.
+// dead: -DINVCAL_THERMAL_DEGREE=0 add_at 3 count_open 1 judge_range 6 solve_highest 6 try_degree 1 there is no lower degree, and no slope
 // stubs: thermal solve nominal sums system judge apply
 
 /* ---- what other modules do -------------------------------------------------------------------- */
@@ -153,7 +153,7 @@ void invcal_invert(invcal_real *l, unsigned n)
 invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r)
 {
     (void)inverse[INVCAL_PACKED_SIZE(n) - 1];
-    (void)(1 / (r < n)); /* an alarm, if there is no such parameter */
+    (void)(1 / (r < n)); /* an alarm if there is no such parameter */
     return any_real();
 }
 
@@ -263,7 +263,7 @@ static void any_calibrate(void)
                                    &quality);
 }
 
-/* From a base with as many coefficients fitted. */
+/* From a base with that many coefficients fitted. */
 static void any_fit(const invcal_thermal_prior *prior, unsigned fitted)
 {
     invcal_thermal_positions positions = {raw, temperature, BETWEEN(0, COUNT), 0};

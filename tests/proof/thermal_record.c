@@ -42,7 +42,7 @@ invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibrati
     return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
-/* Whatever X is. */
+/* For any X. */
 invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
 {
     (void)x[INVCAL_PARAMETERS - 1];

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * A board for the programs of README.md and of the manual: sensors with errors of some percent, 16384 counts per g
- * and 65.5 per degree/s, a memory that is the file named by BOARD_MEMORY, and a hand that does what it is told in
- * words and nothing else. Prints what is shown. BOARD_RESET=N: ends with 3 in the middle of move N. Else it ends
- * after some seconds of calibrated samples, with 0 if they are right, or with 2 where the hand has lost patience.
+ * and 65.5 per degree/s, a memory in the file BOARD_MEMORY, and a hand that follows the words that are shown, and
+ * nothing else. Prints what is shown. BOARD_RESET=N: exits with 3 in the middle of move N. Otherwise it exits after
+ * some seconds of calibrated samples, with 0 if they are right, or with 2 when the hand loses patience.
  */
 #include "board.h"
 
@@ -40,7 +40,7 @@ static void step(void)
     }
 }
 
-/* Both have the same rate. A step passes when one is read again. */
+/* Both have the same rate. A new step begins when one of them is read again. */
 static const int32_t *read_sensor(int which, const double v[3], const double gain[3][3],
                                   const double offset[3], double noise)
 {
@@ -87,7 +87,7 @@ void board_show(const char *text)
 
 /* ---- what the device is for: it checks itself ----------------------------------------------------- */
 
-/* At rest a length must be 1. NaN is the worst there is, and stays. */
+/* At rest the length must be 1. A NaN is worse than any number, and stays. */
 static void note_length(const invcal_real g[3], double *worst)
 {
     const double error =
@@ -98,7 +98,7 @@ static void note_length(const invcal_real g[3], double *worst)
     }
 }
 
-/* Where it is, and then along each axis. */
+/* Where the device is, and then along each axis. */
 void board_use(const invcal_real g[3])
 {
     static const char *const axes[] = {"+x up", "+y up", "+z up", NULL};
@@ -117,7 +117,7 @@ void board_use(const invcal_real g[3])
     (void)hand_reads(axes[axis++], HAND_TURN);
 }
 
-/* What points up before a turn is turned by the gyroscope alone; after it the accelerometer must agree. */
+/* The gyroscope alone turns the up direction from before a turn; after it, the accelerometer must agree. */
 void board_use_both(const invcal_real g[3], const invcal_real w[3])
 {
     static double up[3];
@@ -153,7 +153,7 @@ void board_count_steps(const invcal_real g[3])
     note_length(g, &worst_of_day);
 }
 
-/* Of 20 s. Every 5 s it is put down in another way. */
+/* A day has 20 s. Every 5 s it is put down in another orientation. */
 int board_has_a_day_passed(void)
 {
     static unsigned steps;

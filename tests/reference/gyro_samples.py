@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """python3 gyro_samples.py FOLDER > gyro_samples.h
 
-Real gyroscopes with their accelerometers, solved from all samples: for test_moves_logs.c and gyro_test.sh, which have of the
-same logs what the library keeps. gyro_logs.c names the logs; they are not kept here. Gauss and Newton over the samples
-of every move, in turns from sample to sample by Rodrigues' formula.
+Real gyroscopes with their accelerometers, solved from all samples: for test_moves_logs.c and gyro_test.sh, which use
+what the library keeps of the same logs. gyro_logs.c names the logs; they are not part of the project. Gauss-Newton
+steps over the samples of every move, with turns from sample to sample by Rodrigues' formula.
 """
 import math
 import sys
@@ -36,7 +36,7 @@ def read(path):
 
 
 def runs(is_quiet, least):
-    """Where samples are quiet, and as many at least: first and end of each."""
+    """Where at least that many samples are quiet: first and end of each."""
     found, begin = [], None
     for n, quiet in enumerate(is_quiet + [False]):
         if quiet and begin is None:
@@ -61,7 +61,7 @@ def at_rest(force):
 
 
 def slow(rate):
-    """The authors' way: 0.13 rad/s are not exceeded 0.6 s before and after."""
+    """The authors' method: 0.13 rad/s are not exceeded 0.6 s before and after."""
     fast = [n for n, w in enumerate(rate) if math.sqrt(dot(w, w)) >= 0.13]
     quiet = [True] * len(rate)
     for n in fast:
@@ -73,7 +73,7 @@ def slow(rate):
 # ---- the solution --------------------------------------------------------------------------------
 
 class Log:
-    """Specific force over the field and rate in rad/s, by the data sheet; between the rests lie the moves."""
+    """Specific force over the field and rate in rad/s, by the data sheet; the moves are between the rests."""
 
     def __init__(self, force, rate, rests):
         self.rests = rests
@@ -85,7 +85,7 @@ class Log:
         self.p = [0.0] * 9
 
     def fit_slope(self):
-        """g-sensitivity: what the biases are, G up + drift t + b, and the sigma of G."""
+        """g-sensitivity: the fit of the biases, G up + drift t + b, and the sigma of G."""
         rows = [unit(u) + [begin / self.rests[-1][0], 1.0] for u, (begin, _) in zip(self.force, self.rests)]
         self.slope = [least_squares(rows, [b[i] for b in self.bias], [1.0] * len(rows))[:3] for i in range(3)]
 
@@ -99,7 +99,7 @@ class Log:
         return eta
 
     def integrate(self, k):
-        """The rotation of move k, and how changes of m turn it: three rows of nine."""
+        """The rotation of move k, and how changes of m rotate it: three rows of nine."""
         ups = [unit(self.up(k, self.p)), unit(self.up(k + 1, self.p))]
         bias = mean(self.bias[k:k + 2])
         middle = mean(ups)
@@ -125,7 +125,7 @@ class Log:
         return times(across(unit(self.up(k, self.p))), off)
 
     def equations(self):
-        """Rows of 18 and right sides: of the lengths, and of the moves."""
+        """Rows of 18 and right-hand sides, for the lengths and the moves."""
         def changed(i):
             return [x + (1e-6 if i == k else 0) for k, x in enumerate(self.p)]
 
@@ -165,7 +165,7 @@ def print_solution(name, log, residual):
 
 
 def xsens(folder):
-    """The first 16 rests, which the library keeps; with their g-sensitivity."""
+    """The first 16 rests, which the library keeps, and their g-sensitivity."""
     def rows(name, scale):
         return [[(x - 32768) / scale for x in row[1:]] for row in read("%s/xsens_mti_%s.txt" % (folder, name))]
 
@@ -178,7 +178,7 @@ def xsens(folder):
 
 
 def mpu(folder):
-    """All rests but the last, with which the log ends."""
+    """All rests but the last, which ends the log."""
     rows = read(folder + "/mpu9150_0.txt")
     rate = [row[3:] for row in rows]
     log = Log([[x / 9.81 for x in row[:3]] for row in rows], rate, runs(slow(rate), 32)[:-1])

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 """python3 magnetometer.py ck_acc_mag.csv > magnetometer.h
 
-Independent fits of a real magnetometer in motion, for test_magnetometer.c: 12,000 samples in gauss by one
+Independent fits of a real magnetometer in motion, for test_magnetometer.c: 12,000 samples in gauss from a
 hand-held board (CK-Explorer/Magnetometer-and-Accelerometer-Calibration, acc_mag_log.csv, Apache-2.0). The log
-itself is not kept here: only these fits, and the means of each 16 samples. Least squares of |A (v - c)| - 1,
-A symmetric, by Gauss and Newton.
+itself is not part of the project: only these fits, and the means of each 16 samples. Least squares of
+|A (v - c)| - 1, A symmetric, by Gauss-Newton steps.
 """
 import math
 import sys
@@ -75,7 +75,7 @@ def first_guess(samples):
 
 
 def by_cells(samples, x):
-    """The mean of each cell of 10 degrees in elevation and about as much across."""
+    """The mean of each cell, of 10 degrees in elevation and about as much in azimuth."""
     cells = {}
     for v in samples:
         w = calibrated(x, v)[1]
@@ -105,7 +105,8 @@ def rotate(angle, v):
 
 
 def axes(ups, fields):
-    """The rotation vector that makes up . R field most alike, and that: by Gauss and Newton with differences."""
+    """The rotation vector that makes up . R field most nearly constant, and that constant: by Gauss-Newton
+    steps with differences."""
     def errors(x):
         return [sum(p * q for p, q in zip(u, rotate(x[:3], m))) - x[3] for u, m in zip(ups, fields)]
 
@@ -124,7 +125,7 @@ def axes(ups, fields):
 
 
 def both_directions(ups, samples, x):
-    """Of the instants at which the accelerometer has its usual length within 10 %."""
+    """From the instants at which the accelerometer has its usual length within 10 %."""
     lengths = [math.hypot(*u) for u in ups]
     usual = sorted(lengths)[len(lengths) // 2]
     kept = [n for n, length in enumerate(lengths) if abs(length - usual) <= 0.1 * usual]

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
 """numerics.py FOLDER COUNT
 
-What rounding costs: COUNT random sets of positions (tests/numerics/problems.c, in FOLDER with both
-builds of solve.c) are solved by the library in float and in double, and once more here, with 50
-digits, from the same readings, to the last bit. Every loss must be within the bound that the header
-states, no bound may be ten times too wide, and nothing may be refused that need not be.
+Rounding errors: the library solves COUNT random sets of positions (tests/numerics/problems.c, in FOLDER
+with both builds of solve.c) in float and in double; this script solves them with 50 digits, from exactly
+the same readings. Every loss must be within the bound that the header states, no bound may be ten times
+too wide, and nothing may be refused needlessly.
 
-It shares no code with the library: rows, sums and the closed form are written out from design
-section 2; the root of a matrix is by Denman and Beavers, sigma by the covariance of the calibrated
-unit vectors and Sylvester's equation, the condition by squaring. Arithmetic is mpmath's; MPFR (gmpy2) does the bulk, thirty times as fast, and
-is compared with mpmath on every MPMATH-th problem.
+It shares no code with the library: rows, sums and the closed form are written out from mathematics.md;
+the root of a matrix is by Denman and Beavers, sigma from the covariance of the calibrated unit vectors
+and Sylvester's equation, the condition by squaring. The arithmetic is MPFR's (gmpy2); every MPMATH-th
+problem is also solved with mpmath, thirty times as slow, for comparison.
 """
 import math
 import operator
@@ -22,14 +22,14 @@ import mpmath
 
 DIGITS = 50
 CHUNK = 100  # problems made and solved at a time
-HARDEST = (290, 106, 111, 256, 70)  # of 300 chunks the nearest to the bounds: always among them
-MPMATH = 100  # one problem in so many is solved with mpmath too,
-CONDITION = 20  # and in so many its bound is compared with the condition
-AGAIN = 5  # one in so many is solved once more with its calibration as nominal
+HARDEST = (290, 106, 111, 256, 70)  # of 300 chunks those nearest to the bounds: always included
+MPMATH = 100  # one problem in this many is also solved with mpmath,
+CONDITION = 20  # and in this many its bound is compared with the condition
+AGAIN = 5  # one in this many is solved again with its calibration as nominal
 ABOVE, BELOW = 1.73, -2.8  # 95 % are below the one, 99.9 % above the other
-HOPELESS = 1e6  # the sum of the nine (sigma / noise)^2: above it is refused
-HIGHEST = 1e6  # what the bounds are stated up to
-WIDEST = 10  # a bound wider than this times the largest loss says nothing
+HOPELESS = 1e6  # the sum of the nine (sigma / noise)^2: above this it is refused
+HIGHEST = 1e6  # the bounds are stated up to here
+WIDEST = 10  # a bound wider than this times the largest loss is useless
 
 gmpy2.get_context().precision = math.ceil(DIGITS * math.log2(10))
 mpmath.mp.dps = DIGITS
@@ -78,7 +78,7 @@ def largest(a):
 
 
 def solve(a, right):
-    """The columns of a^-1 right: Gauss and Jordan with the largest pivot."""
+    """The columns of a^-1 right: Gauss-Jordan elimination with the largest pivot."""
     n = len(a)
     rows = [list(a[i]) + list(right[i]) for i in range(n)]
     for c in range(n):
@@ -152,7 +152,7 @@ def square(a):
 
 
 def largest_eigenvalue(a, squarings):
-    """a^(2^k) is lambda^(2^k) v v' once all else has died away."""
+    """a^(2^k) is lambda^(2^k) v v' once the rest has vanished."""
     power = a
     for _ in range(squarings):
         scale = sum(power[i][i] for i in range(len(a)))
@@ -232,7 +232,7 @@ class Exact:
         self.correction = upper_factor(q, self.sqrt) if self.problem.is_triangular else self.a
 
     def assess(self):
-        """noise, sigma and condition as invcal.h and expert.h state them."""
+        """noise, sigma and condition as invcal.h and expert.h define them."""
         eta = [apply(self.a, minus(u, self.delta)) for u in self.u]
         self.lengths = [self.sqrt(dot(e, e)) for e in eta]
         gradients = [apply(self.a, e) for e in eta]
@@ -254,8 +254,8 @@ class Exact:
         self.bound = trace(self.information) * trace(self.covariance)
 
     def noise_of(self, squares, dof):
-        """The noise stated counts as four residuals, unless those that are there show clearly more, or
-        almost none of it: the root of 2 chi squared is about that of 2 dof - 1 (Fisher)."""
+        """The stated noise counts as four residuals, unless the real ones show clearly more, or almost
+        none of it: the root of 2 chi squared is about that of 2 dof - 1 (Fisher)."""
         known = self.problem.noise ** 2
         above = 0
         if known > 0 and dof > 0:
@@ -264,7 +264,7 @@ class Exact:
         return self.sqrt((weight * known + squares) / (weight + dof)) if weight + dof > 0 else 1
 
     def condition(self):
-        """8 squarings tell it to a percent."""
+        """8 squarings give it to a percent."""
         return condition_of(self.information, self.covariance, 8)
 
     def highest(self):
@@ -331,7 +331,7 @@ def loss_of_parameters(exact, answer):
 
 
 def loss_of_lengths(exact, answer):
-    """Of |calibrated| at the positions, by the offset and matrix delivered."""
+    """Of |calibrated| at the positions, by the delivered offset and matrix."""
     worst = 0
     for raw, length in zip(exact.problem.raw, exact.lengths):
         a = apply(answer.matrix, minus(raw, answer.offset))
@@ -340,20 +340,20 @@ def loss_of_lengths(exact, answer):
 
 
 def loss_of_sigma(exact, answer):
-    """Relative, of each sigma; that of the noise apart, which residuals tell to their own loss."""
+    """Relative, of each sigma; without that of the noise, which depends on the loss of residuals."""
     pairs = zip(answer.sigma + answer.sigma_offset, exact.sigma + exact.sigma_offset)
     return max(abs(got / answer.noise * exact.noise / want - 1) for got, want in pairs)
 
 
-# ---- what is found ----------------------------------------------------------------------------
+# ---- results ----------------------------------------------------------------------------------
 
 BUILDS = ("float", "double")
 LAWS = ("parameters", "lengths", "sigma", "again")
-BY_ROOT = ("lengths", "noise", "again")  # those that go with the root of the condition
+BY_ROOT = ("lengths", "noise", "again")  # in proportion to the root of the condition
 
 
 class Header:
-    """The first line of solve.c: what the headers promise of a build."""
+    """The first line of solve.c: what the headers promise for a build."""
 
     def __init__(self, line):
         value = [float.fromhex(word) for word in line.split()]
@@ -372,7 +372,7 @@ def losses(exact, answer):
     yield "parameters", loss_of_parameters(exact, answer)
     yield "lengths", loss_of_lengths(exact, answer)
     yield "sigma", loss_of_sigma(exact, answer)
-    if exact.noise < 1 and answer.noise < 1:  # 1: nobody knows it
+    if exact.noise < 1 and answer.noise < 1:  # 1: unknown
         yield "noise", abs(answer.noise - exact.noise)
     yield "condition", abs(answer.condition / exact.bound - 1)
 
@@ -432,7 +432,7 @@ class Tally:
         self.faults.append(f"problem {number}, {build}: {what}")
 
     def refusal(self, number, build, header, answer, exact):
-        """Where the condition is too high, and nowhere else."""
+        """Only if the condition is too high."""
         self.count(self.refused, build, exact.bound)
         if answer.status != header.undetermined:
             self.fault(number, build, f"status {answer.status}")
@@ -441,37 +441,37 @@ class Tally:
             self.fault(number, build, f"refused, condition {bound:.3g}")
 
     def delivery(self, number, build, header, answer, exact):
-        told = float(answer.condition)
-        self.count(self.delivered, build, told)
-        if told * header.floor >= 2 or exact.bound * header.floor > 8:
-            self.fault(number, build, f"delivered, condition {told:.3g}")
+        stated = float(answer.condition)
+        self.count(self.delivered, build, stated)
+        if stated * header.floor >= 2 or exact.bound * header.floor > 8:
+            self.fault(number, build, f"delivered, condition {stated:.3g}")
         for law, loss in losses(exact, answer):
-            share = header.share(law, loss, told)
-            if told > HIGHEST and law in ("sigma", "condition"):
+            share = header.share(law, loss, stated)
+            if stated > HIGHEST and law in ("sigma", "condition"):
                 continue
-            self.judge(number, build, law, share, told)
+            self.judge(number, build, law, share, stated)
             if law == "parameters" and build == "float" and answer.verdict == GOOD:
                 self.good = max(self.good, float(loss))
 
     def look(self, exact):
-        """What the bound is beside the condition."""
+        """The bound, relative to the condition."""
         ratio = float(exact.bound / exact.condition())
         decade = int(math.log10(exact.bound))
         low, high = self.ratio.get(decade, (ratio, ratio))
         self.ratio[decade] = min(low, ratio), max(high, ratio)
 
-    def judge(self, number, build, law, share, told):
-        key = build, law, int(math.log10(told))
+    def judge(self, number, build, law, share, stated):
+        key = build, law, int(math.log10(stated))
         self.largest[key] = max(self.largest.get(key, 0), share)
         if not share <= 1:
-            self.fault(number, build, f"{law}: {share:.3g} of the bound, condition {told:.3g}")
+            self.fault(number, build, f"{law}: {share:.3g} of the bound, condition {stated:.3g}")
 
     def again(self, number, line, build, header, answer):
-        told = float(answer.condition)
-        if answer.status == OK and told <= HIGHEST:
+        stated = float(answer.condition)
+        if answer.status == OK and stated <= HIGHEST:
             exact = Exact(Problem(line, MPFR), MPFR)
-            share = header.share("again", loss_of_parameters(exact, answer), told)
-            self.judge(number, build, "again", share, told)
+            share = header.share("again", loss_of_parameters(exact, answer), stated)
+            self.judge(number, build, "again", share, stated)
 
     def take(self, number, line, headers, answers):
         self.problems += 1

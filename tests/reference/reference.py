@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Expected values for the tests, computed apart from the library, in plain Python 3.
+"""Expected values for the tests, computed independently of the library, in plain Python 3.
 
     python3 tests/reference/reference.py tests/data > tests/reference/expected.h
 
@@ -11,7 +11,7 @@ frame, u the reading over the field. A = (I + S)^-1 calibrates: |A (u - delta)| 
 
     X = (delta_x, delta_y, delta_z, dk_x, dk_y, dk_z, gamma_xy, gamma_xz, gamma_zy)
 
-make up S: the dk are its diagonal, each gamma is twice the element beside the diagonal.
+make up S: the dk are its diagonal, each gamma is twice an element off the diagonal.
 """
 import csv
 import math
@@ -269,7 +269,7 @@ def largest(values):
 # ---- real data ---------------------------------------------------------------------------------
 
 def read_positions(path):
-    """The means (x, y, z) of a positions file, as the exact decimal fractions it holds."""
+    """The means (x, y, z) of a positions file, as exact decimal fractions."""
     with open(path, newline="") as file:
         return [[Fraction(row[k]) for k in ("mean_x", "mean_y", "mean_z")]
                 for row in csv.DictReader(file)]
@@ -453,7 +453,7 @@ def plan(out, etas):
 
 
 def nonlinearity(out):
-    """An axis that reads q eta^2 and c eta^3 too much moves J by q eta^3 and c eta^4: twelve, fifteen columns."""
+    """An axis that reads q eta^2 and c eta^3 too much changes J by q eta^3 and c eta^4: twelve, fifteen columns."""
     sets = [("18", groups(6, [30, 30, 120]), [math.sqrt(8 / 3), math.sqrt(32 / 3)]),
             ("24", groups(8, [0, 0, 135]), [math.sqrt(2), 2])]
     out.section("Nonlinearity: sigma over the noise with eta^3, and eta^4, beside the nine columns of h")
@@ -480,7 +480,7 @@ def truth(size):
 
 def bound_by_normals(x, etas):
     """Noise along the ellipsoid is lost in the unknown direction; noise across it, along the
-    normal n = A eta / |A eta|, tells g g' with g = d(n . u(X, eta)) / dX."""
+    normal n = A eta / |A eta|, gives g g' with g = d(n . u(X, eta)) / dX."""
     a = inverse(response(x))
     rows = []
     for eta in etas:
@@ -694,7 +694,7 @@ def min_matrix(n):
 
 
 def min_inverse(n):
-    """2 on the diagonal but 1 in its last place, -1 beside it."""
+    """2 on the diagonal but 1 in its last place, -1 next to it."""
     a = [[2 if i == j else -1 if abs(i - j) == 1 else 0 for j in range(n)] for i in range(n)]
     a[n - 1][n - 1] = 1
     return a
@@ -829,7 +829,7 @@ def faces_and_edges():
 
 
 def scattered(count, seed, wanted):
-    """Random directions of which wanted(direction) holds."""
+    """Random directions for which wanted(direction) holds."""
     source = random.Random(seed)
     found = []
     while len(found) < count:
@@ -904,7 +904,7 @@ def exchanged_shares(etas, rounds=200):
 
 
 def stops(step):
-    """The directions of a stand that stops every so many degrees, each once."""
+    """The directions of a stand that stops every `step` degrees, each once."""
     found = []
     for alpha in range(0, 181, step):
         for beta in range(0, 360, step):
@@ -1092,7 +1092,7 @@ def widened(row, temperature, degree):
 
 
 def thermal_covariance(coefficients, degree, etas):
-    """Cramer-Rao: each position tells g g' with g = d(n . u) / d coefficients, n the normal."""
+    """Cramer-Rao: each position gives g g' with g = d(n . u) / d coefficients, n the normal."""
     rows = []
     for temperature in STATIONS:
         x = at_temperature(coefficients, temperature)
@@ -1158,10 +1158,10 @@ def thermal(out, etas):
                                     " ".join("%.4f" % b for b in bounds2)))
 
 
-# ---- what the manual states ---------------------------------------------------------------------
+# ---- figures of the manual ----------------------------------------------------------------------
 
 def stated(value, digits, places):
-    """Is a figure of the manual: right to the places that are printed."""
+    """Checks a figure of the manual: right to the printed places."""
     assert abs(value - digits) <= 0.5000001 * 10.0 ** -places, (value, digits)
 
 
@@ -1208,8 +1208,8 @@ def at_angles(angles):
 
 
 def stand_troubles():
-    """errors.md, "The stand": what would become of the parameters if J1 and the full vector took the
-    angles as stated, and the lengths do not see. No noise, parameters of 0.02, Table 2."""
+    """errors.md, "The stand": the errors of the parameters if J1 and the full vector used the angles as
+    stated, which lengths do not see. No noise, parameters of 0.02, Table 2."""
     angles = [(math.radians(a), math.radians(b)) for a, b in
               [(30 + s, 0) for s in range(0, 360, 60)] + [(-90, 30 + s) for s in range(0, 360, 60)]
               + [(120 + s, 90) for s in range(0, 360, 60)]]
@@ -1224,7 +1224,7 @@ def stand_troubles():
     swapped = with_one(4, angles[11])
     swapped[11] = angles[4]
     zero = math.radians(20)
-    cases = [  # what was visited, what is told, error of J1, of the full vector: digits, exponent
+    cases = [  # visited, claimed, error of J1, of the full vector: digits, exponent
         (with_one(7, (angles[7][0] + 1e-3, angles[7][1])), angles, (2.2, -6), (1.7, -4)),
         (with_one(7, (angles[7][0] + 1e-2, angles[7][1])), angles, (1.1, -5), (1.7, -3)),
         (swapped, angles, (7.7, -2), (4.3, -2)),
@@ -1235,12 +1235,12 @@ def stand_troubles():
         (angles, [(a + zero, b) for a, b in angles], (6.1, -2), (9.8, -2)),
         (angles, [(a, b + zero) for a, b in angles], (6.5, -2), (0.0, -9)),
     ]
-    for visited, told, *wanted in cases:
+    for visited, claimed, *wanted in cases:
         readings = [read(x, eta) for eta in at_angles(visited)]
         assert largest(minus(algebraic(readings), x)) < 1e-12
         for solve, figure in zip((by_j1, by_full_vector), wanted):
             if figure:
-                error = largest(minus(solve(readings, at_angles(told)), x))
+                error = largest(minus(solve(readings, at_angles(claimed)), x))
                 stated(error * 10.0 ** -figure[1], figure[0], 1)
     etas = at_angles(angles)
     mounted = [read(x, rotated(eta, [1 / 3, 2 / 3, -2 / 3], 0.014)) for eta in etas]
@@ -1301,7 +1301,7 @@ def noise_bias(etas):
 
 
 def fifteen_to_nine():
-    """The closed form, and what the coefficients must agree in, of J with an error of its own."""
+    """The closed form of J with an error of its own, and the relations between its coefficients."""
     n, starts = 7, [11, 47, -83]
     source = random.Random(15)
     etas = groups(n, starts)
@@ -1367,7 +1367,7 @@ def weighted_plans(etas):
 
 
 def scatter_of_means():
-    """Of n means about their common mean: the factors of Barnes where no time is lost."""
+    """Of n means about their common mean: the factors of Barnes if no time is lost."""
     def step(r):
         def term(x):
             return x * x * math.log(abs(x)) if x else 0.0
@@ -1397,7 +1397,7 @@ def steep_slopes(etas):
 
 
 def manual(etas):
-    """Figures and formulas of port/manual/mathematics*.md and errors.md that no other test holds."""
+    """Figures and formulas of port/manual/mathematics*.md and errors.md that no other test checks."""
     factor_of_two(etas)
     misset_angle(etas)
     stand_troubles()

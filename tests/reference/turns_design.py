@@ -3,9 +3,9 @@
 """python3 turns_design.py > turns_design.h
 
 What programs of turns determine, for test_turns.c, test_gyro.c and plan_moves_test.sh. A turn is integrated in small
-steps, what it says of the parameters is a difference of two integrations, ranks and conditions are those of
-eigenvalues: nothing of this is the library's. Unit: the noise of a position mean; a turn's two angles have sqrt(2)
-of it.
+steps, its derivatives by the parameters are differences of two integrations, ranks and conditions are from
+eigenvalues: none of this is as in the library. Unit: the noise of a position mean; the two angles of a turn have
+sqrt(2) times that.
 """
 import math
 
@@ -52,7 +52,7 @@ def up(word):
 
 
 def integrate(rate, m):
-    """Rotation of a turn at constant nominal rate (rad altogether), gyroscope matrix m: by Cayley's map."""
+    """Rotation of a turn at constant nominal rate (rad in total), gyroscope matrix m: by Cayley's map."""
     half = scaled(0.5 / 2 ** HALVINGS, times(m, rate))
     plus, minus = identity(3), identity(3)
     for i in range(3):
@@ -68,7 +68,7 @@ def integrate(rate, m):
 
 
 def reading(p, d):
-    """Direction and length that the accelerometer reads at d, with parameters p taken for none."""
+    """Direction and length of the accelerometer's reading at d, with parameters p that are assumed to be 0."""
     s = [[1 + p[3], p[6] / 2, p[7] / 2], [p[6] / 2, 1 + p[4], p[8] / 2], [p[7] / 2, p[8] / 2, 1 + p[5]]]
     u = [x + y for x, y in zip(times(s, d), p)]
     return unit(u), math.sqrt(dot(u, u))
@@ -91,7 +91,7 @@ def rows_of_rest(at):
 
 
 def rows_of_turn(rate, before, after):
-    """The two angles across the direction before, each over sqrt(2)."""
+    """The two angles across the previous direction, each over sqrt(2)."""
     def angles(c, p):
         off = cross(times(c, reading(p, after)[0]), reading(p, before)[0])
         return scaled(math.sqrt(0.5), times(across(before), off))
@@ -127,13 +127,13 @@ class Program:
         for row in rows:
             self.information = [[a + x * y for a, y in zip(line, row)] for line, x in zip(self.information, row)]
 
-    def told(self, rate):
-        """The rows of a turn and of the rest after it, and where that is."""
+    def step(self, rate):
+        """The rows of a turn and of the rest after it, and the direction there."""
         after = times(zip(*integrate(rate, identity(3))), self.up)
         return [row[:self.n] for row in rows_of_turn(rate, self.up, after)] + self.rest(after), after
 
     def turn(self, rate):
-        rows, self.up = self.told(rate)
+        rows, self.up = self.step(rate)
         self.add(rows)
 
     def to(self, word):
@@ -150,7 +150,7 @@ class Program:
                     word = "".join(s + a for s, a in ((x, "x"), (y, "y"), (z, "z")) if s != " ")
                     if not word or dot(cross(up(word), self.up), cross(up(word), self.up)) < 0.09:
                         continue
-                    h, _ = self.told(arc(self.up, up(word)))
+                    h, _ = self.step(arc(self.up, up(word)))
                     of_h = product(product(h, k), list(zip(*h)))
                     merit = eliminate(added(of_h, identity(len(h))))[1]
                     if merit > CLEARLY * best:
@@ -170,7 +170,7 @@ class Program:
         return eliminate(self.information)[1] ** (1 / self.n)
 
     def open(self):
-        """The rank, and the parameters of which it says nothing, as bits."""
+        """The rank, and the parameters that are open, as bits."""
         values, vectors = eigen(self.information)
         null = [v for value, v in zip(values, vectors) if value <= SMALL * max(values)]
         return self.n - len(null), sum(1 << i for i in range(self.n) if sum(v[i] ** 2 for v in null) > 1e-6)

@@ -40,7 +40,7 @@ def product(a, b):
 
 
 def eliminate(a):
-    """Gauss and Jordan with pivots: the inverse, and the determinant."""
+    """Gauss-Jordan elimination with pivots: the inverse, and the determinant."""
     n = len(a)
     rows = [list(row) + unit_row for row, unit_row in zip(a, identity(n))]
     determinant = 1.0

@@ -2,14 +2,14 @@
 #
 # The tool's includes: awk -f includes.awk folders.txt port/host/*/*.[ch]
 #
-# A file includes headers of its own folder or of those named before it in folders.txt, and the files
-# of a folder form no circle. A file is its .c and its .h together.
+# A file includes headers of its own folder or of those before it in folders.txt, and includes within
+# a folder form no cycle. A file is its .c and its .h together.
 FNR == 1 && FILENAME ~ /folders[.]txt$/ { reading = 1 }
 FNR == 1 && FILENAME !~ /folders[.]txt$/ {
     reading = 0
-    n = split(FILENAME, path, "/")
-    folder = path[n - 1]
-    module = folder "/" path[n]
+    n = split(FILENAME, names, "/")
+    folder = names[n - 1]
+    module = folder "/" names[n]
     sub(/[.][ch]$/, "", module)
     if (!(folder in place)) {
         print FILENAME ": its folder is not in folders.txt"
@@ -33,15 +33,15 @@ reading && !/^#/ && NF > 0 {
         includes[module, ++count[module]] = to
     }
 }
-# 1 while a file is on the way, 2 once all that it includes has been seen.
-function visit(module, way,    i, to) {
+# state: 1 while a file is being visited, 2 once all that it includes has been.
+function visit(module, path,    i, to) {
     state[module] = 1
     for (i = 1; i <= count[module]; i++) {
         to = includes[module, i]
         if (state[to] == 1) {
-            print "a circle: " way " > " to
+            print "a cycle: " path " > " to
         } else if (!state[to]) {
-            visit(to, way " > " to)
+            visit(to, path " > " to)
         }
     }
     state[module] = 2

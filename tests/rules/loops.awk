@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
-# Every loop ends after a number of steps that is known beforehand. One that counts, up to a bound or
-# down from it, has as its bound a constant, the counter of a loop around it, or something of which
-# bounds.txt states the maximum. Any other loop carries a comment `at most ...` on its first line or
-# on the line above. No goto makes loops of its own. Prints what is wrong.
+# Every loop ends after a number of steps that is known in advance. If it counts up to a bound, or down
+# from it, the bound is a constant, the counter of an enclosing loop, or something whose maximum is in
+# bounds.txt. Any other loop has a comment `at most ...` on its first line or on the line above. There
+# is no goto. Prints what is wrong.
 # Usage: awk -f loops.awk BOUNDS SOURCE...
 #     BOUNDS  lines "module | bound | at most"
 FNR == 1 { file++ }
@@ -28,7 +28,7 @@ FNR == 1 {
     if (match(code, /^ *}/)) closed(RLENGTH)
     if (code ~ /^ *(while \(|do \{)/) commented()
     else if (code ~ /^ *for \(/) counted()
-    else if (code ~ /(^|[^a-z_])(for|while) *\(/ && code !~ /^ *} while/) say("a loop inside a line")
+    else if (code ~ /(^|[^a-z_])(for|while) *\(/ && code !~ /^ *} while/) say("a loop that does not begin its line")
     above = $0
 }
 
@@ -38,7 +38,7 @@ function commented() {
     if ($0 !~ /\/\* at most / && above !~ /at most [^*]*\*\/$/) say("a loop without /* at most ... */")
 }
 
-# A loop that begins in this column, or one within it, is over.
+# A loop that begins in this column, and any in it, is over.
 function closed(column,    d) {
     for (d in counter_at) if (d + 0 >= column) delete counter_at[d]
 }
@@ -48,7 +48,7 @@ function is_around(name, column,    d) {
     return 0
 }
 
-# Sets counter and returns the bound, if the loop counts: up, while "i < BOUND", or down, from
+# If the loop counts, sets counter and returns the bound: up, while "i < BOUND", or down, from
 # "unsigned i = BOUND".
 function bound_of(first, while_true, step,    n, i, part, up) {
     counter = step
@@ -73,7 +73,7 @@ function counted(    part, bound, column) {
     sub(/.*for \(/, "", code)
     sub(/\) *\{? *$/, "", code)
     if (split(code, part, /; ?/) != 3) {
-        say("the head of a loop stands on more than one line")
+        say("the head of a loop spans several lines")
         return
     }
     bound = bound_of(part[1], part[2], part[3])

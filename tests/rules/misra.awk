@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# What cppcheck and its MISRA addon say, but what misra.txt excuses; what misra.txt excuses in vain;
-# and suppressions beside the code that none of the runs needed.
+# The messages of cppcheck and its MISRA addon that misra.txt does not excuse; entries of misra.txt that
+# excuse nothing; and suppressions in the code that no run needed.
 # Usage: awk -v runs=N -f misra.awk misra.txt MESSAGES...
 #     MESSAGES  of each run, lines "file:line:column: id message"
 FILENAME == ARGV[1] {

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 #
-# What a disassembled program does to its stack, one line each, addresses decimal:
+# What a disassembled program does to its stack, a line each, addresses in decimal:
 #     name ADDRESS SYMBOL            a symbol
 #     push ADDRESS BYTES             takes bytes of stack
-#     unread ADDRESS INSTRUCTION     changes the stack pointer, nobody knows by how much
-#     call ADDRESS TARGET SYMBOL     comes back here
+#     unread ADDRESS INSTRUCTION     changes the stack pointer by an unknown amount
+#     call ADDRESS TARGET SYMBOL     returns here
 #     jump ADDRESS TARGET SYMBOL     or a branch
 #     pointer ADDRESS call|jump      goes where a register points; such a jump may be a switch
-# What gives stack back is left out: the sum of all pushes of a function is the most it can hold,
-# as long as none stands in a loop.
+# Whatever frees stack is left out: the sum of a function's pushes is the most it can hold, as long
+# as none is in a loop.
 # Usage: PREFIXobjdump -d program.elf | awk -f hex.awk -f code.awk
 
 /file format/ { machine = $NF; sub(/^elf32-(little|big)?/, "", machine); next }
@@ -42,7 +42,7 @@
     else if (machine == "avr") avr()
     else if (machine == "powerpc") powerpc()
     else {
-        print "code.awk: no idea of " machine > "/dev/stderr"
+        print "code.awk: unknown machine " machine > "/dev/stderr"
         exit 1
     }
 }

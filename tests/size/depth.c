@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * How deep the stack really gets: paints it, calls a function, looks how far the paint is gone,
- * and prints "function bytes" for each, and OK. What the compiler's frames and the call graph
- * promise may not be less.
+ * How deep the stack really gets: paints it, calls a function, looks how much paint is gone, and
+ * prints "function bytes" for each, and OK. The compiler's frames and the call graph must not give
+ * less.
  */
 #include <stddef.h>
 
@@ -22,16 +22,16 @@ __attribute__((always_inline)) static inline uintptr_t stack_pointer(void)
 #elif defined(__powerpc__)
     __asm volatile("mr %0, 1" : "=r"(at));
 #elif defined(__AVR__)
-    at = *(volatile uint16_t *)0x5D + 1u; /* it points to the byte that is free */
+    at = *(volatile uint16_t *)0x5D + 1u; /* it points to the next free byte */
 #else
-#error "how does one read the stack pointer here?"
+#error "no way to read the stack pointer here"
 #endif
     return at;
 }
 
 static volatile uint8_t *lowest;
 
-/* Paints what lies below the caller, but for the bytes that this function may use itself. */
+/* Paints the stack below the caller, but for the bytes that this function may use itself. */
 __attribute__((noinline)) static void paint(uintptr_t top)
 {
     lowest = (volatile uint8_t *)(top - DEPTH);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# From what was measured to what has a budget: "figure bytes".
+# Computes the figures that have a budget from what was measured: "figure bytes".
 # Usage: awk -f figures.awk MEASURED, which holds lines
 #     kind.MODULE bytes               by modules.awk
 #     linked.PROGRAM bytes            of a linked program, all libraries included
@@ -36,7 +36,7 @@ END {
     print "flash.judged", size["linked.judged"]
     print "flash.product", size["linked.product"]
     print "flash.gyro", size["linked.imu"] - size["linked.product"]
-    # What must be there while a calibration is computed: the state, the result, the stack.
+    # What is needed while a calibration is computed: the state, the result, the stack.
     print "memory.core", size["sizeof.invcal_sums"] + size["sizeof.invcal_calibration"] + \
         most("sums_init sums_add solve apply")
     print "memory.session", size["sizeof.invcal_session"] + \

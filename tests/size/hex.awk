@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# A hexadecimal number, with or without 0x; awk itself reads decimal ones only. Of an address the
-# first of eight digits is left out, which tells memories apart: some awks print no more than 2^31.
+# A hexadecimal number, with or without 0x; awk itself reads only decimal ones. Drops the first of an
+# address's eight digits, which only distinguishes memories: some awks print no more than 2^31.
 function hex(text,    i, value) {
     text = tolower(text)
     sub(/^0x/, "", text)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# "text.MODULE bytes", and rodata, data, bss: the modules' object files by `size -A`.
+# "text.MODULE bytes", and rodata, data, bss, from `size -A` of the modules' object files.
 /^[^ ]+\.o  *:$/ {
     module = $1
     sub(/.*\//, "", module)

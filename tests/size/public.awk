@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
-# The functions that headers declare, one to a line, each behind its header: "invcal invcal_apply".
-# Reads what the preprocessor makes of them (cc -E), as some names hold what a build has chosen. A
-# declaration begins at the left margin; the name may stand on its second line.
+# The functions that headers declare, a line each, after the header: "invcal invcal_apply".
+# Reads the output of the preprocessor (cc -E), as some names contain a build's choices. A declaration
+# begins at the left margin; the name may be on its second line.
 /^# [0-9]+ "/ {
     header = ""
     if ($3 ~ /(include\/invcal|src)\/[a-z_]+\.h"$/) {

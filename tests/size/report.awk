@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# The tables of one target, each figure beside its budget; then "FAIL ..." for all that is over, and
-# "N passed, N failed".
+# The tables of one target, each figure next to its budget; then "FAIL ..." for each that exceeds it,
+# and "N passed, N failed".
 # Usage: awk -v target=m4f -v V=1 -f report.awk BUDGETS MEASURED FIGURES DEPTHS
 #     V       1: also every function
 #     DEPTHS  "function bytes", what depth.c measured
@@ -10,13 +10,13 @@ FNR == 1 { file++ }
 
 file == 1 && $1 == "figure" { for (i = 3; i <= NF; i++) if ($i == target) column = i; next }
 file == 1 && $1 !~ /^frame\./ && column { budget[$1] = $column }
-file == 1 && $1 !~ /^frame\./ && target == "m4f" { issue[$1] = $2 }
+file == 1 && $1 !~ /^frame\./ && target == "m4f" { goal[$1] = $2 }
 file == 1 { next }
 
 file == 2 && $1 == "fault" { sub(/^fault /, ""); fail($0); next }
 file == 2 && $1 == "stack" {
     stack[$3] = $4
-    way[$3] = $6
+    path[$3] = $6
     names[++functions] = $3
     if ($4 > deepest[$2]) {
         deepest[$2] = $4
@@ -40,7 +40,7 @@ function check(what, value) {
     else passed++
 }
 
-# The worst case is right if nothing measured is deeper, and of use if it is not far from it.
+# The worst case is right if no measurement is deeper, and useful if it is not far above them.
 function depth(name, bytes) {
     depths[++measures] = sprintf("%-28s%8d%12d", name, bytes, stack[name])
     if (bytes > stack[name]) fail(name " took " bytes " of stack, computed " stack[name] + 0)
@@ -66,15 +66,15 @@ function module_table(    i, k, kind, module, total) {
 }
 
 function figure_table(    i) {
-    printf "\n%-28s%8s%12s%12s\n", "figure", "is", "at most", target == "m4f" ? "wanted" : ""
+    printf "\n%-28s%8s%12s%12s\n", "figure", "is", "at most", target == "m4f" ? "goal" : ""
     for (i = 1; i <= figures; i++) {
         if (order[i] ~ /^(flash$|module|stack)/) continue
         printf "%-28s%8d%12s%12s\n", order[i], figure[order[i]], budget[order[i]],
-            issue[order[i]] == "-" ? "" : issue[order[i]]
+            goal[order[i]] == "-" ? "" : goal[order[i]]
     }
 }
 
-# Frames behind a number, in lines of 100 characters.
+# A number, followed by frames, in lines of 100 characters.
 function wrap(line, list,    frame, i, n) {
     n = split(list, frame, ",")
     for (i = 1; i <= n; i++) {
@@ -90,7 +90,7 @@ function wrap(line, list,    frame, i, n) {
 END {
     if (!column) fail("has no budgets: make size UPDATE=1")
     for (what in budget) {
-        if (budget[what] != "-" && figure[what] == "") fail(what " has a budget, and was not measured")
+        if (budget[what] != "-" && figure[what] == "") fail(what " has a budget, but was not measured")
     }
     module_table()
     figure_table()
@@ -101,7 +101,7 @@ END {
         for (i = 1; i <= parts; i++) print part[i]
         print "\nstack of every public function, and the frames it is made of"
         for (i = 1; i <= functions; i++) {
-            wrap(sprintf("%5d%-1s", stack[names[i]], plus[names[i]]), way[names[i]])
+            wrap(sprintf("%5d%-1s", stack[names[i]], plus[names[i]]), path[names[i]])
         }
     }
     print ""

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 #
-# A linker's map as a list of what it kept: "section address size file", of .text and .rodata.
+# What a linker kept, from its map: "section address size file", of .text and .rodata.
 # Usage: awk -f hex.awk -f sections.awk program.map
 /^Linker script and memory map/ { kept = 1 }
 !kept { next }
 
-# The name stands on a line of its own if it is long.
+# A long name has a line of its own.
 /^ \.(text|rodata)[^ ]*$/ {
     name = $1
     next

@@ -7,8 +7,8 @@ include port/build.mk
 
 HEADERS := $(notdir $(wildcard include/invcal/*.h))
 
-# Programs without start-up, of library functions alone. What a device needs for offset and matrix; the
-# same with every sigma and the verdict; what the program of README.md calls; with the gyroscope beside it; and all that there is.
+# Programs without start-up code, made only of library functions: what a device needs for offset and matrix; the
+# same with every sigma and the verdict; what the program of README.md calls; that with the gyroscope; everything.
 $(OUT)/core.elf:    WANTED = invcal_sums_init invcal_sums_add invcal_solve invcal_apply
 $(OUT)/judged.elf:  WANTED = invcal_calibrate invcal_apply
 $(OUT)/product.elf: WANTED = $(shell $(subst gcc,nm,$(CC)) -u $(OUT)/program.o | sed -n 's/.* invcal_/invcal_/p')
@@ -34,7 +34,7 @@ $(OUT)/public: $(wildcard include/invcal/*.h)
 	$(Q)printf '#include "invcal/%s"\n' $(HEADERS) | $(CC) $(filter-out -MMD -MP,$(FLAGS)) -E -x c - | \
 	    awk -f tests/size/public.awk > $@
 
-# The same of those that only the library's own headers declare, and the public ones again.
+# The same for functions that the library's private headers declare, with the public ones.
 $(OUT)/declared: $(wildcard src/*.h include/invcal/*.h)
 	@mkdir -p $(@D)
 	$(Q)printf '#include "%s"\n' $(wildcard src/*.h) | $(CC) $(filter-out -MMD -MP,$(FLAGS)) -I. -E -x c - | \
@@ -44,7 +44,7 @@ $(OUT)/declared: $(wildcard src/*.h include/invcal/*.h)
 programs: $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/imu.elf $(OUT)/whole.elf \
     $(OUT)/tests/size/structures.o $(OUT)/declared
 
-# The program that measures its stack, and its run.
+# The program that measures its stack.
 $(OUT)/depth.elf: $(OUT)/tests/size/depth.o $(COMMON) $(LIBRARY)
 	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections $(LINK) -o $@
 

@@ -3,23 +3,23 @@
 # The worst-case stack of functions, from the frames that the compiler states (-fstack-usage) and
 # the calls that the linked program makes. Prints for each public function
 #     "stack" module function bytes callbacks path
-# where callbacks is 1 if some function on the way calls where a pointer points, and path names the
-# frames of the deepest way, "function:bytes,function:bytes"; and "fault ..." for each recursion,
-# frame without a bound, frame that nobody knows, use of the heap, and call of the library for
-# arithmetic in double, which is the compiler's where the processor has none. (Some compilers' own
-# conversion of 64-bit integers to float takes the way by double.)
+# where callbacks is 1 if some function that it calls, directly or not, calls through a pointer, and
+# path has the frames of the deepest call chain, "function:bytes,function:bytes"; and "fault ..." for
+# each recursion, frame without a bound, unknown frame, use of the heap, and call by the library for
+# arithmetic in double, which the compiler's library does where the processor cannot. (Some compilers'
+# own conversion of 64-bit integers to float goes through double.)
 #
-# A function is a section (-ffunction-sections). Of those that are not the library's no compiler
-# states a frame: it is the sum of all that their instructions push, or, where that cannot be read,
-# what the budgets allow in lines "frame.FUNCTION". That reading is checked on the library's own
-# functions: nowhere may it find less than the compiler states.
+# A function is a section (-ffunction-sections). For functions outside the library no compiler states a
+# frame: it is the sum of all that their instructions push, or, where that cannot be read, what the
+# budgets allow in lines "frame.FUNCTION". That reading is checked on the library's own functions: it
+# must never find less than the compiler states.
 #
 # Usage: awk -v library=FOLDER/src/ -f stack.awk FRAMES PUBLIC SECTIONS CODE SU...
 #     FRAMES    lines "frame.FUNCTION bytes", a return address that a call pushes not counted
 #     PUBLIC    lines "header function", by public.awk
-#     SECTIONS  by sections.awk; library: how their file names begin, if they are the library's
+#     SECTIONS  by sections.awk; library: how the file names of the library's begin
 #     CODE      by code.awk
-#     SU        what -fstack-usage has written
+#     SU        written by -fstack-usage
 
 FNR == 1 { file++ }
 file == 1 { allowed[substr($1, 7)] = $2; next }
@@ -65,7 +65,7 @@ function node_at(address,    low, high, middle) {
     return address >= begin[low] && address < end[low] ? low : 0
 }
 
-function fault(text) { if (!told[text]++) print "fault", text }
+function fault(text) { if (!printed[text]++) print "fault", text }
 
 function edge(from, to, kind) {
     if (seen[from, to, kind]++) return
@@ -74,8 +74,8 @@ function edge(from, to, kind) {
     kind_of[from, edges[from]] = kind
 }
 
-# Routines that compiled functions share to save registers, and to restore them at their end. What
-# the former push stays pushed when they return, so it belongs to their caller.
+# Routines that compiled functions share to save and restore registers. What the former push stays
+# pushed when they return, so it belongs to their caller.
 function saves(symbol) { return symbol ~ /^(__riscv_save_|__prologue_saves__)/ }
 function restores(symbol) { return symbol ~ /^(__riscv_restore_|__epilogue_restores__)/ }
 
@@ -111,7 +111,7 @@ function frame_of(n,    key, label, none) {
         key = object[n] SUBSEP label
         if (!(key in stated)) fault(name[n] " has no frame stated by the compiler")
         if (key in unbounded) fault(name[n] " has a frame without a bound")
-        # On PowerPC the least frame, 16 bytes, is also stated where none is taken.
+        # On PowerPC the compiler states the smallest frame, 16 bytes, even where there is none.
         none = !pushed[n] && stated[key] <= 16
         if (!unread[n] && !none && pushed[n] + return_size < stated[key]) {
             fault(name[n] " pushes " pushed[n] + return_size ", but its frame is " stated[key])
@@ -124,14 +124,14 @@ function frame_of(n,    key, label, none) {
 
 function read_frame(label, bytes, beyond) {
     if (label in allowed) return allowed[label]
-    if (beyond) fault(label " changes the stack pointer beyond reading: state frame." label)
+    if (beyond) fault(label " changes the stack pointer by an unknown amount: state frame." label)
     return bytes
 }
 
 function is_double(symbol) { return symbol ~ /^__(aeabi_(d|[a-z]+2d)|[a-z]*df)/ }
 
-# The most stack that node n takes, what it calls included. A function of the library gives its
-# frame back before it jumps into another one; of others that is not known.
+# The most stack that node n takes, including what it calls. A function of the library frees its frame
+# before it jumps to another one; others may not.
 function worst(n,    i, to, below, most, held) {
     if (state[n] == 2) return total[n]
     if (state[n] == 1) {
@@ -139,7 +139,7 @@ function worst(n,    i, to, below, most, held) {
         return 0
     }
     state[n] = 1
-    if (n in lost) fault(name[n] " goes to an unknown place, " lost[n])
+    if (n in lost) fault(name[n] " goes to an unknown address, " lost[n])
     if (name[n] ~ /^_?(malloc|calloc|realloc|free|sbrk)(_r)?$/) fault("the heap is used: " name[n])
     held = frame[n] = frame_of(n)
     most = held
@@ -172,7 +172,7 @@ END {
     for (line = 1; line <= codes; line++) read_line()
     for (p = 1; p <= publics; p++) {
         n = address_of[function_of[p]]
-        if (!n) fault(function_of[p] " is declared, and not in the program")
+        if (!n) fault(function_of[p] " is declared, but not in the program")
         else print "stack", module(object[n]), function_of[p], worst(n), calls_back[n] + 0, path(n)
     }
 }

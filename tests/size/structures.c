@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The sizes of the structures that firmware keeps, for nm to read: an array as large as each.
+ * The sizes of the structures that firmware keeps, for nm: an array as large as each.
  */
 #include "invcal/allan.h"
 #include "invcal/expert.h"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# The budgets again: what is reached, and 3 %, but on m4f no more than the issue wants. Comments, frames
-# and what the issue wants stay; so do the columns of targets that were not measured.
+# Rewrites the budgets: what was measured, plus 3 %, but on m4f no more than the goal. Keeps comments,
+# frames, goals, and the columns of targets that were not measured.
 # Usage: awk -f update.awk BUDGETS TARGET.figures...
 FNR == 1 && FILENAME != ARGV[1] {
     target = FILENAME
@@ -15,7 +15,7 @@ FILENAME == ARGV[1] && $1 == "figure" {
     next
 }
 FILENAME == ARGV[1] {
-    issue[$1] = $2
+    goal[$1] = $2
     for (i = 3; i <= NF; i++) budget($1, targets[i - 2], $i)
     next
 }
@@ -26,20 +26,20 @@ FILENAME == ARGV[1] {
     }
     budget($1, target, allowed($1, target, int($2 * 1.03)))
 }
-function allowed(figure, target, bytes,    wanted) { # no more than the issue does
-    wanted = figure in issue ? issue[figure] : "-"
-    return target == "m4f" && wanted != "-" && bytes > wanted + 0 ? wanted : bytes
+function allowed(figure, target, bytes,    most) {
+    most = figure in goal ? goal[figure] : "-"
+    return target == "m4f" && most != "-" && bytes > most + 0 ? most : bytes
 }
 function budget(figure, target, bytes) {
     most[figure, target] = bytes
     if (length(bytes) > wide[target]) wide[target] = length(bytes)
 }
 END {
-    printf "%-*s%6s", longest + 1, "figure", "issue"
+    printf "%-*s%6s", longest + 1, "figure", "goal"
     for (c = 1; c <= columns; c++) printf "%*s", width(c), targets[c]
     print ""
     for (i = 1; i <= n; i++) {
-        printf "%-*s%6s", longest + 1, rows[i], rows[i] in issue ? issue[rows[i]] : "-"
+        printf "%-*s%6s", longest + 1, rows[i], rows[i] in goal ? goal[rows[i]] : "-"
         for (c = 1; c <= columns; c++) {
             printf "%*s", width(c), (rows[i], targets[c]) in most ? most[rows[i], targets[c]] : "-"
         }

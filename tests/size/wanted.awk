@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# The linker's options that keep the functions named in wanted, "%" for all. What a build has chosen
-# may stand behind a name: invcal_apply_float_9, invcal_allan_init_float_16_4.
+# The linker options that keep the functions named in wanted, "%" for all. A name may end in a build's
+# choices: invcal_apply_float_9, invcal_allan_init_float_16_4.
 BEGIN {
     split(wanted, names, " ")
     for (i in names) is_wanted[plain(names[i])]

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of allan from outside: allan_test.sh path/to/invcal builddir
+# Tests of allan by its command line: allan_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -60,20 +60,20 @@ inside() { # inside NAME LEAST MOST: each member of this name
 accepts "white noise" allan "$work/rest.csv" --lsb $lsb --sigma 0.0001 --json
 check "white noise is found to 3 %" inside white 0.000951 0.00101
 check "and nothing but white noise" inside walk 0 0
-check "nor bias instability" inside instability 0 0
+check "and no bias instability" inside instability 0 0
 # (N / sigma)^2 of the worst axis
 check "the dwell is (N / sigma)^2" inside dwell 90 102
-check "and its sigma the one that is wanted" inside dwell_sigma 0.0000999999 0.0001000001
-check "it is white noise that limits it" matches "$work/stdout" '"dwell_limit": "white noise"'
+check "and gives the wanted sigma" inside dwell_sigma 0.0000999999 0.0001000001
+check "it is limited by white noise" matches "$work/stdout" '"dwell_limit": "white noise"'
 check "it has been reached" matches "$work/stdout" '"dwell_end": "reached"'
 run allan "$work/rest.csv" --lsb $lsb --sigma 0.00001 --json
-check "a time that has not been seen" matches "$work/stdout" '"dwell_end": "beyond"'
+check "a time beyond the log" matches "$work/stdout" '"dwell_end": "beyond"'
 run allan "$work/rest.csv" --json
-check "no unit: counts are what it is in" inside white 1.59 1.69
+check "no unit: it is in counts" inside white 1.59 1.69
 check "no unit: it says so" matches "$work/stdout" '"unit": "input"'
 check "no sigma, no floor: the longest time" matches "$work/stdout" '"dwell_end": "longest"'
 
-# White noise alone: what is not visible is 0.
+# Only white noise: terms that are not visible are 0.
 awk 'function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }
     BEGIN {
         srand(1)
@@ -105,11 +105,11 @@ check "a random walk: it makes the floor" matches "$work/stdout" '"dwell_limit":
 accepts "it prints" allan "$work/walk.csv"
 check "the table names its units" matches "$work/stdout" 'white noise N, µg/√Hz'
 check "the table has the velocity random walk" matches "$work/stdout" 'm/s/√h'
-# (In the POSIX locale the blank that does not break is two characters for grep.)
+# (In the POSIX locale a non-breaking space is two characters for grep.)
 check "it says how long to hold" matches "$work/stdout" \
     "^Hold each position 1[0-9](\\.[0-9])?$(printf '\302\240')s: "
 run allan "$work/walk.csv" --sigma 1e-6
-check "it says that no time will do" matches "$work/stdout" '^No dwell brings the sigma'
+check "it says that no time is enough" matches "$work/stdout" '^No dwell brings the sigma'
 
 # A filter of first order: short averaging times look better than they are.
 awk 'BEGIN { srand(3); for (i = 0; i < 20000; i++) { y += 0.02 * (rand() - 0.5 - y); print y, y, y } }' \
@@ -117,7 +117,7 @@ awk 'BEGIN { srand(3); for (i = 0; i < 20000; i++) { y += 0.02 * (rand() - 0.5 -
 run allan "$work/filtered.txt" --rate 100
 check "a filter is noticed" matches "$work/stdout" '^Not only this noise: on x y z the model does not fit'
 run allan "$work/rest.csv"
-check "where there is none, nothing is said" lacks "$work/stdout" 'Not only this noise'
+check "without one, there is no such message" lacks "$work/stdout" 'Not only this noise'
 
 # ---- gaps, parts, files ------------------------------------------------------------------------
 
@@ -153,7 +153,7 @@ rm -f "$work"/out/*
 "$tool" simulate --plan edges > "$work/moves.csv"
 # The first position ends after 5 s, in line 502.
 run allan "$work/moves.csv" --out "$work/out/noise.json"
-check "a log that moves is refused, and says where" was_refused 1 \
+check "a log that moves is refused, with the place" was_refused 1 \
     'moves.csv:(49|5[0-4])[0-9]: not at rest: at (4\.[89]|5\.[0-4])[0-9]* s .*--from and --to'
 check "and nothing is written" [ -z "$(ls "$work/out")" ]
 accepts "but for its first position" allan "$work/moves.csv" --to 4.9
@@ -178,16 +178,16 @@ refuses "a long time off the grid" 2 'must be a multiple of 0.02 s' allan "$work
 refuses "times that descend" 2 '--tau: must ascend' allan "$work/rest.csv" --tau 1,0.1
 refuses "a time that is no number" 2 'is not a decimal number' allan "$work/rest.csv" --tau 1,b
 refuses "sigma 0" 2 '--sigma 0: must be above 0' allan "$work/rest.csv" --sigma 0
-refuses "a unit that is none" 2 '--unit ft: must be g' allan "$work/rest.csv" --unit ft
+refuses "an unknown unit" 2 '--unit ft: must be g' allan "$work/rest.csv" --unit ft
 refuses "two units" 2 '--lsb: states the unit' allan "$work/rest.csv" --unit g --lsb 1
-# A gyroscope: the unit is in its header alone. The figures are those of the table without a header.
+# A gyroscope: only its header has the unit. The figures are those of the table without a header.
 sed 's/^t,x,y,z/t,gx,gy,gz/' "$work/rest.csv" > "$work/turn.csv"
 for unit in rad/s deg/s mdeg/s; do
     sed "1s|gx,gy,gz|gx ($unit),gy ($unit),gz ($unit)|" "$work/turn.csv" > "$work/turn_unit.csv"
     run allan "$work/turn_unit.csv" --columns gx,gy,gz --out "$work/out/turn.json"
     printed=$(echo "$unit" | sed 's/deg/°/')
     check "gyroscope: $unit" matches "$work/stdout" "^white noise N, $printed/√Hz "
-    check "gyroscope: and nothing is an acceleration" lacks "$work/stdout" 'm/s²|µg|velocity'
+    check "gyroscope: no acceleration" lacks "$work/stdout" 'm/s²|µg|velocity'
     check "gyroscope: $unit in JSON" matches "$work/out/turn.json" "^  \"unit\": \"$unit\","
     refuses "gyroscope: $unit is no noise of an accelerometer" 3 "turn.json: is the noise of a gyroscope \\($unit\\): run" \
         plan --limits 1,1,1 --allan "$work/out/turn.json"
@@ -234,7 +234,7 @@ rows() { # rows FAMILY: positions, dwell, sigma, seconds of its rows
 }
 # The closed form of white noise: a program of n = 3 N positions has sigmas of sqrt(1 / N),
 # sqrt(7 / (5 N)), sqrt(8 / N) times the noise of a position mean, N / sqrt(dwell), and 2 s are
-# the least. Prints the number and time of the least.
+# the minimum. Prints the number and time at the minimum of the total time.
 least() { # least WHITE SETTLE MOVE DELTA DK GAMMA
     echo "$@" | awk '{
         for (n = 15; n <= 144; n += 3) {
@@ -256,9 +256,9 @@ for wanted in '0 5 1e-4 1e-4 3e-4' '2 0 2e-5 4e-5 1e-4' '0 0.5 1e-5 1e-5 1e-5' '
     run plan --limits "$3,$4,$5" --settle "$1" --move "$2" --allan "$work/noise.json" --json
     found=$(rows stand | awk '!n || $4 < best { best = $4; n = $1 } END { printf "%d %.9f", n, best }')
     # shellcheck disable=SC2086
-    check "labour of white noise, $wanted: the least of the programs" near 1e-6 "$found" \
+    check "labour of white noise, $wanted: the minimum over the programs" near 1e-6 "$found" \
         "$(least 3e-4 $wanted)"
-    check "labour of white noise, $wanted: the plan takes the least of all" near 1e-6 \
+    check "labour of white noise, $wanted: the plan takes the overall minimum" near 1e-6 \
         "$(json "$work/stdout" seconds)" \
         "$({ rows stand; rows free; } | awk '!n++ || $4 < best { best = $4 } END { printf "%.9f", best }')"
 done
@@ -287,7 +287,7 @@ noise 0.001 0.0002 0.000004
 # shellcheck disable=SC2086
 run plan $limits --allan "$work/noise.json" --json
 check "labour: all three" barnes stand 1e-4 2e-5 4e-7
-# With time lost a random walk goes on: n means of T, P apart, scatter by K^2 (P (n + 1) - T) / 6.
+# A random walk continues during lost time: n means of T, P apart, scatter by K^2 (P (n + 1) - T) / 6.
 noise 0.000001 0 0.000004
 run plan --limits 3e-5,3e-5,1e-4 --move 30 --settle 3 --allan "$work/noise.json" --json
 walked() {
@@ -304,13 +304,13 @@ check "labour: one row is chosen" [ "$(grep -c ' chosen$' "$work/stdout")" = 1 ]
 check "labour: what binds is named" matches "$work/stdout" '(offsets|scale errors|angles) +chosen$'
 accepts "labour draws" plan --limits 3e-5,3e-5,1e-4 --allan "$work/noise.json" --quiet \
     --svg "$work/out/labour.svg" --report "$work/out/labour.html"
-check "labour: the picture is one" matches "$work/out/labour.svg" 'Total time against number'
+check "labour: the picture is drawn" matches "$work/out/labour.svg" 'Total time against number'
 check "labour: the report is a page" is_page "$work/out/labour.html"
 check "labour: the report says why" matches "$work/out/labour.html" 'Number and dwell'
 rm -f "$work"/out/*
 "$tool" allan "$work/rest.csv" --lsb $lsb --out "$work/real.json" --quiet
 accepts "labour takes what allan --out wrote" plan --limits 1e-4,1e-4,2e-4 --allan "$work/real.json"
-refuses "labour: no dwell can do it" 1 'no dwell meet the limits: the noise has a floor; ' \
+refuses "labour: no dwell is long enough" 1 'no dwell meet the limits: the noise has a floor; ' \
     plan --limits 1e-6,1e-6,1e-6 --allan "$work/noise.json"
 noise 0.001 0 0
 refuses "labour: white noise has no floor" 1 'no dwell up to 1e6 s meet the limits; 144 positions' \
@@ -333,12 +333,12 @@ before=$(json "$work/stdout" seconds)
 run plan --limits 1e-4,1e-4,3e-4 --allan "$work/noise.json" --warm-up 900 --json
 check "labour: the warm-up counts once" near 1e-6 "$(json "$work/stdout" seconds)" \
     "$(echo "$before" | awk '{ printf "%.9f", $1 + 900 }')"
-check "labour: nine, ten, eleven positions are not looked at" test \
+check "labour: nine to eleven positions are not considered" test \
     "$(rows free | awk '!n || $1 < n { n = $1 } END { print n }')" = 12
 run plan --limits 1e-4,1e-4,3e-4 --allan "$work/noise.json" --spare 30 --need-axes --json
-check "labour: thirty to spare" test "$({ rows free; rows stand; } | awk '$1 < 39' | wc -l)" -eq 0
+check "labour: a redundancy of thirty" test "$({ rows free; rows stand; } | awk '$1 < 39' | wc -l)" -eq 0
 check "labour: each axis up and down" test "$(json "$work/stdout" missing)" = '[]'
-check "labour: and so no odd group" test "$(rows stand | awk '$1 / 3 % 2 == 1' | wc -l)" -eq 0
+check "labour: and therefore no odd group" test "$(rows stand | awk '$1 / 3 % 2 == 1' | wc -l)" -eq 0
 noise 0.001 0.0002 0.000004
 for other in '--noise 1e-4' '--dwell 4' '--budget 100' '--sweep 5:9' --programs; do
     # shellcheck disable=SC2086
@@ -348,6 +348,6 @@ done
 refuses "labour over its noise" 2 '--svg: would overwrite the file of --allan' plan \
     --limits 1e-4,1e-4,1e-4 --allan "$work/noise.json" --svg "$work/noise.json"
 run plan --dwell 5 --move 2 --settle 3 --json
-check "--settle counts in every position" near 1e-9 "$(json "$work/stdout" seconds)" 178
+check "--settle counts for every position" near 1e-9 "$(json "$work/stdout" seconds)" 178
 
 finish

@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# calibrate --case: the axes of the case, against a rotation that is known: case_test.sh path/to/invcal builddir
+# calibrate --case: the axes of the case, against a known rotation: case_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
 # Readings over g of a perfect sensor in a case: 18 edges, then each of three faces twice on a table that leans
-# by LEAN degrees, turned by half between. R, case = R sensor: 90 degrees about z, then 3 about x.
+# by LEAN degrees, with half a turn between them. R, case = R sensor: 90 degrees about z, then 3 about x.
 positions() { # LEAN
     awk -v lean="$1" '
         function put(x, y, z) { # up in the case: the reading is R^T up
@@ -42,30 +42,30 @@ calibrate() { run calibrate "$@" --positions --gravity 1 --noise 0.0001 --unit g
 
 calibrate "$work/straight.csv" --case +z,+x,+y
 check "case: three faces" succeeded
-check "case: the rotation is the one" is_turned 1e-9
+check "case: the rotation is the true one" is_turned 1e-9
 check "case: the frame says so" matches "$work/stdout" '"frame": "case"'
 calibrate "$work/straight.csv" --case z,x
 check "case: two faces, without signs" is_turned 1e-9
 calibrate "$work/straight.csv" --case .,+x,.,.,+x,+y
-check "case: a dot is a position that nobody knows" is_turned 1e-9
+check "case: a dot is an unknown position" is_turned 1e-9
 calibrate "$work/leaning.csv" --case +z,+x,+y
-check "case: a table that leans turns it" test "$(is_turned 1e-3; echo $?)" -eq 1
+check "case: a leaning table rotates it" test "$(is_turned 1e-3; echo $?)" -eq 1
 calibrate "$work/leaning.csv" --case +z,+x,+y,+z,+x,+y
 check "case: in pairs it cancels" is_turned 1e-9
-check "case: and is told: 0.5 degrees" near 1e-6 "$(member scatter)" 0.00872664626
+check "case: and is reported: 0.5 degrees" near 1e-6 "$(member scatter)" 0.00872664626
 calibrate "$work/straight.csv" --case +z
 check "case: one face levels" succeeded
-check "case: its sigma is not known" matches "$work/stdout" '"sigma": \[null, null, null\]'
+check "case: its sigma is unknown" matches "$work/stdout" '"sigma": \[null, null, null\]'
 run calibrate "$work/straight.csv" --positions --gravity 1 --noise 0.0001 --unit g --case +z
-check "case: and the heading is said to be open" matches "$work/stdout" 'the heading is unchanged'
+check "case: and the heading is reported as open" matches "$work/stdout" 'the heading is unchanged'
 run calibrate "$work/leaning.csv" --positions --gravity 1 --noise 0.0001 --unit g \
     --case +z,+x,+y,+z,+x,+y --report "$work/out/case.html"
-check "case: the table tells the angles" matches "$work/stdout" 'about z \+89\.98'
+check "case: the table shows the angles" matches "$work/stdout" 'about z \+89\.98'
 check "case: and the page" matches "$work/out/case.html" 'rotated to the axes of the case by 6 positions'
 
 run calibrate "$work/straight.csv" --positions --unit g --gravity 1 --out "$work/out/cal.json" --case +z,+x,+y
 run apply "$work/out/cal.json" "$work/straight.csv"
-check "case: what is corrected has its axes" near 1e-6 "$(sed -n 2p "$work/stdout" | cut -d, -f3)" 1
+check "case: corrected readings have its axes" near 1e-6 "$(sed -n 2p "$work/stdout" | cut -d, -f3)" 1
 
 refuses "case: ways that do not fit" 1 'the stated axes do not fit' \
     calibrate "$work/straight.csv" --positions --unit g --gravity 1 --case +x,+x,-z

@@ -1,10 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of what the tool is to its surroundings: help, manual, completion, installation, silence,
+# Tests of how the tool fits into its environment: help, man page, completion, installation, silence,
 # colours, progress. citizen_test.sh path/to/invcal builddir
-# What needs `script` (a terminal) or bash is left out, with a line that says so, where they are
-# missing.
+# Skips what needs `script` (a terminal) or bash if they are missing, with a line that says so.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -21,7 +20,7 @@ in_order() { # usage first; exit codes; an example last
         /^examples?:$/ { example = NR }
         END { exit !(codes > 1 && example > codes && NR > example) }' "$1"
 }
-# Blanks, the option and what it takes; then, from column 23 on or on the next line, what it means.
+# Blanks, the option and its value; then, from column 23 on or on the next line, what it means.
 has_layout() {
     awk 'alone && (substr($0, 1, 22) ~ /[^ ]/ || substr($0, 23, 1) == " ") { print "no text: " $0; bad = 1 }
         { alone = 0 }
@@ -46,14 +45,14 @@ for c in $commands; do
     accepts "$c --help all succeeds" "$c" --help all
     cp "$work/stdout" "$work/help"
     check "$c --help all has usage, exit codes and an example, in this order" in_order "$work/help"
-    check "$c --help all is laid out as the others" has_layout "$work/help"
+    check "$c --help all has the common layout" has_layout "$work/help"
     check "$c --help all: every option is known" knows_options "$c"
     sed '1,/^examples*:$/d; s/^  //' "$work/help" > "$work/example/run"
     check "the example of $c --help all works" runs run > /dev/null
 done
-check "the example of calibrate has written its calibration" is_json "$work/example/cal.json"
-check "the example of plan has drawn" matches "$work/example/directions.svg" '^</svg>$'
-check "the example of simulate has made a log" matches "$work/example/log.csv" '^t,x,y,z$'
+check "the example of calibrate writes its calibration" is_json "$work/example/cal.json"
+check "the example of plan draws a picture" matches "$work/example/directions.svg" '^</svg>$'
+check "the example of simulate makes a log" matches "$work/example/log.csv" '^t,x,y,z$'
 accepts "--help succeeds" --help
 sed -n 's/^  \([a-z]*\) .*/\1/p' "$work/stdout" | grep -v invcal > "$work/commands"
 check "--help names the commands" [ "$(tr '\n' ' ' < "$work/commands")" = "$commands " ]
@@ -92,19 +91,19 @@ silent() { # silent ARGUMENTS ...
 }
 silent calibrate "$work/log.csv"
 silent calibrate "$xsens" --positions --gravity 9.81744 --out "$work/quiet.json"
-check "--quiet: the file is written all the same" is_json "$work/quiet.json"
+check "--quiet: the file is written anyway" is_json "$work/quiet.json"
 silent watch "$work/log.csv"
 silent allan "$work/log.csv" --to 5
 silent plan
 silent plan --sweep 5:9
 silent plan --compare edges optimal:18
 silent plan --limits 0.4,0.6,1 --svg "$work/quiet.svg"
-check "--quiet: the picture is drawn all the same" matches "$work/quiet.svg" '^</svg>$'
+check "--quiet: the picture is drawn anyway" matches "$work/quiet.svg" '^</svg>$'
 only_json() { # only_json ARGUMENTS ...
     run "$@" --json
     cp "$work/stdout" "$work/loud"
     run "$@" --json --quiet
-    check "--quiet: JSON is printed all the same, and nothing else: $1" sh -c '
+    check "--quiet: JSON is printed anyway, and nothing else: $1" sh -c '
         cmp "$1" "$2" && [ ! -s "$3" ]' sh "$work/loud" "$work/stdout" "$work/stderr"
 }
 only_json calibrate "$work/log.csv"
@@ -112,18 +111,18 @@ only_json watch "$work/log.csv"
 only_json plan --edges
 run apply "$work/quiet.json" "$work/log.csv" --quiet
 check "--quiet: apply prints its result" matches "$work/stdout" '^t,x,y,z$'
-refuses "--quiet: a refusal is told" 1 'no rest' calibrate "$xsens" --quiet
-refuses "--quiet: a set that is refused is told" 1 'undetermined' plan --faces --quiet
-refuses "--quiet: an error is told" 3 'nowhere' watch "$work/nowhere" --quiet
+refuses "--quiet: a refusal is reported" 1 'no rest' calibrate "$xsens" --quiet
+refuses "--quiet: a set that is refused is reported" 1 'undetermined' plan --faces --quiet
+refuses "--quiet: an error is reported" 3 'nowhere' watch "$work/nowhere" --quiet
 
 # ---- what the first help promises ------------------------------------------------------------------
 
 run --help
 mv "$work/stdout" "$work/first"
 run calibrate "$root/tests/data/t265_positions.csv" --positions --gravity 9.8016
-check "--help: 0 whatever the verdict, as of a weak one" test \
+check "--help: 0 whatever the verdict, such as weak" test \
     "$code $(grep -c '^Weak: ' "$work/stdout") $(grep -c 'exit codes: 0 done, whatever the verdict; 1' "$work/first")" = "0 1 1"
-check "--help: the sensors that there are" matches "$work/first" '^Calibrates accelerometers, gyroscopes and magnetometers from logs\.$'
+check "--help: the kinds of sensors" matches "$work/first" '^Calibrates accelerometers, gyroscopes and magnetometers from logs\.$'
 
 # ---- the manual --------------------------------------------------------------------------------
 
@@ -131,7 +130,7 @@ sh "$root/port/host/man.sh" "$tool" > "$work/invcal.1"
 for s in NAME SYNOPSIS DESCRIPTION '"EXIT STATUS"' EXAMPLES FILES ENVIRONMENT '"SEE ALSO"'; do
     check "the manual has a section $s" matches "$work/invcal.1" "^\.SH $s\$"
 done
-check "the manual is of these sensors, too" matches "$work/invcal.1" '^invcal .- calibrate accelerometers, gyroscopes and magnetometers from logs$'
+check "the man page names these sensors, too" matches "$work/invcal.1" '^invcal .- calibrate accelerometers, gyroscopes and magnetometers from logs$'
 check "the manual has a subsection for each command" [ "$(sed -n 's/^\.SS "\([a-z]*\) .*/\1/p' \
     "$work/invcal.1" | tr '\n' ' ')" = "$commands " ]
 in_manual() { # every option of each command stands in its own subsection
@@ -144,7 +143,7 @@ in_manual() { # every option of each command stands in its own subsection
 check "the manual has every option of every command" in_manual
 check "the manual has every exit code" [ "$(sed -n '/^\.SH "EXIT/,/^\.SH EXAM/s/^\.B //p' \
     "$work/invcal.1" | tr -d '\n')" = 0123 ]
-check "the manual has nothing that troff could take for a request" awk '
+check "the man page has no text that troff would take for a request" awk '
     /^\./ && !/^\.(\\"|TH|SH|SS|TP|PP|B|I|nf|fi|nh|ad)( |$)/ { exit 1 }
     /^\047/ { exit 1 }' "$work/invcal.1"
 
@@ -193,7 +192,7 @@ fi
 # ---- installation ------------------------------------------------------------------------------
 
 unset MAKEFLAGS MFLAGS MAKELEVEL
-# Folders as they are called from the root: make takes no blank in BUILD, and a $ for its own.
+# Folders by their paths from the root, as make accepts no blank in BUILD, and expands a $.
 below() { printf %s "${1#"$root"/}"; }
 installs() { # TARGET PREFIX
     (cd "$root" && make -s "$1" BUILD="$(below "$(dirname "$tool")")" \
@@ -208,12 +207,12 @@ for prefix in /usr/local /opt/invcal; do
             share/invcal/schema.json share/man/man1/invcal.1
         cd "$root" && printf '%s\n' include/invcal/*.h
     } | sed "s|^|.$prefix/|" | LC_ALL=C sort | tr '\n' ' ')
-    check "PREFIX=$prefix: tool, library and what belongs to them are there" [ "$(files)" = "$expected" ]
+    check "PREFIX=$prefix: all files are there" [ "$(files)" = "$expected" ]
     check "PREFIX=$prefix: the tool runs" sh -c '"$1" --version | grep -q "^invcal "' sh \
         "$work/a root$prefix/bin/invcal"
     check "PREFIX=$prefix: the manual is of this tool" matches \
         "$work/a root$prefix/share/man/man1/invcal.1" "\"$("$tool" --version)\"\$"
-    check "PREFIX=$prefix: files are for everybody" [ -z "$(find "$work/a root" -type f ! -perm -444)" ]
+    check "PREFIX=$prefix: everybody can read the files" [ -z "$(find "$work/a root" -type f ! -perm -444)" ]
     check "make uninstall PREFIX=$prefix succeeds" installs uninstall $prefix
     check "PREFIX=$prefix: nothing is left" [ -z "$(files)" ]
 done
@@ -234,7 +233,7 @@ check "columns count characters, not bytes" awk '
 terminal() { # terminal COMMAND: for a shell, in which $tool is invcal
     PATH=$work/bin:$PATH script -qec "$1" /dev/null < /dev/null > "$work/typed"
     code=$?
-    # A carriage return goes back to the first column, and what comes then stands over the old.
+    # After a carriage return, text overwrites the old from the first column on.
     tr -d '\000' < "$work/typed" | LC_ALL=C awk '{
         n = split($0, piece, "\r")
         line = ""
@@ -266,7 +265,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     check "colour: no redundancy is yellow" coloured 33 'No redundancy:'
     "$tool" simulate --plan edges --outliers 1 > "$work/wrong.csv"
     terminal 'invcal calibrate "$work/wrong.csv"'
-    check "colour: what was left out is red" coloured 31 'Left out:'
+    check "colour: left-out positions are red" coloured 31 'Left out:'
     terminal "invcal plan --sweep 5:9"
     check "colour: the heading of a sweep is bold" matches "$work/typed" "$escape\[1m *N  positions"
     terminal "invcal plm"
@@ -280,7 +279,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     terminal 'unset TERM; invcal calibrate "$work/log.csv"'
     check "colour: none on a terminal without a name" lacks "$work/typed" "$escape"
     terminal 'NO_COLOR= invcal calibrate "$work/log.csv"'
-    check "colour: an empty NO_COLOR does not count" coloured 32 Good:
+    check "colour: an empty NO_COLOR is ignored" coloured 32 Good:
     terminal 'invcal watch "$work/log.csv" --target 1,1,1'
     check "colour: watch: enough is green" coloured 32 enough:
 
@@ -296,7 +295,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     terminal 'invcal calibrate "$long" 2> "$work/error" > /dev/null'
     check "progress: not into a file" is_empty "$work/error"
     terminal 'cat "$long" | invcal calibrate -'
-    check "progress: of a pipe, lines" matches "$work/typed" '[0-9]+ lines, [0-9]+ position'
+    check "progress: for a pipe, lines" matches "$work/typed" '[0-9]+ lines, [0-9]+ position'
     "$tool" calibrate - < "$long" > "$plain"
     check "progress: nothing of them is left" shows "$plain"
     terminal 'invcal apply "$work/long.json" "$long" > "$work/applied"'
@@ -307,7 +306,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     echo 'a,b' >> "$long"
     "$tool" apply "$work/long.json" "$long" 2> "$plain"
     terminal 'invcal apply "$work/long.json" "$long"'
-    check "progress: an error stands on a line of its own" shows "$plain"
+    check "progress: an error has its own line" shows "$plain"
 else
     echo "tool: colours and progress are not tried: script is not installed"
 fi

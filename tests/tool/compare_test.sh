@@ -43,20 +43,20 @@ rows 1 > "$work/first"
 rows 2 > "$work/second"
 check "history: from the first to the second nothing has changed" lacks "$work/first" changed
 check "history: then offset x has, and only that" [ "$(awk '/changed/ { print $1, $2 }' "$work/second")" = "offset x" ]
-check "history: by 5 mg" awk '/^offset x/ { d = $5 - 5; exit !(d < 0.1 && d > -0.1) }' "$work/second"
+check "history: its change is 5 mg" awk '/^offset x/ { d = $5 - 5; exit !(d < 0.1 && d > -0.1) }' "$work/second"
 tr '\n' ' ' < "$work/table" > "$work/line"
 check "history: it says so" matches "$work/line" \
     ' Changed: Offset x has changed significantly since 2026-03-01 \(middle\.json\)\. Next: '
-check "history: what the field may be wrong by is told" grep -q -- --same-field "$work/table"
+check "history: the error of the field is mentioned" grep -q -- --same-field "$work/table"
 run compare new.json old.json middle.json --same-field
 check "same field: the scale has changed, too" matches "$work/stdout" '^Changed: Offset x, scale z have changed'
-check "same field: and no word of it" lacks "$work/stdout" '--same-field'
+check "same field: and that error is not mentioned" lacks "$work/stdout" '--same-field'
 
 run compare middle.json new.json --same-field --json
 check "JSON: offset x drifts by 0.005" near 0.0001 "$(member delta | sed -n 1p)" "0.005, 0, 0"
 check "JSON: scale z by 0.0005 / 1.012" near 0.0001 "$(member dk | sed -n 1p)" "0, 0, 0.000494"
 check "JSON: angles do not" near 0.0003 "$(member gamma | sed -n 1p)" "0, 0, 0"
-# Without what the field may be wrong by sigma is what calibrate says of a field that is exact.
+# Without the field's uncertainty, sigma is what calibrate gives for an exact field.
 sigma_of() { "$tool" simulate --plan edges "$@" | "$tool" calibrate - --gravity 9.80665 --json |
     sed -n '/"sigma"/,/}/s/^ *"dk": \[\(.*\)\],*$/\1/p'; }
 sigma_of --seed 2 > "$work/sigmas"
@@ -72,7 +72,7 @@ check "a file and itself: steady" matches "$work/stdout" '"changed": \[\]'
 run compare old.json middle.json
 check "what has not changed is steady" matches "$work/stdout" '^Steady: Nothing has changed significantly since'
 
-# The same log against other nominals, which turn the frame by a little, is the same calibration.
+# The same log against other nominals, which rotate the frame slightly, gives the same calibration.
 "$tool" simulate --plan edges --gamma 0.05,-0.04,0.03 > "$work/raw.csv"
 "$tool" calibrate raw.csv --quiet --out one.json
 "$tool" calibrate raw.csv --quiet --zero 300,-200,500 --lsb 0.00055,0.00065,0.0006 --out other.json
@@ -91,10 +91,10 @@ check "one without a date: the order of the arguments" [ "$(files_in_order)" = "
 sed 's/"sigma": {/"sigma": {"offset": [null, null, null], "dk": [null, null, null], "gamma": [null, null, null]}, "was": {/' \
     old.json > blind.json
 run compare blind.json middle.json
-check "without a ± nothing is told to have changed" matches "$work/stdout" '^Unknown: Nothing has changed as far as is known'
+check "without a ± nothing is reported as changed" matches "$work/stdout" '^Unknown: Nothing has changed as far as is known'
 check "and a drift has none" matches "$work/stdout" '^offset x .* [+-][0-9.]+ ± \? +\?$'
 
-# A file of the first release, which knew neither record nor gravity_sigma, of the same positions.
+# A file of the first release, which had neither record nor gravity_sigma, from the same positions.
 release=$here/../reference/releases/0.1.0-calibration.json
 "$tool" calibrate "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --zero 33123,33276,32360 \
     --lsb 0.002409639,0.002421308,0.002409639 --quiet --out today.json
@@ -118,7 +118,7 @@ done < "$work/devices"
 accepts "fleet: compare takes them" compare d*.json
 cp "$work/stdout" "$work/table"
 check "fleet: nine rows" [ "$(grep -cE '^(offset|scale|angle) ' "$work/table")" -eq 9 ]
-check "fleet: one is outside" matches "$work/table" '^Not alike: Outliers, of 20 devices: serial D13 \(offset y\)\.$'
+check "fleet: one is an outlier" matches "$work/table" '^Not alike: Outliers, of 20 devices: serial D13 \(offset y\)\.$'
 check "fleet: its row says so" matches "$work/table" '^offset y .* serial D13 +\+[0-9.]+ +outside$'
 check "fleet: by how much" matches "$work/table" '^Outlier: serial D13, offset y: \+[0-9]+(\.[0-9])? mg from the median$'
 run compare d*.json --json
@@ -132,18 +132,18 @@ statistics=$(awk -F, '
         for (i = 1; i <= NR; i++) away[i] = x[i] < median ? median - x[i] : x[i] - median
         sort(away, NR)
         print 1.4826 * (away[10] + away[11]) / 2, sqrt(squares / 19) }' "$work/truth")
-told=$(member delta | tail -2 | awk -F ', ' '{ printf "%s ", $2 }')
-check "fleet: spread and deviation are those of the truth" near 0.0003 "$told" "$statistics"
+printed=$(member delta | tail -2 | awk -F ', ' '{ printf "%s ", $2 }')
+check "fleet: spread and deviation are those of the truth" near 0.0003 "$printed" "$statistics"
 outside=$(awk '/^      "serial"/ { serial = $2 } /"outside": \["/ { print serial, $2 }' "$work/fleet.json")
-check "fleet: who is outside, and nobody else" [ "$outside" = '"D13", ["delta_y"]' ]
+check "fleet: the outlier, and no other" [ "$outside" = '"D13", ["delta_y"]' ]
 make_cal later --seed 99 "--offset=$(sed -n 7s/' .*'//p "$work/devices")" "--dk=0.02,0,0" -- --serial D7 --gravity 9.80665
 run compare d*.json later.json
-check "mixed: a device with a history is told, too" matches "$work/stdout" '^serial D7: 2 calibrations, by the order of the files$'
+check "mixed: the device with a history is reported, too" matches "$work/stdout" '^serial D7: 2 calibrations, by the order of the files$'
 tr '\n' ' ' < "$work/stdout" > "$work/line"
 check "mixed: and both verdicts" matches "$work/line" \
     'Outliers, of [0-9]+ devices: serial .* Of 1 device with an earlier calibration 1 changed significantly: serial D7 \('
 run compare d1.json d2.json
-check "two devices are no fleet" matches "$work/stdout" '^Alike: Two devices are too few to identify an outlier\.$'
+check "two devices are not a fleet" matches "$work/stdout" '^Alike: Two devices are too few to identify an outlier\.$'
 accepts "--as fleet: of one serial number each its own" compare old.json middle.json new.json --as fleet --json
 check "--as fleet: three devices" [ "$(grep -c '"calibrations"' "$work/stdout")" -eq 3 ]
 accepts "--as history: of several serial numbers one" compare d1.json d2.json d3.json --as history --json
@@ -157,20 +157,20 @@ check "page: it is well-formed" is_page page.html
 words() { sed 's/<[^>]*>/ /g' page.html | plainly | tr '\n' ' ' | tr -s ' '; }
 says_page() { words | grep -Eq -- "$1"; }
 check "page: what has changed" says_page '! Changed Offset x has changed significantly since 2026-03-01'
-check "page: drift with 95 %" says_page 'offset x 327\.[0-9]+ [0-9.]+ \+(4\.9|5\.0)[0-9]* ± 0\.0[56][0-9]* mg \+[0-9.]+ changed'
+check "page: the drift and its 95 % interval" says_page 'offset x 327\.[0-9]+ [0-9.]+ \+(4\.9|5\.0)[0-9]* ± 0\.0[56][0-9]* mg \+[0-9.]+ changed'
 run compare old.json middle.json new.json --json
-told=$(words | grep -o 'offset x 327\.[0-9]* [0-9.]* +[0-9.]* ± [0-9.]* mg' | tail -n 1 | awk '{ print $5 / 1000, $7 / 1000 }')
-json_tells=$(member delta | sed -n '5p;7p' | awk -F ', ' '{ printf "%s ", $1 }') # drift and interval of the second step
-check "page: drift and its 95 % are those of the JSON" near 6e-7 "$told" "$json_tells"
+printed=$(words | grep -o 'offset x 327\.[0-9]* [0-9.]* +[0-9.]* ± [0-9.]* mg' | tail -n 1 | awk '{ print $5 / 1000, $7 / 1000 }')
+in_json=$(member delta | sed -n '5p;7p' | awk -F ', ' '{ printf "%s ", $1 }') # drift and interval of the second step
+check "page: the drift and its 95 % interval are those of the JSON" near 6e-7 "$printed" "$in_json"
 check "page: three pictures in both sizes" [ "$(grep -c "<title>[A-Z][a-z]* by calibration<" page.html)" -eq 6 ]
-check "page: the command is told" tells_command page.html invcal compare old.json middle.json new.json --report page.html --quiet
+check "page: the command is shown" shows_command page.html invcal compare old.json middle.json new.json --report page.html --quiet
 accepts "page: of a fleet" compare d*.json --report page.html --quiet
 check "page: of a fleet: it is well-formed" is_page page.html
-check "page: of a fleet: who is outside" says_page 'serial D13 offset y \+[0-9.]+ mg \+[0-9.]+'
+check "page: of a fleet: the outlier" says_page 'serial D13 offset y \+[0-9.]+ mg \+[0-9.]+'
 marks() { sed -n '/<title>Distance of the devices from the median/,/<\/svg>/p' page.html | grep -c "$1"; }
 check "page: of a fleet: a marker for each device and parameter" [ "$(marks 'c1 hollow') $(marks 'c2 full')" = "358 2" ]
 printf old > "$work/out/cal.json"
-refuses "page: not in place of an input" 2 '--report: would overwrite new.json' compare old.json new.json --report new.json
+refuses "page: not over an input" 2 '--report: would overwrite new.json' compare old.json new.json --report new.json
 odd=$(printf '\033[31m<b>.json')
 cp one.json "$odd"
 run compare "$odd" other.json --report page.html
@@ -201,7 +201,7 @@ check "refused: as JSON, too" matches "$work/stdout" '"error": "not comparable"'
 together "temperature" 'only one of them includes temperature' thermal.json
 sed 's/"greatest": [0-9.]*/"greatest": 20/' thermal.json > cold.json
 refuses "refused: temperatures that do not overlap" 1 'it holds from .* to 20 °C, and the other at' compare thermal.json cold.json
-accepts "two of temperature are compared at one" compare thermal.json thermal.json
+accepts "two with temperature are compared at one of them" compare thermal.json thermal.json
 "$tool" simulate --plan grid:30:18 > "$work/raw.csv"
 "$tool" calibrate raw.csv --quiet --gravity 9.80665 --quadratic --out bent.json
 together "nonlinearity" 'includes nonlinearity' bent.json
@@ -212,12 +212,12 @@ refuses "refused: the standard input twice" 2 'only one input' compare - -
 in=old.json
 accepts "the standard input once" compare - middle.json
 in=/dev/null
-refuses "refused: another kinship" 2 '--as cousins: must be serial, history or fleet' compare old.json new.json --as cousins
+refuses "refused: an unknown --as" 2 '--as cousins: must be serial, history or fleet' compare old.json new.json --as cousins
 "$tool" simulate --truth truth.json > /dev/null
-refuses "refused: no file of calibrate" 3 'truth\.json: the field or the frame is missing' compare truth.json old.json
+refuses "refused: not a file of calibrate" 3 'truth\.json: the field or the frame is missing' compare truth.json old.json
 refuses "refused: no such file" 3 'none\.json: cannot be read' compare old.json none.json
 echo '{"offset": [1, 2, 3], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}' > bare.json
-refuses "refused: a file that tells no field" 3 'the field or the frame is missing' compare bare.json bare.json
+refuses "refused: a file without a field" 3 'the field or the frame is missing' compare bare.json bare.json
 
 # ---- magnetometers -------------------------------------------------------------------------------
 
@@ -236,9 +236,9 @@ waved there 5 12 --gravity 48.7
 waved gauss 6 12 --gravity 0.48
 accepts "magnetometers without --gravity" compare first.json again.json --report page.html
 check "magnetometers without --gravity: nothing has changed" matches "$work/stdout" '^Steady: '
-check "magnetometers: the page is one" is_page page.html
+check "magnetometers: the page is well-formed" is_page page.html
 run compare first.json moved.json
-check "magnetometers: hard iron of 3 uT more, of 48" test "$(awk '/^offset x/ { d = $5 / 6.25; print (d > 0.8 && d < 1.2), $NF; exit }' "$work/stdout")" = "1 changed"
+check "magnetometers: hard iron has changed by 3 of 48 uT" test "$(awk '/^offset x/ { d = $5 / 6.25; print (d > 0.8 && d < 1.2), $NF; exit }' "$work/stdout")" = "1 changed"
 accepts "magnetometers: --gravity of another place" compare known.json there.json
 refuses "magnetometers: one with, one without" 1 'only one of them was made with --gravity' compare first.json known.json
 refuses "magnetometers: fields of other units" 1 'their fields are 0\.48 and 48' compare known.json gauss.json

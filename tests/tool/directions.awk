@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
-# Judges the directions of `invcal plan --json` again, and checks what it says of itself: sigma, ln
-# det H'H, the angles, the axes. Prints "n sigma_delta sigma_dk sigma_gamma ln_det below", the
-# last by how much ln det is below the bound of a spherical 4-design; or one line that begins
-# with "wrong". K is found by Gauss and Jordan, which the library does not use.
+# Evaluates the directions of `invcal plan --json` independently, and checks its figures: sigma, ln
+# det H'H, the angles, the axes. Prints "n sigma_delta sigma_dk sigma_gamma ln_det below", where below
+# is how far ln det is below the bound of a spherical 4-design; or one line that begins with "wrong".
+# K is found by Gauss-Jordan elimination, which the library does not use.
 function abs(x) { return x < 0 ? -x : x }
 function apart(a, b) { return !(abs(a - b) <= 1e-9 * (1 + abs(b))) }
 function numbers(text, out) {

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of export from outside: export_test.sh path/to/invcal builddir
-# CC and CFLAGS as for the library; the libraries lie beside the tool.
+# Tests of export by its command line: export_test.sh path/to/invcal builddir
+# CC and CFLAGS as for the library; the libraries are next to the tool.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -79,8 +79,8 @@ truth 20000 1 "$zero" "$lsb" > "$work/sphere"
 
 numbers() { tr -c '0-9.eE+-' ' '; echo; }
 
-# parameters SEPARATOR KEY VALUE NAME ...: of a file of names and values in these columns, those of
-# the names in this order
+# parameters SEPARATOR KEY VALUE NAME ...: from a file with names and values in these columns, the
+# values of the names, in this order
 parameters() {
     separator=$1
     key=$2
@@ -132,7 +132,7 @@ went_well() { [ "$code" -eq 0 ] || complain; }
 accepts "ros: is exported" export "$work/cal.json" --format ros $driver
 { yaml SM; yaml bias; } > "$work/numbers"
 check "ros: SM raw - bias is the truth" within 1e-6 ros "$work/driven"
-check "ros: says which package reads it" matches "$work/stdout" \
+check "ros: names the package that reads it" matches "$work/stdout" \
     'apply_calib of the package imu_calib'
 check "ros: SM has 9 numbers and bias 3" sh -c '[ "$(wc -w < "$1")" -eq 12 ]' sh "$work/numbers"
 
@@ -142,7 +142,7 @@ awk '/^#/ { exit } { print }' "$work/stdout" > "$work/numbers"
 check "imu_tk: 21 numbers come before anything else" \
     sh -c '[ "$(wc -w < "$1")" -eq 21 ]' sh "$work/numbers"
 check "imu_tk: T K (X - B) is the truth" within 1e-6 imu_tk "$work/raw"
-check "imu_tk: T has ones on its diagonal, K nothing beside its own" awk 'NF { row++ }
+check "imu_tk: T has ones on its diagonal, K is diagonal" awk 'NF { row++ }
     row <= 3 && NF && $row != 1 { exit 1 }
     row > 3 && row <= 6 && NF { for (i = 1; i <= 3; i++) if (i != row - 3 && $i != 0) exit 1 }' \
     "$work/numbers"
@@ -162,7 +162,7 @@ accepts "fusion: a calibration in g is exported" export "$work/g.json" --format 
 for part in Misalignment Sensitivity Offset; do
     initialiser "acc$part"
 done > "$work/numbers"
-check "fusion: it gives the same, under the name asked for" within 2e-6 inertial "$work/g"
+check "fusion: it gives the same, under the requested name" within 2e-6 inertial "$work/g"
 
 # A magnetometer: the same sensor in 48.5 uT.
 calibration '' 48.5 "$(awk -v g="$gravity" 'BEGIN { printf "%.17g", 48.5 / g }')" > "$work/mag.json"
@@ -223,16 +223,16 @@ for f in px4 ardupilot; do
         near 1e-6 "$(head -n 3 "$work/numbers" | tr '\n' ' ')" "$offsets"
     axes=$(figures diagonal "$work/axes")
     sphere=$(figures diagonal "$work/sphere")
-    check "$f: the error is the one that is stated" \
+    check "$f: the stated error is right" \
         agree "$(stated 'this best fit')" "${axes%% *} ${sphere#* }"
-    check "$f: stderr states it too, in one line" says \
+    check "$f: stderr states it, too, in one line" says \
         "best fit leaves $(stated 'this best fit' | awk '{ print $1 " mg rms, " $2 " mg" }') at most"
     check "$f: no other offset or scale leaves less" is_least
     { head -n 3 "$work/numbers"; echo "$truncated"; } > "$work/cut"
     mv "$work/cut" "$work/numbers"
     cut_axes=$(figures diagonal "$work/axes")
     cut_sphere=$(figures diagonal "$work/sphere")
-    check "$f: cut off, the cross terms leave what is stated" \
+    check "$f: without cross terms, the stated error remains" \
         agree "$(stated 'cross terms dropped')" "${cut_axes%% *} ${cut_sphere#* }"
     check "$f: which is more" sh -c 'echo "$1 $2" | awk "{ exit !(\$1 < \$2) }"' sh \
         "${axes%% *}" "${cut_axes%% *}"
@@ -248,7 +248,7 @@ check "px4: the instance is in the names, the device ID is an int32" sh -c \
         grep -q "^1	1	CAL_ACC2_ID	1310988	6\$" "$1"' sh "$work/stdout"
 check "px4: QGroundControl finds five fields in each line" awk -F'\t' \
     '!/^#/ && (NF != 5 || $1 != 1 || $2 != 1 || ($5 != 9 && $5 != 6)) { exit 1 }' "$work/stdout"
-check "px4: which log is not corrected yet is told" matches "$work/stdout" '^# .*sensor_accel:'
+check "px4: it says which log is not corrected yet" matches "$work/stdout" '^# .*sensor_accel:'
 # shellcheck disable=SC2086
 export_to ardupilot $driver --instance 1 --device-id 1310988
 check "ardupilot: the instance is in the names" sh -c \
@@ -267,7 +267,7 @@ refuses "ardupilot: an offset beyond its range is refused" 1 'offset of y would 
 refuses "px4: a scale beyond its range is refused" 1 'scale of z would be -0.98.*0.1 to 3' \
     export "$work/cal.json" --format px4 --zero "$(commas "$zero")" --lsb 0.0024
 run export "$work/cal.json" --format ardupilot --zero 31500,32700,32800 --lsb "$(commas "$lsb")"
-check "ardupilot: a large offset is told" matches "$work/stderr" '3.8.*range of \+-3.5'
+check "ardupilot: a large offset gives a warning" matches "$work/stderr" '3.8.*range of \+-3.5'
 
 # One that PX4 may ignore.
 cat > "$work/small.json" <<'EOF'
@@ -275,7 +275,7 @@ cat > "$work/small.json" <<'EOF'
  "gravity": 9.80665, "unit": "m/s^2"}
 EOF
 run export "$work/small.json" --format px4
-check "px4: one that it may ignore is told" matches "$work/stderr" 'releases ignore an offset shorter'
+check "px4: a warning if it may be ignored" matches "$work/stderr" 'releases ignore an offset shorter'
 check "px4: a diagonal calibration leaves nothing" matches "$work/stdout" \
     '^# +this best fit +0\.0000 +0\.0000 +0\.0000 +0\.0000$'
 
@@ -288,7 +288,7 @@ for members in '' '"unit": "counts",' '"unit": "unknown",' \
     '"nominal": {"zero": [1, 2, 3], "lsb": [1, 1, 1], "zero_from": "earlier", "lsb_from": "earlier"},'; do
     calibration "$members" "$gravity" 1 > "$work/unknown.json"
     for f in px4 ardupilot ros; do
-        refuses "$f: no scale is invented: ${members:-nothing told}" 2 "$hint" \
+        refuses "$f: no scale is invented: ${members:-nothing stated}" 2 "$hint" \
             export "$work/unknown.json" --format $f
     done
 done
@@ -414,7 +414,7 @@ try_c() { # try_c SENTENCE CAL.json: exported, compiled and run in both builds
     done
 }
 try_c "a calibration" "$work/cal.json"
-check "c-arrays: no include, nothing of the library" lacks "$work/arrays.h" 'include|invcal_'
+check "c-arrays: no include, and no name of the library" lacks "$work/arrays.h" 'include|invcal_'
 awk '{ gsub(/33123\.83/, "33124"); print }' "$work/cal.json" > "$work/whole.json"
 accepts "c: whole numbers" export "$work/whole.json" --format c --name accel --out "$work/accel.h"
 check "c: whole numbers have a point in front of the suffix" matches "$work/accel.h" \
@@ -454,10 +454,10 @@ in=$work/real.json
 run export - --format imu_tk
 in=/dev/null
 check "a calibration comes from standard input" went_well
-check "one that is rough with a warning" says 'warning: standard input: rough calibration'
+check "a rough calibration is exported with a warning" says 'warning: standard input: rough calibration'
 awk '/^#/ { exit } { print }' "$work/stdout" > "$work/numbers"
 check "imu_tk: a real sensor: as apply" within 1e-6 imu_tk "$work/truth"
-check "its comment tells verdict, positions, sigma, gravity and source" sh -c '
+check "its comment has verdict, positions, sigma, gravity and source" sh -c '
     for word in "verdict: rough" "positions: 38" "offset  *0.2" "gravity: 9.81744 m.s^2" "standard input"; do
         grep -q "^# .*$word" "$1" || exit 1
     done' sh "$work/stdout"
@@ -476,16 +476,16 @@ accepts "the truth of a simulation is exported" export "$work/simulated.json" --
 "$tool" simulate --plan per-group:5 --outliers 3 --seed 33 --noise 0.002 > "$work/doubt.csv"
 "$tool" calibrate "$work/doubt.csv" --quiet --out "$work/doubt.json"
 run export "$work/doubt.json" --format c
-check "one whose positions contradict one another, too, with a warning" says \
+check "one whose positions contradict one another is exported with a warning, too" says \
     'warning: .*doubt\.json: 4 positions contradict one another'
 check "and with a comment" matches "$work/stdout" '4 positions contradict one another'
 "$tool" calibrate "$data/t265_positions.csv" --positions --gravity 9.8016 --out "$work/weak.json" \
     > "$work/table"
 run export "$work/weak.json" --format c
 check "a weak calibration is exported" went_well
-check "with a warning that names what is badly determined" says \
+check "with a warning that names what is poorly determined" says \
     'warning: .*weak calibration: gamma_xy, gamma_xz, gamma_zy poorly determined'
-check "and with the same in its comment" sh -c \
+check "and the same in its comment" sh -c \
     'grep -q "verdict: weak" "$1" && grep -q "poorly determined: gamma_xy, gamma_xz, gamma_zy" "$1"' \
     sh "$work/stdout"
 
@@ -499,18 +499,18 @@ run export "$evil" --format c --name accel --out "$work/accel.h"
 check "hostile texts: exported" went_well
 check "hostile texts: the warning is one line" says 'warning: '
 run export "$evil" --format c-arrays --name plain --out "$work/arrays.h"
-check "hostile texts do not get out of a C comment" compile 0
+check "hostile texts stay inside a C comment" compile 0
 # shellcheck disable=SC2086
 run export "$evil" --format px4 $driver
-check "hostile texts do not get out of a # comment" awk \
+check "hostile texts stay inside a # comment" awk \
     '!/^(# |1\t1\tCAL_ACC0_[XYZ](OFF|SCALE)\t)/ { exit 1 }' "$work/stdout"
 
 # ---- refusals ----------------------------------------------------------------------------------
 
 see='see invcal export --help'
-refuses "no format is refused" 2 "--format: must be one of c, .*$see" export "$work/cal.json"
-refuses "another format is refused" 2 '--format: must be one of c' export "$work/cal.json" --format matlab
-refuses "no file is refused" 2 'CAL.json is missing' export --format c
+refuses "a missing format is refused" 2 "--format: must be one of c, .*$see" export "$work/cal.json"
+refuses "an unknown format is refused" 2 '--format: must be one of c' export "$work/cal.json" --format matlab
+refuses "a missing file name is refused" 2 'CAL.json is missing' export --format c
 refuses "a file that is not there is refused" 3 'nowhere.json' export nowhere.json --format c
 for name in 1st a-b 'a b' int '_a' 'x*/' "$(printf 'a%060d' 0)"; do
     refuses "the name '$name' is refused" 2 '--name: must be a C identifier' \
@@ -525,7 +525,7 @@ refuses "px4: --name is refused" 2 '--name: --format px4 does not use it' \
 refuses "--lsb alone is refused" 2 '--lsb: state both' export "$work/cal.json" --format px4 --lsb 1
 refuses "a scale of 0 is refused" 2 '--lsb: a scale must not be 0' \
     export "$work/cal.json" --format px4 --zero 0,0,0 --lsb 0
-refuses "a scale no calculation can bear is refused" 2 'the scale of the driver is out of range' \
+refuses "a scale too large to compute with is refused" 2 'the scale of the driver is out of range' \
     export "$work/cal.json" --format ros --zero 0,0,0 --lsb 1e-320
 refuses "--out over CAL.json is refused" 2 '--out: would overwrite CAL.json' \
     export "$work/cal.json" --format c --out "$work/cal.json"
@@ -544,8 +544,8 @@ for members in '"sigma": {"dk": [1, 2]},' '"sigma": {"dk": [1, 2, "x"]},' '"posi
 done
 calibration '"sigma": {"offset": [null, null, null], "dk": [null, 1, 2]},' "$gravity" 1 \
     > "$work/null.json"
-accepts "sigma that is not known is accepted" export "$work/null.json" --format c
-check "and told" matches "$work/stdout" 'standard deviations: unknown'
+accepts "unknown sigma is accepted" export "$work/null.json" --format c
+check "and reported" matches "$work/stdout" 'standard deviations: unknown'
 printf '{"offset": [0,0,0], "matrix": [[1,2,3],[2,4,6],[0,0,1]], "gravity": 1}' > "$work/flat.json"
 refuses "a singular matrix is refused" 3 'singular' export "$work/flat.json" --format c
 printf '{"offset": [0,0,0], "matrix": [[0,1,0],[1,0,0],[0,0,1]], "gravity": 1}' > "$work/turned.json"

@@ -1,15 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# What the tool says of a sensor or a clock that fails, log by log: fault_test.sh path/to/invcal
-# builddir. A good log is damaged by a line of awk; the message, the exit code and what comes of the
-# offset are compared with a table.
+# What the tool says about a sensor or a clock that fails, log by log: fault_test.sh path/to/invcal
+# builddir. A line of awk damages a good log; the message, the exit code and the offset must be as
+# stated.
 # shellcheck disable=SC2016 # $2 and the like belong to awk
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# Six faces, three edges that make nine with them, and the other edges.
+# Six faces, three edges, which make nine, and the other edges.
 {
     echo x,y,z
     for sign in 1 -1; do echo $sign,0,0; echo 0,$sign,0; echo 0,0,$sign; done
@@ -17,13 +17,13 @@ here=$(dirname "$0")
 } > "$work/directions.csv"
 "$tool" simulate --plan "directions:$work/directions.csv" --truth "$work/truth.json" > "$work/good.csv"
 
-# Columns are t x y z; half is 1 from the middle of the log on; old[1] ... is the line before.
+# Columns are t x y z; half is 1 from the middle of the log on; old[1] ... is the previous line.
 damage() { # NAME AWK: $work/NAME.csv
     awk -F, -v OFS=, 'NR == 1 { print; next } { half = NR > 6200 }
         '"$2"' { print; for (i = 1; i <= 4; i++) old[i] = $i }' "$work/good.csv" > "$work/$1.csv"
 }
 
-# The offset of the truth, the axes in this order, agrees with the result to so many counts.
+# The true offset, with its axes in this order, agrees with the result to that many counts.
 is_offset() { # COUNTS ORDER
     near "$1" "$(json "$work/stdout" offset)" "$(json "$work/truth.json" offset | tr -d '[]' |
         awk -F, -v order="$2" '{ split(order, i, ""); print $i[1], $i[2], $i[3] }')"
@@ -62,7 +62,7 @@ check "fault: one axis freezes half-way: not called good" matches "$work/said" '
 clip='{ $2 = $2 > 15500 ? 15500 : $2 < -15500 ? -15500 : $2 }'
 fault "clips at a rail that is not stated" 0 "^ +2 rests refused: $stuck" "$clip"
 right "clips at a rail that is not stated" 1.5
-# A rail touched on the way is one too.
+# A rail that is touched in a move counts, too.
 fault "clips at a rail that is stated" 0 "^ +6 rests refused: at the end of the sensor's range" \
     "$clip" --clip -15500,15500
 fault "two axes exchanged" 0 '^Good: ' '{ x = $2; $2 = $3; $3 = x }'
@@ -105,7 +105,7 @@ right "a table that tilts between visits" 1.5
 run calibrate "$work/fault.csv"
 check "fault: a hand: good, if it is as noisy in rests as between them" matches "$work/stdout" '^Good: '
 run calibrate "$work/fault.csv" --json
-check "fault: a hand: does no harm that sigma does not tell" is_offset 20 123
+check "fault: a hand: errors stay within sigma" is_offset 20 123
 
 # ---- the clock ---------------------------------------------------------------------------------------
 
@@ -116,6 +116,6 @@ right "a clock that jumps by an hour" 1.5
 fault "a clock that is set back" 0 '^ +1 gap in the stream' 'half { $1 -= 30 }'
 right "a clock that is set back" 1.5
 fault "a clock that stands still" 3 'fault\.csv:2: the times advance by 0, which cannot be seconds .*: state --rate$' '{ $1 = 5 }'
-fault "a reading that is none" 3 "fault\\.csv:6201: column 2 \\(x\\): 'nan' is not a finite number" \
+fault "a reading that is not a number" 3 "fault\\.csv:6201: column 2 \\(x\\): 'nan' is not a finite number" \
     'NR == 6201 { $2 = "nan" }'
 finish

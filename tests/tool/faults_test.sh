@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of faults that were found and mended: what is written over, numbers out of range, what gets to
-# the terminal, logs of great length, and facts of a report that nothing else looks at.
+# Tests of faults that were found and fixed: overwritten files, numbers out of range, control sequences on
+# the terminal, very long logs, and facts in a report that no other test checks.
 # faults_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
@@ -14,9 +14,9 @@ xsens=$data/xsens_mti_positions.csv
 "$tool" allan "$work/rest.csv" --to 299 --lsb 0.0006 --out "$work/noise.json" > /dev/null
 "$tool" plan --csv > "$work/angles.csv"
 
-# ---- what is read is not written over ------------------------------------------------------------
+# ---- input files are not overwritten --------------------------------------------------------------
 
-# saves FILE SENTENCE PATTERN ARGUMENTS ...: refused as usage, and the file is as it was.
+# saves FILE SENTENCE PATTERN ARGUMENTS ...: refused as a usage error, and the file is as it was.
 saves() {
     file=$1 sentence=$2 pattern=$3
     shift 3
@@ -94,26 +94,26 @@ refuses "watch: one standard input for samples and nominal" 2 '--nominal: only o
 # ---- writing ---------------------------------------------------------------------------------------
 
 left() { ls -A "$work/out" | tr '\n' ' '; }
-# A run that was killed left a file; the next has the same number, as always in a container.
+# A killed run left a file; the next run has the same process ID, as in a container.
 (cd "$work/out" && sh -c 'echo stale > cal.json.tmp-$$; echo $$ > ../pid
     exec "$0" calibrate "$1" --out cal.json' "$tool" "$l") > "$work/stdout" 2> "$work/stderr"
 code=$?
 pid=$(cat "$work/pid")
-check "what a killed run left does not stand in the way" succeeded
-check "it is left alone, and nothing else is left" [ "$(left)" = "cal.json cal.json.tmp-$pid " ]
+check "a file of a killed run is not in the way" succeeded
+check "it is left alone, and there is no other" [ "$(left)" = "cal.json cal.json.tmp-$pid " ]
 check "the file is there" is_json "$work/out/cal.json"
-check "what is not ours is as it was" [ "$(cat "$work/out/cal.json.tmp-$pid")" = stale ]
+check "a foreign file is unchanged" [ "$(cat "$work/out/cal.json.tmp-$pid")" = stale ]
 rm -f "$work"/out/*
 (cd "$work/out" && sh -c 'for n in "" $(seq -f -%g 99); do echo stale > cal.json.tmp-$$$n; done
     exec "$0" calibrate "$1" --out cal.json' "$tool" "$l") > "$work/stdout" 2> "$work/stderr"
 code=$?
-check "a hundred of them do, and one is named" \
+check "a hundred of them are, and one is named" \
     was_refused 3 'cal\.json: cannot be written: cal\.json\.tmp-[0-9]+-99 exists'
 rm -f "$work"/out/*
 
 ln -s out/target.json "$work/link.json"
 accepts "a link to a file that is not there yet" calibrate "$l" --out "$work/link.json" --quiet
-check "the link is one still" [ -L "$work/link.json" ]
+check "the link is still a link" [ -L "$work/link.json" ]
 check "its target is made" is_json "$work/out/target.json"
 ln -s link.json "$work/link2.json"
 rm "$work/out/target.json"
@@ -132,7 +132,7 @@ rm -f "$work"/out/*
 
 echo old > "$work/out/cal.json"
 chmod 444 "$work/out/cal.json"
-# LOG is a pipe that nobody writes into: who reads it first would wait for ever.
+# LOG is a pipe without a writer: reading it first would wait forever.
 mkfifo "$work/never"
 for line in "calibrate never --out" "watch never --report" "allan never --out" \
     "export never --format c --out" "plan --svg" "simulate --truth"; do
@@ -145,11 +145,11 @@ for line in "calibrate never --out" "watch never --report" "allan never --out" \
 done
 ln -s out/cal.json "$work/to_old.json"
 run calibrate "$l" --out "$work/to_old.json"
-check "what is read-only is refused through a link" kept_old 3 'to_old\.json: is read-only'
+check "a read-only file is refused through a link" kept_old 3 'to_old\.json: is read-only'
 chmod 644 "$work/out/cal.json"
 timeout 10 "$tool" calibrate "$work/never" --out "$work/nowhere/x" > "$work/stdout" 2> "$work/stderr"
 code=$?
-check "a folder that is not there is told before any work" \
+check "a missing folder is reported before any work" \
     was_refused 3 'nowhere/x: cannot be written: No such file'
 rm -f "$work"/out/*
 
@@ -167,16 +167,16 @@ for value in -1 99999999999 1e300; do
         plan --limits 1,1,1 --spare $value
 done
 is_finite() { ! grep -Ewi -- '-?(inf|infinity|nan)' "$1" >&2; }
-tells_finite() { { [ "$code" -eq 0 ] && is_finite "$work/stdout" && is_finite "$work/page.html"; } || complain; }
+prints_finite() { { [ "$code" -eq 0 ] && is_finite "$work/stdout" && is_finite "$work/page.html"; } || complain; }
 for rate in 1e-300 1e-12 1e12; do
     head -n 20000 "$work/rest.csv" > "$work/part.csv"
     run allan "$work/part.csv" --rate $rate --report "$work/page.html"
-    check "allan --rate $rate tells finite numbers" tells_finite
+    check "allan --rate $rate prints finite numbers" prints_finite
 done
 run allan "$work/part.csv" --rate 1e-300
-check "a time of more digits than tell anything is in seconds" matches "$work/stdout" '[0-9]e\+30[0-9] s'
-check "and none is a number that overflowed" lacks "$work/stdout" '[0-9]{15}'
-refuses "a field that may be wrong by more than itself" 2 '--gravity: .*below the length' \
+check "a time with more digits than make sense is in seconds" matches "$work/stdout" '[0-9]e\+30[0-9] s'
+check "and no number has overflowed" lacks "$work/stdout" '[0-9]{15}'
+refuses "a field whose error may exceed it" 2 '--gravity: .*below the length' \
     calibrate "$l" --gravity 9.8+-1e300
 
 calibration() { # OFFSET DIAGONAL GRAVITY
@@ -215,12 +215,12 @@ refuses_nonfinite fusion 1 "a cross term that overflows"
 nominal='--positions --gravity 9.81744 --zero 33123,33276,32360 --lsb 0.0024'
 { cat "$xsens"; echo 1e200,33330,33330,1,1,1,100; } > "$work/huge.csv"
 # shellcheck disable=SC2086
-refuses "a reading that no figure can tell" 1 'huge\.csv:40: the reading of position 39 is too large' \
+refuses "a reading too large to report" 1 'huge\.csv:40: the reading of position 39 is too large' \
     calibrate "$work/huge.csv" $nominal
 { cat "$xsens"; echo 1e20,33330,33330,1,1,1,100; } > "$work/huge.csv"
 # shellcheck disable=SC2086
 run calibrate "$work/huge.csv" $nominal --report "$work/page.html"
-check "a reading that one can is left out, in finite numbers" tells_finite
+check "a reading that can be left out is, with finite numbers" prints_finite
 check "it is named" matches "$work/stdout" '^Left out: position 39 \(line 40\)'
 
 # ---- the terminal ------------------------------------------------------------------------------------
@@ -243,15 +243,15 @@ clean() { # clean SENTENCE ARGUMENTS ...
     shift
     run "$@"
     check "$sentence: it has something to say" [ -s "$work/stdout" ] || complain
-    check "$sentence: no command gets to the terminal" is_clean
+    check "$sentence: no control sequence reaches the terminal" is_clean
 }
 shown='a\?\[2Jb\?\?2Jc\?2Jd\?e'
 clean "calibrate of a log" calibrate "$work/$escape.csv" --out "$work/out/$escape.json" \
     --report "$work/out/$escape.html"
-check "the names can still be told" matches "$work/stdout" "^Saved in .*/$shown\.json\.\$"
-check "that of the page as well" matches "$work/stdout" "^Report in .*/$shown\.html\.\$"
-check "and the command that comes next" matches "$work/stdout" "invcal apply '.*/$shown\.json' LOG"
-check "the file has the name that was asked for" is_json "$work/out/$escape.json"
+check "the names are still readable" matches "$work/stdout" "^Saved in .*/$shown\.json\.\$"
+check "so is the page's" matches "$work/stdout" "^Report in .*/$shown\.html\.\$"
+check "and the next command" matches "$work/stdout" "invcal apply '.*/$shown\.json' LOG"
+check "the file has the requested name" is_json "$work/out/$escape.json"
 check "the page is clean, too" has_no_command "$work/out/$escape.html"
 rm -f "$work"/out/*
 clean "calibrate of positions" calibrate "$work/$escape.positions" --positions
@@ -289,19 +289,19 @@ END
 printf 'x,y,z,temperature\n20,1,1,90\n' > "$work/beyond.csv"
 for kind in warm bent; do
     run apply "$work/$kind.json" "$work/beyond.csv"
-    check "apply warns of what is beyond: $kind" says '^invcal: warning: '
+    check "apply warns of a reading beyond the range: $kind" says '^invcal: warning: '
     cp "$work/stdout" "$work/loud"
     accepts "apply --quiet does not: $kind" apply "$work/$kind.json" "$work/beyond.csv" --quiet
     check "and prints the same: $kind" same "$work/stdout" "$work/loud"
 done
-refuses "apply --quiet tells an error" 3 'no\.csv: cannot be read' \
+refuses "apply --quiet reports an error" 3 'no\.csv: cannot be read' \
     apply "$work/warm.json" "$work/no.csv" --quiet
 
-# ---- logs of great length ------------------------------------------------------------------------------
+# ---- very long logs ------------------------------------------------------------------------------------
 
-# The six faces and twelve edges again and again, or with random=1 any direction: x y z, normal noise of
-# 1 mm/s^2. With share=S every one of that share, at random, reads 20 mm/s^2 too much: their numbers go to
-# the file wrong. With angles=1 angles of 15 degrees, the wrong ones 15 degrees off.
+# The six faces and twelve edges repeatedly, or with random=1 any directions: x y z, normal noise of
+# 1 mm/s^2. With share=S a random share S of them reads 20 mm/s^2 too much: their numbers go to the file
+# wrong. With angles=1 with angles in steps of 15 degrees, the wrong ones off by 15 degrees.
 cat > "$work/long.awk" << 'END'
 function gauss() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand()) }
 function put(x, y, z, rest) {
@@ -345,7 +345,7 @@ long() { # NAME=VALUE ...
 }
 of_long() { run calibrate "$work/long.csv" --positions --gravity 9.8 "$@"; }
 long n=65535 seed=1
-refuses "more positions than can be are refused with a reason" 3 'long\.csv:65536: more than 65534 positions' \
+refuses "more positions than possible are refused with a reason" 3 'long\.csv:65536: more than 65534 positions' \
     calibrate "$work/long.csv" --positions
 all_good() { # a program that is repeated, so often that any stride meets its period
     long n=20000 seed=1
@@ -379,8 +379,8 @@ check "a few wrong ones of thousands are named, and no others" finds_wrong 0.002
 check "one in ten" finds_wrong 0.1 5000 2
 check "one in ten of a hundred and thirty" finds_wrong 0.1 130 3
 
-# takes_its_length SIZE MAKER ARGUMENTS ...: four times as much of what MAKER SIZE makes takes the processor
-# no more than nine times as long. (In square time it would be sixteen.)
+# takes_its_length SIZE MAKER ARGUMENTS ...: four times as much input from MAKER SIZE takes no more than nine
+# times the processor time. (Quadratic time would be sixteen.)
 spent() { # BEFORE AFTER: seconds that all children have taken in between, by two lists of `times`
     awk 'FNR == 2 { for (i = 1; i <= 2; i++) { split($i, t, /[ms]/); s += (NR == FNR ? -1 : 1) * (60 * t[1] + t[2]) } }
         END { print s }' "$1" "$2"
@@ -413,12 +413,12 @@ with_rests() { # the same directions, five seconds each at 10 samples a second
         }
         x = $1; y = $2; z = $3 }' "$work/long.csv" > "$work/rests.csv"
 }
-check "positions take as long as they are many, wrong ones among them" \
+check "time is proportional to the number of positions, some of them wrong" \
     takes_its_length 16000 with_wrong calibrate "$work/long.csv" --positions --gravity 9.8
-check "so do misset ones of a stand" \
+check "of positions on a stand, some of them misset" \
     takes_its_length 16000 with_angles calibrate "$work/long.csv" --positions --gravity 9.8 --stand
-check "so does watch" takes_its_length 1000 with_rests watch "$work/rests.csv" --gravity 9.8
-check "so does watch with a program" \
+check "of positions in watch" takes_its_length 1000 with_rests watch "$work/rests.csv" --gravity 9.8
+check "of positions in watch with a program" \
     takes_its_length 1000 with_rests watch "$work/rests.csv" --gravity 9.8 --plan edges
 
 # ---- facts of a report and of the result ---------------------------------------------------------------
@@ -428,10 +428,10 @@ check "so does watch with a program" \
 "$tool" simulate --plan edges --noise 0.0001 > "$work/known.csv"
 run calibrate "$work/known.csv" --gravity 9.80665 --zero 0,0,0 --lsb 0.00059855041503906 \
     --report "$work/page.html"
-# The rows of the page's tables, one on a line, without tags.
+# The rows of the page's tables, a line each, without tags.
 tr -d '\n' < "$work/page.html" | sed 's/<tr>/\n/g' | sed "s/<\/tr>.*//; s/<[^>]*>/ /g; s/$(printf '\302\240')/ /g; s/−/-/g" \
     > "$work/rows"
-# What the picture of the nine says of itself.
+# The description of the picture of the nine parameters.
 sed -n 's/^<desc>Bars for the nine parameters[^:]*: \(.*\)\.<\/desc>$/\1/p' "$work/page.html" | head -n 1 |
     sed "s/; /\n/g; s/$(printf '\302\240')/ /g; s/−/-/g" > "$work/bars"
 shows() { # FILE NAME NUMBER WITHIN: the line that begins with this name has such a number
@@ -447,17 +447,17 @@ for row in 'offset x=20=327.68' 'offset y=-15=-245.76' 'offset z=30=491.52' 'sca
     'scale y=-0.8=1657.337' 'scale z=1.2=1690.751' 'angle xy=0.57296=' 'angle xz=-0.34377=' \
     'angle zy=0.45837='; do
     name=${row%%=*} values=${row#*=}
-    check "report: the table tells the $name of the sensor" shows "$work/rows" "$name" "${values%=*}" 0.02
-    check "report: and so does the picture" shows "$work/bars" "$name" "${values%=*}" 0.02
+    check "report: the table has the $name of the sensor" shows "$work/rows" "$name" "${values%=*}" 0.02
+    check "report: and so has the picture" shows "$work/bars" "$name" "${values%=*}" 0.02
     [ -z "${values#*=}" ] ||
-        check "report: and what it reads: $name" shows "$work/rows" "$name" "${values#*=}" 0.3
+        check "report: and the readings: $name" shows "$work/rows" "$name" "${values#*=}" 0.3
 done
 for axis in x y z; do
     check "report: the nominal scale of $axis" shows "$work/rows" "scale $axis" 1670.703 0.06
 done
 
 # Forty directions along a spiral; lengths differ by up to 0.1 mg, but position 3 is wrong by 5 mg, so it is
-# left out, and behind it 11 is worst, by 0.26 mg.
+# left out, and of the others 11 is worst, by 0.26 mg.
 awk 'BEGIN {
     print "x,y,z"
     for (i = 0; i < 40; i++) {
@@ -481,12 +481,12 @@ long n=24 angles=1 seed=8
 awk -F , -v OFS=, 'NR == 4 { for (i = 1; i <= 3; i++) $i *= 1.005 } NR == 12 { $4 += 2 } { print }' \
     "$work/long.csv" > "$work/moved.csv"
 run calibrate "$work/moved.csv" --positions --gravity 9.8 --stand
-check "so has one of a stand that is misset" matches "$work/stdout" '^Misset: position 11 \(line 12\)|^Misset: position 11 '
+check "so has the misset one of a stand" matches "$work/stdout" '^Misset: position 11 \(line 12\)|^Misset: position 11 '
 
 # Noise of the samples: 1 mg, over the root of the 350 to 500 samples that a rest of five seconds has.
 "$tool" simulate --plan edges --noise 0.001 > "$work/noisy.csv"
 run calibrate "$work/noisy.csv" --gravity 9.80665
-check "the noise of a mean is that of its samples over the root of their number" awk '
+check "the noise of a mean is that of its samples over the root of their count" awk '
     match($0, /\(of samples: [0-9.e-]*\)/) {
         n = 0.00980665 / substr($0, RSTART + 13, RLENGTH - 14); found = n * n > 350 && n * n < 500
     }
@@ -530,12 +530,12 @@ warm() { # POSITIONS SEED
 is_chance() { # POSITIONS SEED
     warm "$1" "$2"
     run calibrate "$work/warm.csv" --positions --gravity 9.8 --keep-all
-    told=$(tr '\n' ' ' < "$work/stdout" | sed -n 's/.*(p = \([0-9.e-]*\)).*/\1/p')
+    printed=$(tr '\n' ' ' < "$work/stdout" | sed -n 's/.*(p = \([0-9.e-]*\)).*/\1/p')
     run calibrate "$work/warm.csv" --positions --gravity 9.8 --keep-all --thermal 1 --json
     without=$(sed -n 's/^ *"residual_rms_without": \([0-9.e-]*\),*$/\1/p' "$work/stdout")
     is=$(chance_of "$(json "$work/stdout" residual_rms)" "$without" "$1")
-    echo "$told $is" | awk '{ exit !($1 > 0 && $1 / $2 < 1.06 && $2 / $1 < 1.06) }' ||
-        { echo "    told $told, but is $is" >&2; return 1; }
+    echo "$printed $is" | awk '{ exit !($1 > 0 && $1 / $2 < 1.06 && $2 / $1 < 1.06) }' ||
+        { echo "    printed $printed, but it is $is" >&2; return 1; }
 }
 for n in 24 30 50; do
     check "the chance that $n positions depend on temperature is Fisher's" is_chance $n 1
@@ -555,7 +555,7 @@ thermal_alarms() {
         [ $alarms -le 3 ] || { echo "    $alarms false alarms of $n positions" >&2; return 1; }
     done
 }
-check "--thermal leaves out no good one, even of the fewest" thermal_alarms
+check "--thermal leaves out no good position, even of the fewest" thermal_alarms
 # Of 21 positions one that is wrong by 3 %, three hundred times the noise, which two degrees of freedom can
 # tell, but not one.
 thermal_finds() { # AT MOST so many of 40 are missed
@@ -597,7 +597,7 @@ int rename(const char *from, const char *to)
     return ((int (*)(const char *, const char *))dlsym(RTLD_NEXT, "rename"))(from, to);
 }
 END
-# A name without blanks: the loader takes them for the end of it.
+# A name without blanks, as the loader takes a blank for the end of the name.
 shim=$(mktemp /tmp/invcal-count.XXXXXX)
 if ! ${CC:-cc} -shared -fPIC -w -o "$shim" "$work/count.c" -ldl 2> /dev/null ||
     ! LD_PRELOAD=$shim COUNTED=$work/counted "$tool" --version > /dev/null 2>&1; then
@@ -605,7 +605,7 @@ if ! ${CC:-cc} -shared -fPIC -w -o "$shim" "$work/count.c" -ldl 2> /dev/null ||
 else
     COUNTED=$work/counted LD_PRELOAD=$shim "$tool" calibrate "$l" --quiet \
         --out "$work/out/cal.json" --report "$work/out/page.html"
-    check "both files are brought to the disk before either gets its name" \
+    check "both files are flushed to disk before either gets its name" \
         [ "$(tr '\n' ' ' < "$work/counted")" = 'fsync fsync rename rename ' ]
     rm -f "$work"/out/*
 fi

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 #
-# Figures of a page beside those of the JSON of the same run, each to its last digit; for the scripts that say which:
+# Compares figures of a page with those of the JSON of the same run, each to its last digit; other scripts say which:
 #
 #     awk -f figures.awk -f page_json.awk result.json page.html
 #
-# The first file becomes json[NAME]. count: figures compared; what differs is printed, and wrong is 1. ins=1: units of an INS.
+# The first file becomes json[NAME]. count: figures compared. Prints what differs, and sets wrong to 1. ins=1: units of an
+# INS.
 function strip(text) { gsub(/[][",{} ]/, "", text); return text }
-# A figure of the page, with the decimals or the digits that it has.
+# A figure of the page, with its decimals or digits.
 function same(text, value, what,    decimals, d) {
     gsub(/−/, "-", text)
     gsub(/ /, " ", text) # no-break spaces
@@ -36,7 +37,7 @@ function same_spread(cell, value, spread, what,    part) {
     same(part[1], value, what)
     same(part[2], spread, "± of " what)
 }
-# delta, dk, gamma one behind the other: parameter 1 ... 9 of what stands at a path.
+# delta, dk, gamma one after the other: parameter 1 ... 9 of the member at a path.
 function nine(path, r) { return json[path member[int((r - 1) / 3)] "," (r - 1) % 3 + 1] }
 BEGIN {
     split("x y z", axes, " ")

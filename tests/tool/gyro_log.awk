@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 #
-# A log like the real one whose rests and moves stand in tests/unit/gyro_logs.h: each rest lasts 3 s at its mean, and
-# each segment of a move turns steadily. 
+# A log like the real one whose rests and moves are in tests/unit/gyro_logs.h: each rest lasts 3 s at its mean, and
+# each segment of a move turns steadily.
 #     awk -v name=xsens -v zero=32768 -v rate=4772 -v noise=1 -v shake=500 -f gyro_log.awk gyro_logs.h
 #
-# rate: counts per rad/s; zero: reading without a turn. Readings have a noise of +-`noise` counts; in moves the accelerometer is shaken by `shake`.
+# rate: counts per rad/s; zero: reading without a turn. Readings have a noise of +-`noise` counts; in moves the
+# accelerometer is shaken by `shake`.
 function rows(line) { gsub(/[{}]/, " ", line); gsub(/,/, " ", line); return line }
 $0 ~ "^static.* " name "_" { split($0, word, /[ _\[]+/); part = $0 ~ /_mean\[/ ? "mean" : $0 ~ /_rest\[/ ? "rest" : "segment"; next }
 /^};/ { part = "" }
@@ -35,13 +36,13 @@ END {
                 share = (s - first + j / samples) / count
                 for (k = 1; k <= 3; k++) {
                     W[k] = (S[k] / 2^15 + S[k + 3] / 2^18) * 100 / samples
-                    # between the two, and shaken, so that it is no rest
+                    # between the two, and shaken, so that it is not a rest
                     M[k] = B[k] + share * (A[k] - B[k]) + shake * any()
                 }
                 put(M, W)
             }
         }
-        # a move that was refused: the way between, and nothing that fits
+        # a move that was refused: from one to the next, with rates that fit nothing
         for (j = 0; count == 0 && r > 0 && j < 100; j++) {
             for (k = 1; k <= 3; k++) { W[k] = 0.5; M[k] = B[k] + j / 100 * (A[k] - B[k]) + shake * any() }
             put(M, W)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# What a corrected log (t x y z gx gy gz) reads about each axis in the rests that the truth of a simulation lists, where
-# the true rate is 0: gyro_rests.awk truth.json corrected.csv. Prints the largest mean, degrees/s, and 0 without a rest.
+# The rates of a corrected log (t x y z gx gy gz) in the rests that the truth of a simulation lists, where the true rate
+# is 0: gyro_rests.awk truth.json corrected.csv. Prints the largest mean of an axis, degrees/s, or 0 without a rest.
 BEGIN { FS = "[,: ]+" }
 FNR == NR { if ($2 == "\"begin\"") begin[++rests] = $3; if ($2 == "\"end\"") end[rests] = $3; next }
 FNR == 1 { at = 1; next }

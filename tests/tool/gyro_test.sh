@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 #
 # Tests of the gyroscope, from a log to both calibrations: gyro_test.sh path/to/invcal builddir
-# With the recordings (RECORDINGS, or ../shared/data) also of raw logs of real sensors, against solutions of all samples.
+# With the recordings (RECORDINGS, or ../shared/data) also for raw logs of real sensors, against solutions from all
+# samples.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# Members of "gyroscope", a level deeper than those that json finds: name of the member, all its numbers.
+# Members of "gyroscope", one level deeper than those that json finds: the member's name, all its numbers.
 inner() { # FILE NAME
     awk -v name="$2" '
         /^  "gyroscope": / { inside = 1 }
@@ -60,18 +61,18 @@ for seed in 1 2 3; do
     solve "$work/tour.log" --gravity 9.80665
     check "twelve quarter turns, seed $seed: within the intervals" is_true "$work/stdout" "$work/truth.json"
     near 0.0016 "$(json "$work/stdout" gamma)" '0.01 -0.006 0.008' # three sigma of a tour
-    check "twelve quarter turns, seed $seed: the angles of the accelerometer are told by the moves" test $? -eq 0
+    check "twelve quarter turns, seed $seed: the moves determine the angles of the accelerometer" test $? -eq 0
 done
 # The noise comes from 13 lengths among 37 equations with 19 to spare; 2.365 is Student's t of 7 degrees of freedom.
 check "twelve quarter turns: the degrees of freedom are those of the lengths" near 1e-9 "$(json "$work/stdout" degrees_of_freedom)" 6.675675675675675
-check "twelve quarter turns: the interval is theirs" near 0.001 "$(json "$work/stdout" interval95)" 2.3646
+check "twelve quarter turns: so is the interval" near 0.001 "$(json "$work/stdout" interval95)" 2.3646
 good_tours() { # SEEDS...: how many of them end good
     for seed in "$@"; do
         "$tool" simulate --gyro --dwell 3 --plan directions:"$work/tour.csv" --seed "$seed" > "$work/clean.log"
         "$tool" calibrate "$work/clean.log" | grep '^Good: '
     done | wc -l
 }
-check "twelve quarter turns, clean, of seeds that scatter most: good" test "$(good_tours 8 15 42 67 80)" -eq 5
+check "twelve quarter turns, clean, seeds with the largest scatter: good" test "$(good_tours 8 15 42 67 80)" -eq 5
 if [ "${LONG-}" ]; then # 0.3 % by chance
     # shellcheck disable=SC2046 # numbers
     check "twelve quarter turns, clean: good but for chance" test "$(good_tours $(seq 1 80))" -ge 79
@@ -83,8 +84,8 @@ check "twelve quarter turns with a wrong rest: so is the gyroscope" test "$(tail
 run calibrate "$work/outlier.log" --strict --quiet
 check "twelve quarter turns with a wrong rest: --strict" was_refused 1 '--strict: the verdict is rough'
 solve "$work/tour.log" --gravity 9.80665
-check "they say that the moves told the accelerometer" matches "$work/stdout" '"accelerometer": "rests and moves"'
-refuses "six faces without the gyroscope are as ever" 1 'undetermined: angle xy, angle xz, angle zy' \
+check "the JSON says that the moves helped the accelerometer" matches "$work/stdout" '"accelerometer": "rests and moves"'
+refuses "six faces without the gyroscope work as before" 1 'undetermined: angle xy, angle xz, angle zy' \
     calibrate "$work/tour.log" --accelerometer-only
 "$tool" simulate --dwell 3 --plan edges > "$work/plain.csv"
 "$tool" simulate --gyro --dwell 3 --plan edges --truth "$work/truth.json" > "$work/edges.csv"
@@ -97,22 +98,22 @@ grep -v '"source_' "$work/stdout" | sed 's/,$//' > "$work/only"
 check "--accelerometer-only: the result of the accelerometer's columns" same "$work/alone" "$work/only"
 solve "$work/edges.csv"
 sed '/^  "gyroscope"/,/^  }/d' "$work/stdout" | grep -v '"source_' | sed 's/,$//' > "$work/both"
-check "positions that tell the accelerometer: its result is the same with a gyroscope" same "$work/alone" "$work/both"
+check "positions that determine the accelerometer: its result is the same with a gyroscope" same "$work/alone" "$work/both"
 # g-sensitivity, degrees/s per g
 "$tool" simulate --gyro --dwell 3 --plan per-group:8 --gyro-g 0,0,0,-0.15,0,0,0,0,0 --truth "$work/truth.json" > "$work/g.csv"
 solve "$work/g.csv"
 check "g-sensitivity: it is used" matches "$work/stdout" '"used": "yes"'
-check "g-sensitivity: the matrix is true all the same" is_true "$work/stdout" "$work/truth.json"
+check "g-sensitivity: the matrix is true anyway" is_true "$work/stdout" "$work/truth.json"
 run calibrate "$work/g.csv"
-check "g-sensitivity: it is told" matches "$work/stdout" '^g-sensitivity *about y, at most -0\.1[45][0-9]* ± 0\.0'
+check "g-sensitivity: it is reported" matches "$work/stdout" '^g-sensitivity *about y, at most -0\.1[45][0-9]* ± 0\.0'
 
 # temperature: 2 counts a degree about y, which is 0.01527 degrees/s
 "$tool" simulate --gyro --dwell 3 --plan edges --temperature 20,40 |
     awk -F, -v OFS=, 'NR > 1 { $6 = sprintf("%.0f", $6 + 2 * ($8 - 30)) } { print }' > "$work/warm.csv"
 solve "$work/warm.csv"
-check "bias against temperature" near 0.00001 "$(inner "$work/stdout" temperature_slope | numbers)" '0 0.00026646 0'
+check "bias as a function of temperature" near 0.00001 "$(inner "$work/stdout" temperature_slope | numbers)" '0 0.00026646 0'
 run calibrate "$work/warm.csv"
-check "bias against temperature: it is told" matches "$work/stdout" '^temperature *bias x .* y \+0\.01[56]'
+check "bias as a function of temperature: it is reported" matches "$work/stdout" '^temperature *bias x .* y \+0\.01[56]'
 # drift: 30 counts of 1/131 degrees/s in 85 s, which is 5 s less than 18 rests every 5 s take
 awk -F, -v OFS=, 'NR > 1 { $6 = sprintf("%.0f", $6 + 30 * $1 / 85) } { print }' "$work/edges.csv" > "$work/drift.csv"
 solve "$work/drift.csv"
@@ -120,9 +121,9 @@ check "drift of the bias" near 0.00015 "$(inner "$work/stdout" drift | numbers)"
 check "drift of the bias: its sigma" is_small "$(inner "$work/stdout" drift_sigma | numbers | awk '{ print $2 }')" 0.0001
 check "drift of the bias: JSON says what limits" matches "$work/stdout" '"limited_by": "its bias, which changes from rest to rest'
 run calibrate "$work/drift.csv"
-check "drift of the bias: it is told" matches "$work/stdout" '^drift *of the bias, x .*, y \+0\.2[23][0-9]* .* °/s from the first rest to the last'
+check "drift of the bias: it is reported" matches "$work/stdout" '^drift *of the bias, x .*, y \+0\.2[23][0-9]* .* °/s from the first rest to the last'
 solve "$work/tour.log"
-check "12 rests or more tell the drift" lacks "$work/stdout" '^    "drift": \[null'
+check "12 rests or more determine the drift" lacks "$work/stdout" '^    "drift": \[null'
 head -n 5000 "$work/edges.csv" > "$work/short.csv"
 solve "$work/short.csv"
 check "10 rests do not" test "$(inner "$work/stdout" drift)" = '[null, null, null]'
@@ -188,7 +189,7 @@ change '{ y = $6; $6 = -$5; $5 = y }' # about x of the accelerometer turns -y of
 solve "$work/changed.csv"
 check "axes exchanged: it says which fit" refused_as axes '"remedy": "state --gyro-axes -y,x,z,'
 solve "$work/changed.csv" --gyro-axes -y,x,z
-check "axes exchanged: --gyro-axes mends it" unit_is counts size
+check "axes exchanged: --gyro-axes corrects it" unit_is counts size
 change '{ $7 = -$7 }'
 solve "$work/changed.csv"
 check "a wrong sign: it says which" refused_as axes '"remedy": "state --gyro-axes x,y,-z,'
@@ -200,24 +201,24 @@ solve "$work/changed.csv"
 check "an axis that never changes" refused_as stuck "gyroscope's y never changes"
 change '{ $6 = NR % 7 }'
 solve "$work/changed.csv"
-check "an axis that reads noise alone" refused_as stuck "gyroscope's y reads nothing"
+check "an axis that reads only noise" refused_as stuck "gyroscope's y reads nothing"
 change 'NR > 4001 { $5 = x; $6 = y; $7 = z } { x = $5; y = $6; z = $7 }'
 solve "$work/changed.csv"
 check "stuck from the middle on: it says from where" refused_as stuck 'the gyroscope reads the same from line 4001 on'
 change 'NR > 4001 { $5 = x } { x = $5 }'
 solve "$work/changed.csv"
-check "one axis that stops: another reason" lacks "$work/stdout" 'reads the same'
+check "one axis that stops: the reason is different" lacks "$work/stdout" 'reads the same'
 cut -d, -f1,5-7 "$work/changed.csv" > "$work/moving.csv"
 awk -F, -v OFS=, 'NR > 4001 { $2 = x; $3 = y; $4 = z } { x = $2; y = $3; z = $4; print }' "$work/moving.csv" > "$work/stuck.csv"
 solve "$work/acc.csv" --gyro "$work/stuck.csv"
-check "stuck, in a file of its own: by the position" refused_as stuck 'reads the same from position 8 \(line 3[0-9]+\) on'
+check "stuck, in its own file: the position is named" refused_as stuck 'reads the same from position 8 \(line 3[0-9]+\) on'
 change 'NR > 8795 { $5 = x; $6 = y; $7 = z } { x = $5; y = $6; z = $7 }'
 solve "$work/changed.csv"
 check "quiet at the end of the last rest: no fault" unit_is counts size
 for what in '$5 = 1e12' '$6 = -32768000' '$7 = 1e-300'; do
     change "NR == 900 { $what }"
     solve "$work/changed.csv"
-    check "a single reading that is wrong, $what: the others tell" is_true "$work/stdout" "$work/truth.json"
+    check "a single wrong reading, $what: the others suffice" is_true "$work/stdout" "$work/truth.json"
 done
 change '{ $5 = NR % 7; $6 = NR % 5; $7 = NR % 3 }'
 solve "$work/changed.csv"
@@ -240,8 +241,8 @@ refuses "the same without zero and scale: the rests are in a plane" 1 'the rests
 awk -F, -v OFS=, 'NR == 1 { print; next } { a[NR] = $1 OFS $2 OFS $3 OFS $4; g[NR] = $5 OFS $6 OFS $7 }
     END { for (i = 2; i <= NR - 60; i++) print a[i], g[i + 60] }' "$work/edges.csv" > "$work/changed.csv"
 solve "$work/changed.csv"
-check "readings 0.6 s early: it is mended" unit_is counts size
-check "readings 0.6 s early: it is told" near 0.02 "$(inner "$work/stdout" late)" -0.6
+check "readings 0.6 s early: they are corrected" unit_is counts size
+check "readings 0.6 s early: it is reported" near 0.02 "$(inner "$work/stdout" late)" -0.6
 for word in nan inf '' 1e999 junk; do
     awk -F, -v OFS=, -v word="$word" 'NR == 700 { $6 = word } { print }' "$work/edges.csv" > "$work/changed.csv"
     refuses "'$word' in a column of the gyroscope" 3 "csv:700: column 6 \(gyroscope's y\): .*--accelerometer-only ignores" calibrate "$work/changed.csv"
@@ -250,7 +251,7 @@ accepts "but not with --accelerometer-only" calibrate "$work/changed.csv" --acce
 
 # ---- logs that end too soon -------------------------------------------------------------------------
 
-# Its data are good, so it must not hear of wrong axes, units or clocks.
+# The data are good, so there must be no message about wrong axes, units or clocks.
 is_not_accused() { # LOG ROWS ARGUMENTS...
     head -n "$2" "$1" > "$work/short.csv"
     shift 2
@@ -273,7 +274,7 @@ head -n 1500 "$work/long.csv" > "$work/short.csv"
 refuses "3 rests: they do not show which way was up" 1 \
     'the 3 rests between the moves do not show the accelerometer.s zero.*hold it still in four directions' calibrate "$work/short.csv"
 head -n 2000 "$work/long.csv" > "$work/short.csv"
-refuses "4 rests in a plane: neither" 1 'the 4 rests .*: the rests are nearly in a plane: turn about all three axes' \
+refuses "nor do 4 rests in a plane" 1 'the 4 rests .*: the rests are nearly in a plane: turn about all three axes' \
     calibrate "$work/short.csv"
 for sensor in mpu0 mpu1; do
     awk -v name=$sensor -v zero=0 -v rate=7505.747 -v noise=10 -v shake=2000 -f "$here/gyro_log.awk" "$here/../unit/gyro_logs.h" > "$work/long.csv"
@@ -289,7 +290,7 @@ paste -d, "$work/acc.csv" "$work/gyro7.csv" | awk -F, 'NF == 7 && $1 != "" && $5
 solve "$work/changed.csv"
 check "the gyroscope of another device: apart" refused_as apart 'one device and one clock'
 
-# ---- what is told of a gyroscope that is not good -------------------------------------------------------
+# ---- reports on a gyroscope that is not good -----------------------------------------------------------
 
 # A range of 30 degrees/s clips all but one of the moves.
 "$tool" simulate --gyro --dwell 3 --plan edges --gyro-range 30 > "$work/clipped.csv"
@@ -309,7 +310,7 @@ check "weak in the gyroscope alone: the accelerometer is good" matches "$work/st
 check "weak in the gyroscope alone: the last line says where" test "$(tail -n 1 "$work/stdout")" = \
     'The gyroscope is weak: gyro angle yz; make more moves, about all three axes.'
 solve "$work/short.csv"
-check "weak in the gyroscope alone: the accelerometer leaves nothing open" matches "$work/stdout" '^  "verdict": "good"'
+check "weak in the gyroscope alone: the verdict of the accelerometer is good" matches "$work/stdout" '^  "verdict": "good"'
 check "weak in the gyroscope alone: JSON names it" test "$(inner "$work/stdout" undetermined)" = '["gyro_yz"]'
 run calibrate "$work/short.csv" --strict --quiet
 check "weak in the gyroscope alone: --strict" was_refused 1 '--strict: the gyroscope is weak: gyro angle yz'
@@ -320,13 +321,13 @@ check "a refusal names the moves" test "$(grep -c '^ *"seconds": ' "$work/stdout
 # ---- the page ----------------------------------------------------------------------------------------
 
 run calibrate "$work/edges.csv" --report "$work/page.html" --quiet
-check "the page is one" is_page "$work/page.html"
+check "the page is well-formed" is_page "$work/page.html"
 check "the page: a bar for each move, twice (wide and narrow)" test "$(grep -o 'class="c1 bar"' "$work/page.html" | wc -l)" -ge 36
 check "the page: the constant" matches "$work/page.html" 'static const invcal_calibration calibration_gyro = '
 change '{ $6 = 17 }'
 run calibrate "$work/changed.csv" --report "$work/page.html" --quiet
 check "the page: why there is none" matches "$work/page.html" 'never changes'
-check "the page without one is sound" is_page "$work/page.html"
+check "the page without one is well-formed" is_page "$work/page.html"
 
 # ---- apply and export --------------------------------------------------------------------------------
 
@@ -347,7 +348,7 @@ check "apply: rad/s" near 1e-8 "$(awk -F, 'NR == 320 || NR == 380 || NR == 1050 
 cut -d, -f5-7 "$work/stdout" > "$work/rates.csv"
 run apply "$work/cal.json" "$work/gyro.csv" --gyro
 cut -d, -f2-4 "$work/stdout" > "$work/alone.csv"
-check "apply --gyro: the same of a file of its own" same "$work/rates.csv" "$work/alone.csv"
+check "apply --gyro: the same from a separate file" same "$work/rates.csv" "$work/alone.csv"
 run apply "$work/cal.json" "$work/acc.csv"
 check "apply: a log without a gyroscope" matches "$work/stdout" '^t,x,y,z$'
 run calibrate "$work/acc.csv" --out "$work/none.json" --quiet
@@ -385,7 +386,7 @@ run export "$work/dps.json" --format px4 --zero 0,0,0 --lsb 0.000598550415
 check "export --format px4: the bias, rad/s" near 2e-4 "$(sed -n 's/.*CAL_GYRO0_[XYZ]OFF\t\(.*\)\t9$/\1/p' "$work/stdout" | tr '\n' ' ')" '0.0087266 -0.0139626 0.0052360'
 
 
-# A driver delivers rad/s: counts have no bias in them, which is told, not passed over.
+# A driver delivers rad/s: the bias in counts is of no use for it, which must be reported.
 left_out() { # WHY: in a comment and a warning
     matches "$work/stdout" "^# The gyroscope is left out: $1\.$" && lacks "$work/stdout" 'GYR.*OFF' &&
         matches "$work/stderr" "warning: .*json: the gyroscope is left out: $1$"
@@ -396,8 +397,8 @@ for format in px4 ardupilot ros; do
     run export "$work/cal.json" --format $format --zero 0,0,0 --lsb 0.000598550415
     check "export --format $format: the gyroscope in counts is left out, and it says so" left_out "$why"
     run export "$work/none.json" --format $format --zero 0,0,0 --lsb 0.000598550415
-    check "export --format $format: not a word without one" lacks "$work/stdout" gyroscope
-    check "export --format $format: nor a warning" lacks "$work/stderr" gyroscope
+    check "export --format $format: no mention without one" lacks "$work/stdout" gyroscope
+    check "export --format $format: and no warning" lacks "$work/stderr" gyroscope
 done
 run export "$work/dps.json" --format ros --zero 0,0,0 --lsb 0.000598550415
 check "export --format ros: of any unit" left_out 'imu_calib measures its bias at each start'
@@ -418,9 +419,9 @@ run calibrate "$work/changed.csv" --strict --quiet
 check "--strict: a gyroscope that is not calibrated" was_refused 1 "--strict: the gyroscope is not calibrated: .*y never changes"
 accepts "--strict: a good one" calibrate "$work/edges.csv" --strict
 
-# ---- g-sensitivity taken off ----------------------------------------------------------------------------
+# ---- g-sensitivity corrected ----------------------------------------------------------------------------
 
-# In each rest of the truth nothing turns. Large errors of the scale, so that it matters what is taken off first.
+# In each rest of the truth nothing turns. Large scale errors, so that the order of the corrections matters.
 "$tool" simulate --gyro --dwell 3 --plan per-group:8 --gyro-g 0,0.1,0,-0.2,0,0,0,0,0.15 --gyro-scale 0.1,-0.08,0.06 \
     --gyro-noise 0.005 --gyro-lsb 0.001 --truth "$work/truth.json" > "$work/g.csv"
 at_rest() { # BOUND ARGUMENTS...: mean rates, degrees/s
@@ -443,8 +444,8 @@ run apply "$work/without.json" "$work/g.csv"
 check "without it there is one" near 0.05 "$(awk -f "$here/gyro_rests.awk" "$work/truth.json" "$work/stdout")" 0.2
 cut -d, -f1,5-7 "$work/g.csv" > "$work/gyro.csv"
 run apply "$work/g.json" "$work/gyro.csv" --gyro
-check "apply --gyro: without an accelerometer it is left in, and told" says "gyro\.csv: the gyroscope's g-sensitivity is not corrected"
-accepts "apply --gyro --quiet: not a word of it" apply "$work/g.json" "$work/gyro.csv" --gyro --quiet
+check "apply --gyro: without an accelerometer it is not corrected, which is reported" says "gyro\.csv: the gyroscope's g-sensitivity is not corrected"
+accepts "apply --gyro --quiet: no warning about it" apply "$work/g.json" "$work/gyro.csv" --gyro --quiet
 run export "$work/g.json" --format c --name imu
 sed -n '/^static const invcal_real imu_gyro_g/,$p' "$work/stdout" | sed '1d; /^#/d' | tr -d 'INVCALRE_()f' | numbers > "$work/nine"
 check "export --format c: the nine numbers" near 1e-15 "$(cat "$work/nine")" "$(inner "$work/g.json" g_correction | numbers)"
@@ -454,7 +455,7 @@ sed -n '/^static const float calibration_gyro_g/,$p' "$work/stdout" | sed '1d; s
 check "export --format c-arrays: the same" near 1e-10 "$(cat "$work/nine")" "$(inner "$work/g.json" g_correction | numbers)"
 for format in fusion imu_tk-gyro; do
     run export "$work/g.json" --format $format
-    check "export --format $format: it says that it has no place" matches "$work/stdout" 'cannot store the gyroscope.s g-sensitivity'
+    check "export --format $format: it says that the format cannot store it" matches "$work/stdout" 'cannot store the gyroscope.s g-sensitivity'
     run export "$work/cal.json" --format $format
     check "export --format $format: not without one" lacks "$work/stdout" 'g-sensitivity'
 done
@@ -465,15 +466,15 @@ for log in edges.csv tour.log; do
     run calibrate "$work/$log" --json
     mv "$work/stdout" "$work/as"
     run watch "$work/$log" --json
-    check "watch: $log ends with what calibrate tells" same "$work/stdout" "$work/as"
+    check "watch: $log ends with the result of calibrate" same "$work/stdout" "$work/as"
 done
-check "watch: it tells how exactly the gyroscope is known" matches "$work/stderr" 'gyroscope: 12 of 12 moves; scale ± 0\.0[0-9]* %, cross ± 0\.0[0-9]* degrees$'
+check "watch: it shows the accuracy of the gyroscope" matches "$work/stderr" 'gyroscope: 12 of 12 moves; scale ± 0\.0[0-9]* %, cross ± 0\.0[0-9]* degrees$'
 change '{ y = $6; $6 = -$5; $5 = y }'
 run watch "$work/changed.csv"
-check "watch: exchanged axes are told before the tenth position" test \
+check "watch: exchanged axes are reported before the tenth position" test \
     "$(awk '/position 10 taken/ { exit } /gyroscope.s axes are not the accelerometer/ { n++ } END { print (n > 0) }' "$work/stdout")" = 1
 run watch "$work/edges.csv" --accelerometer-only
-check "watch --accelerometer-only: no word of it" lacks "$work/stdout" 'gyroscope'
+check "watch --accelerometer-only: it is not mentioned" lacks "$work/stdout" 'gyroscope'
 
 # ---- options -----------------------------------------------------------------------------------------
 
@@ -485,7 +486,7 @@ refuses "--gyro of positions" 2 'leave out --positions' calibrate "$work/edges.c
 refuses "--gyro with --accelerometer-only" 2 'leave out --accelerometer-only' calibrate "$work/acc.csv" --gyro "$work/gyro.csv" --accelerometer-only
 refuses "a gyroscope's file that is not there" 3 'none\.csv' calibrate "$work/acc.csv" --gyro "$work/none.csv"
 
-# ---- real sensors, of which only rests and moves are here ---------------------------------------------
+# ---- real sensors, from their rests and moves ----------------------------------------------------------
 
 real() { awk -v name="$1" -v zero="$2" -v rate="$3" -v noise="$4" -v shake="$5" -f "$here/gyro_log.awk" "$here/../unit/gyro_logs.h" > "$work/real.csv"; }
 reference() { sed -n "/$1/,/;/p" "$here/../reference/gyro_samples.h" | sed 's/.*=//' | tr -d '{};\n'; }

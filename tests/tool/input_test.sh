@@ -1,16 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of the tables that people have: input_test.sh path/to/invcal builddir
-# The same readings in every dress must give the same calibration; what was recognised is told; what
-# is no such table is refused, with the reason and what to do.
+# Tests of the tables that users have: input_test.sh path/to/invcal builddir
+# The same readings in every form must give the same calibration, and a report of what was recognised;
+# what is not such a table is refused, with the reason and what to do.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
 field() { json "$work/stdout" "$1"; }
 
-# ---- one log in every dress ---------------------------------------------------------------------
+# ---- one log in every form ----------------------------------------------------------------------
 
 # Counts of 0.0006 m/s^2: t in seconds, x, y, z.
 "$tool" simulate --truth "$work/truth.json" > "$work/plain.csv"
@@ -23,9 +23,9 @@ ms2=0.0006
 g=$(awk 'BEGIN { printf "%.17g", 0.0006 / 9.80665 }')
 mg=$(awk 'BEGIN { printf "%.17g", 0.6 / 9.80665 }')
 
-# told NAME RECOGNISED NEXT: the first lines of the table, as one, are NAME and what was recognised;
-# then comes what begins with NEXT.
-told() { tr '\n' ' ' < "$work/stdout" | grep -Fq -- "$1 $2 $3"; }
+# announces NAME RECOGNISED NEXT: the first lines of the table, joined, are NAME and what was recognised;
+# the line after them begins with NEXT.
+announces() { tr '\n' ' ' < "$work/stdout" | grep -Fq -- "$1 $2 $3"; }
 
 # write_dress SCALE HEADER ROW: $work/dress.csv from the plain log; ROW is an expression of awk in t
 # (seconds), x, y, z (counts by SCALE) and n (from 0). HEADER goes through printf %b.
@@ -48,10 +48,10 @@ dress() {
     run calibrate - --json
     check "$1: the same offset" near "$(awk -v k="$2" 'BEGIN { print 0.05 * k }')" "$(field offset)" "$(scaled "$2")"
     check "$1: 18 positions at 100 samples a second" test "$(field positions)" = 18
-    check "$1: the unit is $3, by $4" test "$(field unit) $(field unit_from)" = "\"$3\" \"$4\""
+    check "$1: the unit is $3, from $4" test "$(field unit) $(field unit_from)" = "\"$3\" \"$4\""
     run calibrate -
     in=/dev/null
-    check "$1: it is told" told "standard input:" "$5" "standard input: 12400 samples, 124 s at 100"
+    check "$1: it is reported" announces "standard input:" "$5" "standard input: 12400 samples, 124 s at 100"
 }
 
 ax='x "," y "," z'
@@ -176,11 +176,11 @@ dress_positions() {
     run calibrate - --positions --json "$@"
     check "$sentence_: the offset is the true one" near "$(awk -v k="$scale" 'BEGIN { print 1e-9 * k }')" "$(field offset)" \
         "$(awk -v k="$scale" 'BEGIN { printf "%.15g %.15g %.15g", 0.02 * k, -0.03 * k, 0.05 * k }')"
-    check "$sentence_: the unit is $unit, by $origin" test "$(field unit) $(field unit_from)" = "\"$unit\" \"$origin\""
-    check "$sentence_: zero and scale are by $nominal" test "$(awk -F '"' '/"(zero|lsb)_from"/ { printf "%s ", $4 }' "$work/stdout")" = "${nominal% *} ${nominal#* } "
+    check "$sentence_: the unit is $unit, from $origin" test "$(field unit) $(field unit_from)" = "\"$unit\" \"$origin\""
+    check "$sentence_: zero and scale come from $nominal" test "$(awk -F '"' '/"(zero|lsb)_from"/ { printf "%s ", $4 }' "$work/stdout")" = "${nominal% *} ${nominal#* } "
     run calibrate - --positions "$@"
     in=/dev/null
-    check "$sentence_: it is told" told "standard input:" "$text" "standard input: 18 positions"
+    check "$sentence_: it is reported" announces "standard input:" "$text" "standard input: 18 positions"
 }
 
 x='x "," y "," z'
@@ -188,7 +188,7 @@ dress_positions "positions in g, stated" 1 g header unit \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x"
 check "positions in g: the table is in g" matches "$work/stdout" '^offset y .* g$'
 check "positions in g: scales are in g" matches "$work/stdout" '^scale z .* g per m/s²$'
-check "positions in g: zero and scale are by the unit" matches "$work/stdout" \
+check "positions in g: zero and scale come from the unit" matches "$work/stdout" \
     '^nominal: zero and scale from the unit$'
 check "positions in g: scale errors are those of the sensor, within 0.1 %" near 0.1 \
     "$(awk '/^scale error/ { printf "%s ", $4 }' "$work/stdout")" '1 -2 2'
@@ -215,19 +215,19 @@ dress_positions "--unit m/s2" 9.80665 'm/s^2' option unit \
     'CSV with commas, no header; x y z in m/s² (--unit)' '' "$x" --unit m/s2
 dress_positions "--unit counts keeps the range" 1000 counts option range \
     'CSV with commas, no header; x y z in counts (--unit)' '' "$x" --unit counts
-dress_positions "--unit knows better than the header" 1000 mg option unit \
+dress_positions "--unit overrides the header" 1000 mg option unit \
     'CSV with commas, header in line 1; x y z in mg (--unit)' 'x (g),y (g),z (g)' "$x" --unit mg
 dress_positions "a stated unit with --zero" 1 g header 'given unit' \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x" --zero 0,0,0.1
 dress_positions "a stated unit with --lsb" 1 g header 'unit given' \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x" --lsb 9.8
-dress_positions "a field of 1 is one in g" 1 g header unit \
+dress_positions "a field of 1 means g" 1 g header unit \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x" --gravity 1
-dress_positions "a magnetometer: no size tells a unit" 48.5 unknown none range \
+dress_positions "a magnetometer: the size gives no unit" 48.5 unknown none range \
     'CSV with commas, header in line 1; mx my mz' 'mx,my,mz' "$x" --gravity 48.5
-dress_positions "a unit that is not known is not guessed" 1 unknown none range \
+dress_positions "an unknown unit is not guessed" 1 unknown none range \
     'CSV with commas, header in line 1; mx my mz' 'mx (oersted),my (oersted),mz (oersted)' "$x"
-dress_positions "that of a magnetometer is told, and tells no scale" 1 gauss header range \
+dress_positions "a magnetometer's unit is reported, and gives no scale" 1 gauss header range \
     'CSV with commas, header in line 1; mx my mz in gauss' 'mx (gauss),my (gauss),mz (gauss)' "$x"
 dress_positions "every line ends with a separator, but the header" 1 g header unit \
     'CSV with commas, header in line 1; x y z in g' 'x (g),y (g),z (g)' "$x \",\""
@@ -277,7 +277,7 @@ write_dress "$g" 'time (us),ax (g),ay (g),az (g),gyro_x,gyro_y,gyro_z' \
     't * 1e6 "," x "," y "," z ",1,2,3"'
 in=$work/dress.csv
 run watch -
-check "watch: the first line tells what was recognised" test "$(head -n 1 "$work/stdout")" = \
+check "watch: the first line says what was recognised" test "$(head -n 1 "$work/stdout")" = \
     'standard input: CSV with commas, header in line 1; time (µs), ax ay az in g; gyroscope: gyro_x gyro_y gyro_z'
 check "watch: 18 positions of a log in g" test "$(grep -c '^position .* taken' "$work/stdout")" -eq 18
 run watch - --json
@@ -286,7 +286,7 @@ check "watch: the offset in g" near "$(awk -v k="$g" 'BEGIN { print 0.05 * k }')
     "$(scaled "$g")"
 write_dress "$mg" '' 't "," x "," y "," z'
 run watch - --unit mg
-check "watch: --unit is told" test "$(head -n 1 "$work/stdout")" = \
+check "watch: --unit is reported" test "$(head -n 1 "$work/stdout")" = \
     'standard input: CSV with commas, no header; t (s), x y z in mg (--unit)'
 check "watch: --unit gives zero and scale" matches "$work/stdout" \
     '^nominal: zero and scale from the unit$'
@@ -294,7 +294,7 @@ in=/dev/null
 
 # ---- refusals -----------------------------------------------------------------------------------
 
-# bad_line SENTENCE PATTERN BYTES: the bytes by printf, as a log and as positions, and for apply
+# bad_line SENTENCE PATTERN BYTES: the bytes, through printf, as a log, as positions, and for apply
 bad_line() {
     printf "$3" > "$work/bad.csv"
     refuses "calibrate LOG: $1" 3 "$2" calibrate "$work/bad.csv"
@@ -324,14 +324,14 @@ in=$work/bad.csv
 refuses "UTF-16 from the standard input" 3 '^invcal: standard input: this is UTF-16' calibrate -
 in=/dev/null
 
-bad_line "alpha of nobody knows what" 'bad\.csv:1: the header names a gyroscope \(omega_x, ..\), but no accelerometer' \
+bad_line "a gyroscope without an accelerometer" 'bad\.csv:1: the header names a gyroscope \(omega_x, ..\), but no accelerometer' \
     'timestamp,omega_x,omega_y,omega_z,w,alpha_x,alpha_y,alpha_z\n1,2,3,4,5,6,7,8\n'
 bad_line "decimal commas between semicolons" \
     "bad\.csv:2: column 1 \(x\): '1,5' has a decimal comma: save with decimal points$" \
     'x;y;z\n1,5;2,5;3,5\n'
 bad_line "decimal commas in quotes" "bad\.csv:2: column 2 \(y\): '-2,5' .* decimal comma: save with" \
     'x,y,z\n1,"-2,5",3\n'
-bad_line "decimal commas that are taken for separators" \
+bad_line "decimal commas that look like separators" \
     'bad\.csv:2: 6 columns, but line 1 has 3, .* if these are decimal commas, save the table with decimal points$' \
     'x,y,z\n1,5,2,5,3,5\n'
 bad_line "the same, some numbers whole" 'bad\.csv:2: 4 columns, .* decimal points$' 'x,y,z\n1,5,2,3\n'
@@ -346,7 +346,7 @@ bad_line "decimal commas between blanks" "bad\.csv:1: column 1 \(x\): '1,5' .* d
     '1,5 2,5 3,5\n'
 bad_line "thousands separators" "column 1 \(x\): '1,234.5' has thousands separators: save without them$" \
     'x;y;z\n1,234.5;2;3\n'
-bad_line "thousands separators of Switzerland" "column 2 \(y\): '1'234' .* thousands separators" \
+bad_line "Swiss thousands separators" "column 2 \(y\): '1'234' .* thousands separators" \
     "x;y;z\n1;1'234;3\n"
 
 bad "a gyro alone" 'record both in one log. .*invcal allan --columns gyroADC\[0\],gyroADC\[1\],gyroADC\[2\]$' \
@@ -362,7 +362,7 @@ bad_line "phyphox with decimal commas" \
 bad "LabVIEW" 'bad\.csv: this is a LabVIEW measurement file: delete the lines before' \
     'LabVIEW Measurement\t\nWriter_Version\t2\t\n'
 printf 't,x,y,z\n01.05.2026 10:00:00,1,2,3\n' > "$work/bad.csv"
-refuses "a date in another form is no time, and what to do is told" 3 \
+refuses "a date in another form is not a time, and it says what to do" 3 \
     "column 1 \(t\): '01.05.2026 10:00:00' is not a decimal number: convert it to seconds, or ignore the column with --columns t=none$" \
     calibrate "$work/bad.csv"
 run apply "$work/simple.json" "$work/bad.csv" --columns t=none
@@ -373,10 +373,10 @@ refuses "the same without a header" 3 'convert it to seconds, or ignore the colu
 run apply "$work/simple.json" "$work/bad.csv" --columns 2,3,4
 check "the same, ignored" test "$(head -n 1 "$work/stdout")" = x,y,z
 
-# ---- a temperature that is none -------------------------------------------------------------------
+# ---- an unknown temperature -----------------------------------------------------------------------
 
-# PX4 writes nan until a driver knows the temperature, others leave the cell empty: what nobody asked for must
-# not cost the log.
+# PX4 writes nan until a driver knows the temperature, others leave the cell empty: a column that is not needed
+# must not cost the log.
 write_dress 1 't,x,y,z,temperature' "t \",\" $ax \",\" (n < 50 ? \"nan\" : 35.5)"
 mv "$work/dress.csv" "$work/nan.csv"
 not_finite="temperature ignored: 'nan' in column 5 is not a finite number$"
@@ -388,7 +388,7 @@ check "nan: the table has no temperature either" \
     matches "$work/stdout" 't \(s\), x y z in counts .*; ignored: 1 other column'
 run calibrate "$work/nan.csv" --report "$work/nan.html"
 check "nan: a page" is_page "$work/nan.html"
-check "nan: without a trace of temperature" lacks "$work/nan.html" 'NaN|[ ",]nan[ ",]|and temperature'
+check "nan: it does not mention temperature" lacks "$work/nan.html" 'NaN|[ ",]nan[ ",]|and temperature'
 write_dress 1 't,x,y,z,temperature' "t \",\" $ax \",\" (n < 5000 ? 35.5 : \"\")"
 run calibrate "$work/dress.csv" --json
 check "empty, in the middle of the log: one warning" \
@@ -415,7 +415,7 @@ printf 'x,y,z,temp\n1,2,3,warm\n' > "$work/bad.csv"
 run calibrate "$work/bad.csv"
 check "a temperature that is a word is ignored, too" matches "$work/stderr" \
     "bad\.csv:2: temperature ignored: 'warm' in column 4 is not a decimal number$"
-refuses "but refused where it is asked for" 3 \
+refuses "but refused where it is needed" 3 \
     "'warm' is not a decimal number: correct the line, or ignore the column with --columns temperature=none$" \
     calibrate "$work/bad.csv" --thermal 1
 run apply "$work/simple.json" "$work/bad.csv" --columns temperature=none
@@ -455,9 +455,9 @@ refuses "a header that states another unit than that of the readings" 1 \
 refuses "an option that states another unit" 1 'with the scale of the stated unit; check --unit: counts' \
     calibrate "$work/pos.csv" --positions --unit mg
 run calibrate "$work/pos.csv" --positions --unit g --json
-check "--unit puts it right" near 1e-9 "$(field offset)" '0.02 -0.03 0.05'
+check "--unit corrects it" near 1e-9 "$(field offset)" '0.02 -0.03 0.05'
 
-# What a header holds is shown, but nothing of it reaches the terminal but text.
+# A header is shown, but only its text reaches the terminal.
 write_positions 1 'x\0177\0303\0274 (g),y (g),z (g)' "$x"
 sed 's/^x/ax/; 1s/,y/,ay/; 1s/,z/,az/' "$work/pos.csv" > "$work/odd.csv"
 in=$work/odd.csv
@@ -470,10 +470,10 @@ check "a heading of 300 letters is ignored" matches "$work/stdout" 'ignored: 1 o
 printf 'x(,y),z[],((,)),[,]\n1,2,3,4,5,6,7\n' > "$work/bad.csv"
 refuses "brackets that do not match do no harm" 3 "'x\(' and 'z\[\]' are in different units" calibrate "$work/bad.csv"
 
-# ---- what the manual has for other logs ---------------------------------------------------------
+# ---- the manual's remedies for other logs -------------------------------------------------------
 
 manual=$here/../../port/manual/tool.md
-# remedied SENTENCE FILE OPTIONS: the manual's command for such a log, run beside it, makes the plain one of it again
+# remedied SENTENCE FILE OPTIONS: the manual's command for such a log, run in its folder, restores the plain log
 remedied() {
     remedy=$(sed -n "/^| $1/s/[^\`]*[\`]\([^\`]*> [^\`]*\)[\`].*/\1/p" "$manual")
     check "$1: the manual has a command" test -n "$remedy"
@@ -494,7 +494,7 @@ tr . , < "$work/dress.csv" > "$work/log.csv"
 remedied "decimal commas" point.csv
 copy 'Zeit [ms];Beschl. 1 [counts];Beschl. 2 [counts];Beschl. 3 [counts]\r' 't * 1000 ";" x ";" y ";" z "\r"'
 run calibrate "$work/log.csv" --columns t=1,x=2,y=3,z=4 --json
-check "headings in another language: the manual's option" near 0.05 "$(field offset)" "$plain_offset"
+check "headings in another language: the option in the manual" near 0.05 "$(field offset)" "$plain_offset"
 copy 'Zeit;Beschl. 1;Beschl. 2;Beschl. 3;Drehrate 1;Drehrate 2;Drehrate 3\r' \
     't * 1000 ";" x ";" y ";" z ";" n % 2 ";0;0\r"'
 remedied "the same, and a gyroscope" own.csv --accelerometer-only
@@ -502,7 +502,7 @@ copy 'time,ax,ay,az' '"24.11.2026 12:00:" t "," x "," y "," z'
 options=$(sed -n '/^| times in another form/s/.*[`]\(--columns t=none\)[`].*[`]\(--rate 100\)[`].*/\1 \2/p' "$manual")
 # shellcheck disable=SC2086 # words
 run calibrate "$work/log.csv" ${options:-none} --json
-check "times in another form: the manual's options" near 0.2 "$(field offset)" "$plain_offset"
+check "times in another form: the options in the manual" near 0.2 "$(field offset)" "$plain_offset"
 copy '' '"X: " x "\tY: [" y "] Z: " z'
 cp "$work/dress.csv" "$work/log.txt"
 remedied "words or brackets around" log.csv

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of raw logs from outside: simulate, calibrate LOG, watch: log_test.sh path/to/invcal builddir
+# Tests of raw logs by the command line: simulate, calibrate LOG, watch: log_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -15,7 +15,7 @@ log() {
     "$tool" simulate --truth "$work/$name.json" "$@" > "$work/$name.csv"
 }
 
-# The offset agrees with the truth to so many counts.
+# The offset agrees with the truth to that many counts.
 right_offset() { # NAME COUNTS
     near "$2" "$(field offset)" "$(json "$work/$1.json" offset)"
 }
@@ -32,7 +32,7 @@ log other --seed 2
 differs() { ! cmp -s "$1" "$2"; }
 check "simulate: another seed gives another log" differs "$work/plain.csv" "$work/other.csv"
 check "simulate: the truth is JSON" is_json "$work/plain.json"
-# What the truth says takes the errors out: in the rests all lengths are 1 g.
+# The truth corrects the errors: in the rests all lengths are 1 g.
 accepts "simulate: apply reads the truth" apply "$work/plain.json" "$work/plain.csv"
 rests_are_1g() {
     awk -F, 'NR > 1 { i = NR - 2; if (i % 700 < 500) { n++
@@ -47,7 +47,7 @@ check "simulate: and goes from first to last" test \
     "$(sed -n 2p "$work/warm.csv" | cut -d, -f5)" = 10.000 -a "$(tail -n 1 "$work/warm.csv" | cut -d, -f5)" = 40.000
 log angles --stand --plan per-group:6 --temperature 20,21
 check "simulate: angles have columns" test "$(head -n 1 "$work/angles.csv")" = t,x,y,z,temperature,alpha,beta
-# Table 2: the angles of each rest, 700 samples after the one before; on the way the shorter way round.
+# Table 2: the angles of each rest, 700 samples after the previous one; moves take the shorter way.
 angles_are_those_of_table_2() {
     awk -F, 'function off(a, b) { a = (a - b) % 360; return a > 0.0001 && a < 359.9999 || a < -0.0001 && a > -359.9999 }
         NR == 1 { next }
@@ -65,7 +65,7 @@ check "simulate: none of them is misset" lacks "$work/stdout" '^(Misset|Stand): 
 log clipped --range 0.9 --plan faces --noise 0
 check "simulate: readings are clipped" test "$(cut -d, -f4 "$work/clipped.csv" | sort -n | tail -n 1)" -le 14746
 log wrong --outliers 2
-check "simulate: outliers are told" test "$(grep -c '"wrong": -*0\.05' "$work/wrong.json")" -eq 2
+check "simulate: outliers are listed" test "$(grep -c '"wrong": -*0\.05' "$work/wrong.json")" -eq 2
 for bad in '--rate 0' '--rate nan' '--noise -1' '--dwell 0' '--offset 1,2' '--offset 9,0,0' \
     '--seed 1.5' '--seed -1' '--outliers 0.5' '--lsb 0' '--range 0' '--temperature 1' '--drift 1'; do
     # shellcheck disable=SC2086
@@ -73,7 +73,7 @@ for bad in '--rate 0' '--rate nan' '--noise -1' '--dwell 0' '--offset 1,2' '--of
 done
 refuses "simulate: an unknown set" 2 'is not a set' simulate --plan dodecahedron
 refuses "simulate: too small a program" 1 'too few' simulate --plan per-group:4
-refuses "simulate: a truth where none can be" 3 'nowhere' simulate --truth "$work/nowhere/t.json"
+refuses "simulate: a truth that cannot be written" 3 'nowhere' simulate --truth "$work/nowhere/t.json"
 
 # ---- calibrate LOG -----------------------------------------------------------------------------
 
@@ -83,14 +83,14 @@ check "calibrate LOG: none left out" test "$(field rejected)" = '[]'
 check "calibrate LOG: good" test "$(field verdict)" = '"good"'
 check "calibrate LOG: the offset is right" right_offset plain 2
 accepts "calibrate LOG: it prints" calibrate "$work/plain.csv"
-check "calibrate LOG: samples and rate are told" matches "$work/stdout" \
+check "calibrate LOG: samples and rate are reported" matches "$work/stdout" \
     '12400 samples, 124 s at 100 samples per second$'
 
 cut -d, -f2-4 "$work/plain.csv" | tail -n +2 | tr ',' ' ' > "$work/blank.txt"
 run calibrate "$work/blank.txt" --json
-check "calibrate LOG: blanks, no header, no times" right_offset plain 2
+check "calibrate LOG: with blanks, without header and times" right_offset plain 2
 run calibrate "$work/blank.txt"
-check "calibrate LOG: a guessed rate is told" matches "$work/stdout" 'guess: state --rate'
+check "calibrate LOG: a guessed rate is reported" matches "$work/stdout" 'guess: state --rate'
 in=$work/blank.txt
 run calibrate - --rate 100 --json
 in=/dev/null
@@ -132,17 +132,17 @@ done
 run calibrate "$work/wrong.csv" --json
 check "calibrate LOG: two wrong positions are left out" near 0 "$(field rejected)" \
     "$(awk '/"begin"/ { n++ } /"wrong": -*0\.05/ { printf "%d ", n }' "$work/wrong.json")"
-check "calibrate LOG: and do no harm" right_offset wrong 2
+check "calibrate LOG: and cause no error" right_offset wrong 2
 run calibrate "$work/wrong.csv"
 check "calibrate LOG: they are named" test "$(grep -c '^Left out: position' "$work/stdout")" -eq 2
-# The line that is named lies in the rest that is wrong, whatever is lost before it.
+# The line that is named is in the wrong rest, whatever was lost before it.
 names_rest() { # LINE BEGIN END: the time in that line is within the rest, or a second
     awk -F, -v line="$1" -v begin="$2" -v end="$3" 'NR == line { ok = $1 > begin - 0.2 && $1 < end } END { exit !ok }' "$work/lost.csv"
 }
 begin=$(awk '/"begin"/ { t = $2 + 0 } /"wrong": -*0\.05/ { last = t } END { print last }' "$work/wrong.json")
 awk 'NR > 1 && NR % 300 == 50 { print "# a comment" } NR < 2 || NR % 500 > 20' "$work/wrong.csv" > "$work/lost.csv"
 run calibrate "$work/lost.csv"
-check "calibrate LOG: the line is right beside gaps and comments" names_rest \
+check "calibrate LOG: the line is right despite gaps and comments" names_rest \
     "$(sed -n 's/^Left out: .*(line \([0-9]*\)).*/\1/p' "$work/stdout" | tail -n 1)" "$begin" $((begin + 5))
 run calibrate "$work/wrong.csv" --keep-all --json
 check "calibrate LOG: --keep-all keeps them" test "$(field rejected)" = '[]'
@@ -174,7 +174,7 @@ cut -d ' ' -f 1-3 "$work/boot.txt" > "$work/zeros.txt"
 run calibrate "$work/zeros.txt" --json
 check "calibrate LOG: 300 zeros before decimals" near 0.0012 "$(field offset)" \
     "$(json "$work/plain.json" offset | tr -d '[]' | awk -F, '{ print $1 * 0.0006, $2 * 0.0006, $3 * 0.0006 }')"
-# Samples that come ten at a time with one time.
+# Samples in groups of ten with the same time.
 awk -F, 'NR == 1 { print; next } { printf "%.2f,%s,%s,%s\n", int((NR - 2) / 10) / 10, $2, $3, $4 }' \
     "$work/plain.csv" > "$work/batches.csv"
 run calibrate "$work/batches.csv" --json
@@ -184,8 +184,8 @@ check "calibrate LOG: the same with the rate stated" near 0 "$(field offset)" "$
 awk -F, 'NR == 1 { print; next } { printf "%.2f,%s,%s,%s\n", NR == 6000 ? 1 : $1, $2, $3, $4 }' \
     "$work/plain.csv" > "$work/backwards.csv"
 run calibrate "$work/backwards.csv"
-check "calibrate LOG: times that go back are told" matches "$work/stdout" '^ +2 gaps in the stream'
-# One rest that reads almost nothing, besides 18 good ones.
+check "calibrate LOG: times that go back are reported" matches "$work/stdout" '^ +2 gaps in the stream'
+# One rest that reads almost nothing, with 18 good ones.
 { cat "$work/blank.txt"; awk 'BEGIN { for (i = 0; i < 500; i++) print i % 3, 2 - i % 5, i % 2 }'; } > "$work/drop.txt"
 run calibrate "$work/drop.txt" --json
 check "calibrate LOG: a rest without any reading is left out" near 0 "$(field rejected)" 19
@@ -197,20 +197,20 @@ in=$work/plain.csv
 run watch - --plan per-group:6
 in=/dev/null
 cp "$work/stdout" "$work/watched"
-check "watch: says what it takes the stream for" test "$(head -n 1 "$work/watched")" = \
+check "watch: says what it recognised" test "$(head -n 1 "$work/watched")" = \
     'standard input: CSV with commas, header in line 1; t (s), x y z'
 check "watch: asks for the first position" test "$(sed -n 2p "$work/watched")" = \
     'next: position 1 of 18: alpha 30, beta 0°; +y up, tilt 30 deg, +z rises'
 check "watch: takes 18" test "$(grep -c '^position .* taken' "$work/watched")" -eq 18
 check "watch: knows that the program is complete" matches "$work/watched" '^finished'
 check "watch: no control characters where there is no terminal" lacks "$work/watched" "$(printf '\r')"
-check "watch: what is not known shrinks" awk '/taken; 95 %: offsets/ { most = $8; if (!first) first = most }
+check "watch: the uncertainty shrinks" awk '/taken; 95 %: offsets/ { most = $8; if (!first) first = most }
     END { exit !(most < first) }' "$work/watched"
 run calibrate "$work/plain.csv" --json
 # Two digits of the widest interval of calibrate: both know the noise of the samples.
 interval=$(awk -F'[][,: ]+' '/"sigma"/ { on = 1 } /"delta"/ && on && !sigma { for (i = 3; i < 6; i++) if ($i > sigma) sigma = $i }
     /"interval95"/ { times = $3 } END { print times * sigma }' "$work/stdout")
-check "watch: and is the interval of 95 %" awk -v interval="$interval" '
+check "watch: and is the 95 % interval" awk -v interval="$interval" '
     /taken; 95 %: offsets/ { most = $8 }
     END { exit !(most > 0.94e3 * interval && most < 1.06e3 * interval) }' "$work/watched"
 run calibrate "$work/plain.csv"
@@ -220,13 +220,13 @@ check "watch: at the end the same figures as calibrate" same "$work/figures" "$w
 # A sample scatters by 1 mg at 100 Hz: 0.7 mm/s^2 take 2 s; 0.1 mm/s^2 take 96 s, more than 5.
 in=$work/plain.csv
 run watch - --mean-sigma 0.0007
-check "watch: a mean that is soon good enough is taken" \
+check "watch: a mean that is good enough soon is taken" \
     test "$(grep -c '^position .* taken' "$work/stdout")" -eq 18
 run watch - --mean-sigma 0.0001
 check "watch: one that needs longer is refused" matches "$work/stdout" \
     '^refused: too short: hold it still longer'
 check "watch: and none is taken" lacks "$work/stdout" '^position .* taken'
-# By noise that was measured: white noise N needs (N / sigma)^2, the worst axis decides.
+# With measured noise: white noise N needs (N / sigma)^2, the worst axis decides.
 noise() { # noise WHITE_OF_Z INSTABILITY_OF_X: m/s^2/sqrt(Hz), m/s^2
     printf '{"gravity": 9.80665, "noise": {"x": {"white": 0.001, "instability": %s, "walk": 0},
         "y": {"white": 0.001, "instability": 0, "walk": 0},
@@ -234,7 +234,7 @@ noise() { # noise WHITE_OF_Z INSTABILITY_OF_X: m/s^2/sqrt(Hz), m/s^2
 }
 noise 0.001 0
 run watch - --mean-sigma 0.0007 --allan "$work/noise.json"
-check "watch --allan: the time that it takes is told" matches "$work/stdout" '^hold each position for 2.04 s'
+check "watch --allan: the time that it takes is reported" matches "$work/stdout" '^hold each position for 2.04 s'
 check "watch --allan: and is enough" test "$(grep -c '^position .* taken' "$work/stdout")" -eq 18
 noise 0.002 0
 run watch - --mean-sigma 0.0007 --allan "$work/noise.json"
@@ -242,7 +242,7 @@ check "watch --allan: the noisiest axis decides" matches "$work/stdout" '^hold e
 check "watch --allan: five seconds are too short then" lacks "$work/stdout" '^position .* taken'
 noise 0.001 0.003
 run watch - --mean-sigma 0.0007 --allan "$work/noise.json"
-check "watch --allan: what does not average out is told" matches "$work/stdout" \
+check "watch --allan: what does not average out is reported" matches "$work/stdout" \
     '; longer does not help: the sigma of a mean is 0.0021$'
 in=/dev/null
 refuses "watch: --allan without --mean-sigma" 2 'allan: needs --mean-sigma' \
@@ -258,7 +258,7 @@ refuses "calibrate: --mean-sigma" 2 'mean-sigma: is an option of invcal watch on
     calibrate "$work/plain.csv" --mean-sigma 1
 in=$work/plain.csv
 run watch - --target 0.0001,0.0002,0.0003
-check "watch: tells when the target is reached" matches "$work/stdout" '^enough'
+check "watch: says when the target is reached" matches "$work/stdout" '^enough'
 run watch - --json
 in=/dev/null
 # With 3 to 8 degrees of freedom the residuals of a clean log are small by chance in every fifth: the noise of the samples
@@ -282,13 +282,13 @@ enough() { # enough OPTIONS, $follow those of watch alone: how many of 25 logs h
     echo "    enough in $reached of 25, of which $failed_there fail" >&2
     [ "$reached" -ge 15 ] && [ "$failed_there" -eq 0 ]
 }
-check "watch: enough is no lucky residual" enough --zero 0,0,0 --lsb 9.80665/16384
-check "watch: nor with a nominal by the range" enough
+check "watch: enough does not depend on lucky residuals" enough --zero 0,0,0 --lsb 9.80665/16384
+check "watch: the same with a nominal from the range" enough
 follow='--plan optimal:18'
-check "watch: nor with one by the program" enough
+check "watch: the same with one from the program" enough
 in=$work/plain.csv
 run watch - --json
-check "watch: --json is JSON alone" is_json "$work/stdout"
+check "watch: --json prints only JSON" is_json "$work/stdout"
 check "watch: the guidance goes to stderr" matches "$work/stderr" '^next: '
 in=/dev/null
 awk 'NR == 1 { print "34,-512"; next } NR == 900 { print "garb,age" } { print } END { printf "124.5,12" }' \
@@ -297,16 +297,16 @@ in=$work/noisy.csv
 run watch - --json
 in=/dev/null
 check "watch: lines that are cut or garbled are skipped" test "$code" -eq 0
-check "watch: they are told" test "$(grep -c 'columns' "$work/stderr")" -eq 4
-check "watch: and do no harm" right_offset plain 2
+check "watch: they are reported" test "$(grep -c 'columns' "$work/stderr")" -eq 4
+check "watch: and cause no error" right_offset plain 2
 awk '{ print NR < 300 ? $0 : "garbage" }' "$work/plain.csv" > "$work/garbage.csv"
 in=$work/garbage.csv
 run watch - --json
 in=/dev/null
 check "watch: a hundred such lines end it" test "$code" -eq 3
-check "watch: and the last word is the error" matches "$work/stderr" '^invcal: '
-check "watch: with no empty line behind it" test -n "$(tail -n 1 "$work/stderr")"
-# Ctrl-C gives the result of what there is.
+check "watch: and the last line is the error" matches "$work/stderr" '^invcal: '
+check "watch: without an empty line after it" test -n "$(tail -n 1 "$work/stderr")"
+# Ctrl-C gives the result so far.
 mkfifo "$work/port"
 "$tool" watch - --json < "$work/port" > "$work/stdout" 2> "$work/stderr" &
 watcher=$!
@@ -318,8 +318,8 @@ wait $watcher
 code=$?
 exec 3>&-
 check "watch: an interrupt ends the stream, with the result" test "$code" -eq 0
-check "watch: it is that of the samples that have come" test "$(field positions)" -ge 14
-# Whenever it comes: while the tool waits, or while it is at work.
+check "watch: it is that of the samples so far" test "$(field positions)" -ge 14
+# At any time: while the tool waits, or while it computes.
 ends_on_interrupt() {
     for pause in 0 0 0 0 0.01 0.02 0.03 0.05; do
         timeout --foreground -s KILL 30 "$tool" watch - --json < "$work/port" > "$work/stdout" 2> "$work/stderr" &

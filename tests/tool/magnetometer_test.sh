@@ -1,15 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# calibrate --magnetometer: logs of one that is waved, with a truth: magnetometer_test.sh path/to/invcal builddir
-# With the recordings (RECORDINGS, or ../shared/data) also a real one, against fits of all of its samples.
+# calibrate --magnetometer: logs of a waved magnetometer with a known truth: magnetometer_test.sh path/to/invcal builddir
+# With the recordings (RECORDINGS, or ../shared/data) also a real one, against fits to all of its samples.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# Gauss, in 100 samples a second: the field 0.48 turned about two axes, hard iron 0.1 -0.3 0.05, y scaled by 1.1;
-# noise of 0.5 % of the field. A magnet makes the field 1 + MAGNET times as long for 2 s; from STEP s on another 0.1
-# of offset x; HALF: z > 0 only.
+# Gauss, 100 samples a second: a field of 0.48 turned about two axes, hard iron 0.1 -0.3 0.05, y scaled by 1.1;
+# noise of 0.5 % of the field. A magnet makes the field 1 + MAGNET times as large for 2 s; from STEP s on, offset x is
+# 0.1 more; HALF: z > 0 only.
 waved() { # MAGNET STEP HALF
     awk -v magnet="$1" -v step="$2" -v half="$3" 'BEGIN {
         srand(1); print "ax (g),ay (g),az (g),mx (G),my (G),mz (G)"
@@ -34,17 +34,17 @@ check "magnetometer: and its shape" near 0.01 "$(vector dk)" -0.031,0.065,-0.031
 check "magnetometer: good" matches "$work/stdout" '"verdict": "good"'
 check "magnetometer: nothing disturbed it" matches "$work/stdout" '"disturbance": "none"'
 accepts "magnetometer: the table" calibrate --magnetometer "$work/log.csv" --report "$work/out/page.html"
-check "magnetometer: says what it found" matches "$work/stdout" '18 of 18 directions covered'
+check "magnetometer: reports the directions" matches "$work/stdout" '18 of 18 directions covered'
 check "magnetometer: the page states how much samples differ" matches "$work/out/page.html" 'differ by 0\.4[0-9]+ % rms after calibration'
 check "magnetometer: by how much samples differ" matches "$work/stdout" '^ +of samples +0\.4[0-9]+ % of the field rms$'
-check "magnetometer: and what limits" matches "$work/stdout" 'limited by +errors that neighbouring samples share'
+check "magnetometer: and what limits the accuracy" matches "$work/stdout" 'limited by +errors that neighbouring samples share'
 run apply "$work/out/cal.json" "$work/log.csv"
 check "magnetometer: apply takes its columns" succeeded
 check "magnetometer: and makes all lengths alike" test "$(awk -F, 'NR > 1 { l = sqrt($1^2 + $2^2 + $3^2)
     bad += l < 0.47 || l > 0.52 } END { print NR, bad + 0 }' "$work/stdout")" = "6001 0"
 
 accepts "magnetometer: a field that is known" calibrate --magnetometer "$work/log.csv" --gravity 48 --json
-check "magnetometer: gives its unit" near 0.01 "$(number gravity)" 48
+check "magnetometer: determines its unit" near 0.01 "$(number gravity)" 48
 run calibrate --magnetometer "$work/log.csv"
 check "magnetometer: in gauss, not in g" matches "$work/stdout" 'my mz in gauss;.*'
 check "magnetometer: the field, too" matches "$work/stdout" 'field 0\.49[0-9]* gauss'
@@ -65,7 +65,7 @@ for stated in '48.0 uT' 48.0µT '48.0+-0.5uT' '48.0±0.5µT'; do
     check "magnetometer: $stated: scales" matches "$work/stdout" '^scale x .* gauss per µT$'
     check "magnetometer: $stated: noise" matches "$work/stdout" '^noise  .* µT of one position mean'
 done
-check "magnetometer: what it may be wrong by" matches "$work/stdout" '^of the field +1 %, included in the ± of all three scales'
+check "magnetometer: its uncertainty" matches "$work/stdout" '^of the field +1 %, included in the ± of all three scales'
 run calibrate --magnetometer "$work/log.csv" --gravity 0.48G
 check "magnetometer: G is gauss, not g" matches "$work/stdout" 'field 0\.48 gauss$'
 for stated in 48.5parsec uT 48.5counts; do
@@ -76,7 +76,7 @@ refuses "a field in a magnetometer's unit, of something else" 2 'is not a decima
 run calibrate --magnetometer "$work/row.csv" --json
 check "magnetometer: units in a row of their own" matches "$work/stdout" '"unit": "uT"'
 run calibrate --magnetometer "$work/log.csv" --gravity 1 --out "$work/out/one.json"
-refuses "magnetometer: a field of 1 is no g" 2 'px4 is for accelerometers' export "$work/out/one.json" --format px4
+refuses "magnetometer: a field of 1 does not mean g" 2 'px4 is for accelerometers' export "$work/out/one.json" --format px4
 accepts "magnetometer: as a constant" export "$work/out/one.json" --format c
 in=$work/log.csv
 accepts "magnetometer: from the standard input" calibrate --magnetometer - --json
@@ -85,7 +85,7 @@ in=/dev/null
 waved 1 99 0 > "$work/magnet.csv"
 accepts "magnetometer: a magnet passes" calibrate --magnetometer "$work/magnet.csv" --json
 check "magnetometer: that is named" matches "$work/stdout" '"disturbance": "passing"'
-check "magnetometer: and does no harm" near 0.002 "$(vector offset)" 0.1,-0.3,0.05
+check "magnetometer: and causes no error" near 0.002 "$(vector offset)" 0.1,-0.3,0.05
 run calibrate --magnetometer "$work/magnet.csv"
 check "magnetometer: also in words" matches "$work/stdout" 'Disturbed: samples contradict the others'
 waved 0 35 0 > "$work/step.csv"
@@ -105,7 +105,7 @@ printf 'ax,ay,az\n0,0,1\n' > "$work/none.csv"
 refuses "magnetometer: none there" 3 'none.csv:1: the header names no columns of a magnetometer' \
     calibrate --magnetometer "$work/none.csv"
 printf 'x,y,z,mx,my,mz\n0,0,1,1,2,3\n' > "$work/twice.csv"
-refuses "magnetometer: two sets that may be meant" 3 "x, y and z are there twice .'mx' and 'x'." \
+refuses "magnetometer: two possible sets of columns" 3 "x, y and z are there twice .'mx' and 'x'." \
     calibrate --magnetometer "$work/twice.csv"
 for option in --positions --robust --six-faces --cubic '--thermal=1' '--noise=1' '--case=+z' '--prior=1,1,1' '--sensor=mpu6050'; do
     refuses "magnetometer: and $option" 2 "--magnetometer: cannot be combined with ${option%=*}" \
@@ -114,7 +114,7 @@ done
 refuses "magnetometer: watch needs no noise" 2 '--magnetometer: cannot be combined with --mean-sigma' \
     watch --magnetometer "$work/log.csv" --mean-sigma 1
 
-# Without the option it is looked for rests, of which a waved one has none.
+# Without the option the tool looks for rests, and a waved magnetometer has none.
 "$tool" simulate --magnetometer > "$work/named.csv"
 cut -d, -f5-7 "$work/named.csv" | sed 1d > "$work/unnamed.csv"
 advice='; for a magnetometer in motion: --magnetometer$'
@@ -122,14 +122,14 @@ refuses "magnetometer: without --magnetometer it is named" 1 "no rest of two sec
     calibrate "$work/named.csv" --columns mx,my,mz
 refuses "magnetometer: also without a header" 1 "no rest of two seconds.*$advice" calibrate "$work/unnamed.csv"
 run calibrate "$work/named.csv" --columns mx,my,mz --positions
-check "magnetometer: and where samples are stated to be positions" matches "$work/stderr" "looks like a raw log.*$advice"
+check "magnetometer: and if samples are said to be positions" matches "$work/stderr" "looks like a raw log.*$advice"
 run calibrate "$work/named.csv"
-check "magnetometer: not for an accelerometer in motion" lacks "$work/stderr" '--magnetometer'
+check "magnetometer: no such advice for an accelerometer in motion" lacks "$work/stderr" '--magnetometer'
 run calibrate "$work/named.csv" --columns ax,ay,az --positions
-check "magnetometer: nor where its samples are stated to be positions" lacks "$work/stderr" '--magnetometer'
+check "magnetometer: nor if its samples are said to be positions" lacks "$work/stderr" '--magnetometer'
 "$tool" simulate --plan faces | sed 1s/.*/t,u,v,w/ > "$work/rests.csv"
 run calibrate "$work/rests.csv" --columns u,v,w
-check "magnetometer: nor for what was held still six times" lacks "$work/stderr" '--magnetometer'
+check "magnetometer: nor for a sensor that was held still six times" lacks "$work/stderr" '--magnetometer'
 
 # ---- live ---------------------------------------------------------------------------------------
 
@@ -138,19 +138,19 @@ found=$(vector offset)
 accepts "magnetometer: live" watch --magnetometer "$work/log.csv"
 check "magnetometer: what to do" matches "$work/stdout" '^turn it slowly until every side'
 check "magnetometer: where to turn" matches "$work/stdout" '^next: hold it [-+][xyz] up.*, and swing it around$'
-check "magnetometer: how far it is" matches "$work/stdout" '^18 of 18 directions; 95 %: offsets ± 0'
+check "magnetometer: its progress" matches "$work/stdout" '^18 of 18 directions; 95 %: offsets ± 0'
 check "magnetometer: when it is enough, once" test "$(grep -c '^enough: it is good' "$work/stdout")" -eq 1
 check "magnetometer: and the result" matches "$work/stdout" '^Good: '
 in=$work/log.csv
 run watch --magnetometer - --json
 in=/dev/null
 check "magnetometer: which is that of calibrate" test "$(vector offset)" = "$found"
-check "magnetometer: beside JSON the guidance is on stderr" matches "$work/stderr" '^next: hold it'
+check "magnetometer: with JSON the guidance is on stderr" matches "$work/stderr" '^next: hold it'
 waved 1 99 0 > "$work/magnet.csv"
 run watch --magnetometer "$work/magnet.csv"
 check "magnetometer: a magnet is named at once" matches "$work/stdout" '^disturbed: samples contradict the others'
 run watch --magnetometer "$work/log.csv" --need 0.0001%
-check "magnetometer: no end before what is needed is reached" lacks "$work/stdout" '^enough'
+check "magnetometer: no end before the need is met" lacks "$work/stdout" '^enough'
 run watch --magnetometer "$work/log.csv" --need 0.01
 check "magnetometer: in the unit of the readings" matches "$work/stdout" '^enough: the target is reached'
 run watch --magnetometer "$work/log.csv" --target 0.00001,0,0
@@ -184,27 +184,27 @@ both() { # OFFSET SEED
         function n() { return (rand() + rand() + rand() + rand() - 2) * 1.732 }'
 }
 both 0 1 > "$work/both.csv"
-# The rotation is Rz(90) Rx(3): its columns are what the axes of the magnetometer are in those of the accelerometer.
+# The rotation is Rz(90) Rx(3): its columns are the axes of the magnetometer in those of the accelerometer.
 accepts "magnetometer: with an accelerometer" calibrate --magnetometer "$work/both.csv" --json
 rows() { sed -n '/"rotation"/,/\]$/p' "$work/stdout" | sed 1d | tr -d '[] \n' | sed 's/,$//'; }
 check "magnetometer: the rotation between the two" near 0.02 "$(rows)" \
     0,-0.99863,0.05234,1,0,0,0,0.05234,0.99863
 check "magnetometer: the dip" near 0.01 "$(number dip)" 1.0472
-check "magnetometer: turned only on demand" matches "$work/stdout" '"frame": "symmetric"'
+check "magnetometer: turned only on request" matches "$work/stdout" '"frame": "symmetric"'
 run calibrate --magnetometer "$work/both.csv"
 check "magnetometer: also in words" matches "$work/stdout" \
     'axes +to those of the accelerometer from [0-9]+ of 6000 samples, degrees: about x [+]2\.[0-9]+ ± .*The field points down by (59|60)\.[0-9]* degrees\..*use --with CAL.json'
 accepts "magnetometer: turned" calibrate --magnetometer "$work/both.csv" --frame accelerometer --out "$work/out/both.json" \
     --report "$work/out/both.html"
-check "magnetometer: the page tells it" matches "$work/out/both.html" 'rotated to those of the accelerometer'
+check "magnetometer: the page says so" matches "$work/out/both.html" 'rotated to those of the accelerometer'
 check "magnetometer: the table, too" matches "$work/stdout" 'rotated to those of the accelerometer'
 run apply "$work/out/both.json" "$work/both.csv"
-check "magnetometer: then up and the field have one angle between them" test "$(paste -d, "$work/both.csv" "$work/stdout" | awk -F, '
+check "magnetometer: then the angle between up and the field is constant" test "$(paste -d, "$work/both.csv" "$work/stdout" | awk -F, '
     NR > 1 { l = sqrt($9^2 + $10^2 + $11^2) * sqrt($2^2 + $3^2 + $4^2)
     d = ($2 * $9 + $3 * $10 + $4 * $11) / l + 0.866; s += d; q += d * d; n++ }
     END { print n, (s / n < 0.01 && s / n > -0.01 && sqrt(q / n) < 0.05) }')" = "6000 1"
 
-# Sigma is what twenty of them scatter by: three angles each, within 3 sigma but for one.
+# Sigma is the scatter of twenty logs: three angles each, all but one within 3 sigma.
 for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
     both 0 "$seed" > "$work/one.csv"
     run calibrate --magnetometer "$work/one.csv" --json
@@ -212,7 +212,7 @@ for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
         "$(sed -n '/"accelerometer"/,$s/.*"sigma": \[\(.*\)\].*/\1/p' "$work/stdout")"
 done | tr -d ' ' > "$work/angles.csv"
 # The rotation vector of Rz(90) Rx(3): half angles 45 and 1.5 degrees as quaternions.
-check "magnetometer: sigma covers what angles scatter by" test "$(awk -F, 'BEGIN {
+check "magnetometer: sigma covers the scatter of the angles" test "$(awk -F, 'BEGIN {
         r = 3.14159265358979 / 180; c = cos(45 * r); d = cos(1.5 * r); e = sin(1.5 * r)
         w = c * d; q[1] = c * e; q[2] = c * e; q[3] = c * d; s = sqrt(1 - w * w); t = 2 * atan2(s, w) }
     { for (i = 1; i <= 3; i++) { e = ($i - q[i] / s * t) / $(i + 3); n++; far += e * e > 9; squares += e * e } }
@@ -222,12 +222,12 @@ both 0.2 1 > "$work/offset.csv"
 echo '{"offset": [0.2, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}' > "$work/accel.json"
 accepts "magnetometer: an accelerometer that is not calibrated" \
     calibrate --magnetometer "$work/offset.csv" --with "$work/accel.json" --json
-check "magnetometer: is corrected by its calibration" near 0.02 "$(rows)" \
+check "magnetometer: the accelerometer is corrected by its calibration" near 0.02 "$(rows)" \
     0,-0.99863,0.05234,1,0,0,0,0.05234,0.99863
-check "magnetometer: which is told" matches "$work/stdout" '"taken": "calibrated"'
+check "magnetometer: which is reported" matches "$work/stdout" '"taken": "calibrated"'
 both 0.5 1 > "$work/offset.csv"
 accepts "magnetometer: one that is far off" calibrate --magnetometer "$work/offset.csv"
-check "magnetometer: tells nothing" matches "$work/stdout" 'axes +against the accelerometer.s unknown: the length of gravity varies'
+check "magnetometer: then the axes are unknown" matches "$work/stdout" 'axes +against the accelerometer.s unknown: the length of gravity varies'
 refuses "magnetometer: nor can anything be turned to it" 1 'usual length, within 10 %, in only [0-9]+ of 6000 samples; correct it' \
     calibrate --magnetometer "$work/offset.csv" --frame accelerometer
 cut -d, -f5-7 "$work/both.csv" > "$work/alone.csv"
@@ -239,9 +239,9 @@ refuses "magnetometer: --with alone" 2 '--with: needs --magnetometer' calibrate 
 refuses "magnetometer: its frame alone" 2 '--frame: accelerometer needs --magnetometer' \
     calibrate "$work/both.csv" --frame accelerometer
 accepts "magnetometer: a need in parts" calibrate --magnetometer "$work/both.csv" --need 1%
-check "magnetometer: is judged" matches "$work/stdout" 'PASS: length within 0\.[0-9]+ of 1\.0 % of the field'
+check "magnetometer: the need is judged" matches "$work/stdout" 'PASS: length within 0\.[0-9]+ of 1\.0 % of the field'
 accepts "magnetometer: and in the unit of the readings" calibrate --magnetometer "$work/both.csv" --need 0.005
-check "magnetometer: is the same" matches "$work/stdout" 'PASS: length within 0\.00[0-9]+ of 0\.0050 input units'
+check "magnetometer: a need in field units is the same" matches "$work/stdout" 'PASS: length within 0\.00[0-9]+ of 0\.0050 input units'
 refuses "magnetometer: a need of gravity" 2 'the field .--gravity. is not gravity' \
     calibrate --magnetometer "$work/both.csv" --need 1mg
 
@@ -257,7 +257,7 @@ if [ -f "$recording" ]; then
             NR == 1 { split($0, o) } NR == 2 { split($0, s) }
             NR > 2 { for (i = 1; i <= 3; i++) { e = ($i - o[i]) / s[i]; bad += e > 1 || e < -1; n++ } }
             END { print n, bad + 0 }')" = "9 0"
-    check "magnetometer: and among them, to their last digit" test "$(
+    check "magnetometer: and agrees with them to their last digit" test "$(
         { echo "$(vector offset)"; echo "$fits"; } | tr -d ' ' | awk -F, '
             NR == 1 { split($0, o) } NR == 2 { split($0, least); split($0, most) }
             NR > 2 { for (i = 1; i <= 3; i++) { if ($i < least[i]) least[i] = $i; if ($i > most[i]) most[i] = $i } }
@@ -266,7 +266,7 @@ if [ -f "$recording" ]; then
         "$(number sample_rms)" "$(sed -n 's/.*reference_rms = \([0-9.]*\);/\1/p' "$here/../reference/magnetometer.h")"
     check "magnetometer: and good" matches "$work/stdout" '"verdict": "good"'
     # shellcheck disable=SC2016 # fields of awk
-    check "magnetometer: its axes are turned by what a fit of all instants tells" test "$(
+    check "magnetometer: its axes are turned as in a fit of all samples" test "$(
         { echo "$(vector angle)"; sed -n '/"accelerometer"/,$s/.*"sigma": \[\(.*\)\].*/\1/p' "$work/stdout"
           sed -n 's/.*reference_axes.*{\(.*\)};/\1/p' "$here/../reference/magnetometer.h"; } | tr -d ' ' | awk -F, '
             NR == 1 { split($0, a) } NR == 2 { split($0, s) }
@@ -305,7 +305,7 @@ check "simulate --magnetometer: the dip, rad" near 1e-6 "$(sed -n 's/.*"dip": \(
 "$tool" simulate --magnetometer --magnet 40 > "$work/waved.csv"
 run calibrate --magnetometer "$work/waved.csv" --gravity 48 --json
 check "simulate --magnet: it is named" matches "$work/stdout" '"disturbance": "passing"'
-check "simulate --magnet: and does no harm" near 0.6 "$(vector offset)" 12,-30,5
+check "simulate --magnet: and causes no error" near 0.6 "$(vector offset)" 12,-30,5
 "$tool" simulate --magnetometer --mag-field 30,-20 --mag-offset 1,2,3 --mag-soft 0.1,0,0,0,0,0.1 --mag-turn 0,0,0 --mag-noise 0 \
     --noise 0 --tremor 0 --offset 0,0,0 --dk 0,0,0 --gamma 0,0,0 --seconds 90 --rate 50 > "$work/waved.csv"
 run calibrate --magnetometer "$work/waved.csv" --gravity 30 --zero 0,0,0 --lsb 1 --json
@@ -313,7 +313,7 @@ check "simulate --magnetometer: without noise, offset" near 0.002 "$(vector offs
 check "simulate --magnetometer: without noise, scales" near 1e-4 "$(vector dk)" 0.1,0,0
 check "simulate --magnetometer: without noise, angles" near 1e-4 "$(vector gamma)" 0,0,0.1
 check "simulate --magnetometer: without noise, up and the field" near 1e-3 "$(number dip)" -0.349066
-check "simulate --seconds: so many samples" test "$(wc -l < "$work/waved.csv")" -eq 4501
+check "simulate --seconds: the number of samples" test "$(wc -l < "$work/waved.csv")" -eq 4501
 for option in '--plan=edges' '--gyro' '--dwell=3' '--stand' '--outliers=1' '--temperature=1,2'; do
     refuses "simulate --magnetometer and $option" 2 "--magnetometer: cannot be combined with ${option%=*}" simulate --magnetometer "$option"
 done

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Checks a page: every tag is closed in its place, attributes are quoted, no stray < or &, and
-# nothing is loaded or run. Prints nothing, or one line that says what is wrong.
+# Checks a page: tags are closed in order, attributes are quoted, there is no stray < or &, and nothing
+# is loaded or run. Prints nothing, or one line that says what is wrong.
 function wrong(what) {
     if (!said) print "wrong: " what
     said = 1

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 #
-# Every figure of a report that the JSON of the same run has is the JSON's, to its last digit; ± is 95 %:
+# Every figure of a report that is also in the JSON of the same run has the same value, to its last digit; ± is 95 %:
 #
 #     awk -f figures.awk -f page_json.awk result.json page.html
 #
-# Says how many figures it has compared, or what differs. (At the stand: stand_page.awk.)
-# The first number behind a text.
+# Prints how many figures it compared, or what differs. (For a stand: stand_page.awk.)
+# The first number after a text.
 function behind(text, words,    at) {
     at = index(text, words)
     if (!at) return ""

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# PASS or FAIL, what --strict makes of it, and figures that agree: table, page and JSON of one run say the same.
+# PASS or FAIL, --strict, and figures that agree: table, page and JSON of one run have the same.
 # pass_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
@@ -16,7 +16,7 @@ sheet='--zero 0,0,0 --lsb 0.000598550415 --gravity 9.80665+-0'
 flat() { tr -s '\n ' ' ' < "$work/stdout"; }
 prints() { flat | grep -Eq -- "$1" || { flat | tail -c 400 >&2; return 1; }; }
 shows() { sed 's/<[^>]*>/ /g' "$page" | tr -s '\n ' ' ' | grep -Eq -- "$1"; }
-# A member of an object in the object `pass` or the like, by its name.
+# A member of an inner object, such as `pass`, by its name.
 inner() { sed -n "s/^ *\"$2\": \(.*[^,]\),*\$/\1/p" "$1" | tr -d '"'; }
 
 # ---- PASS and FAIL -------------------------------------------------------------------------------
@@ -37,30 +37,30 @@ for need in '0.1 %' 1000ug 0.001g 0.00980665m/s2 0.00980665; do
     check "pass: $need is as much" near 1e-12 "$(inner "$work/stdout" wanted)" 0.00980665
 done
 run calibrate "$work/log.csv" $sheet --need 100ug
-check "pass: told as it was stated" prints 'within [0-9.]+ of 100 µg'
-refuses "pass: a unit that is none" 2 '--need 1mT: must end with mg, g, ug, m/s2 or %' calibrate "$work/log.csv" --need 1mT
-refuses "pass: mg of a field that is none of gravity" 2 'is not gravity: state % of it' \
+check "pass: reported as it was stated" prints 'within [0-9.]+ of 100 µg'
+refuses "pass: an unknown unit" 2 '--need 1mT: must end with mg, g, ug, m/s2 or %' calibrate "$work/log.csv" --need 1mT
+refuses "pass: mg for a field that is not gravity" 2 'is not gravity: state % of it' \
     calibrate "$work/log.csv" --gravity 48.5 --need 1mg
 refuses "pass: no number" 2 "--need x: 'x' is not a decimal" calibrate "$work/log.csv" --need xmg
 refuses "pass: 0 mg" 2 '--need: must be above 0' calibrate "$work/log.csv" --need 0mg
 
 accepts "pass: limits that are not kept" calibrate "$work/log.csv" $sheet --tolerance 0.02,0.04,0.02 --report "$page"
-check "pass: then it fails, and by which margin" prints 'FAIL: offset z up to 30\.0 of 20\.0 mg and 1 more \(95 %\)\. Beyond'
+check "pass: then it fails, with the margin" prints 'FAIL: offset z up to 30\.0 of 20\.0 mg and 1 more \(95 %\)\. Beyond'
 check "pass: in the page the two rows are red" test "$(grep -c '<tr class="bad">' "$page")" -eq 2
 check "pass: under a verdict that is good" shows 'Good ✗ FAIL: offset z'
-# A limit that a value keeps and its ± does not: the value of z, and half a sigma.
+# A limit that the value keeps, but not with its ±: the value of z, and half a sigma.
 run calibrate "$work/log.csv" $sheet --json
 limit=$(awk -F'[][,:]' '/^  "delta"/ { x = $5 } /^    "delta"/ { s = $5 } END { printf "%.9f", x + s / 2 }' "$work/stdout")
 run calibrate "$work/log.csv" $sheet --tolerance "$limit,1,1" --report "$page"
-check "pass: what may be beyond fails" prints 'FAIL: offset z up to 30\.0[0-9]+ of 30\.0[0-9]+ mg \(95 %\)\. '
-check "pass: and is said to be unsure" shows 'Possibly beyond the limits .*: offset z\.'
+check "pass: a value that may be beyond fails" prints 'FAIL: offset z up to 30\.0[0-9]+ of 30\.0[0-9]+ mg \(95 %\)\. '
+check "pass: and is reported as unsure" shows 'Possibly beyond the limits .*: offset z\.'
 }
 printf '%s\n' 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 0,0,-1 .7,.7,0 .7,0,.7 0,.7,.7 |
     awk -F, -v OFS=, '{ print 9.8 * $1, 9.8 * $2, 9.8 * $3 }' > "$work/nine.csv"
 run calibrate "$work/nine.csv" --positions --zero 0,0,0 --lsb 1 --tolerance 1,1,1 --need 1 --report "$page"
-check "pass: where nothing tells the noise, nothing passes" prints \
+check "pass: if the noise is unknown, nothing passes" prints \
     'FAIL: the verdict is no redundancy; the noise is unknown'
-check "pass: and the page is a page" is_page "$page"
+check "pass: and the page is well-formed" is_page "$page"
 
 # ---- --strict ------------------------------------------------------------------------------------
 
@@ -90,7 +90,7 @@ for trouble in drift cubic; do
         "$work/$trouble.csv" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665
 done
 run calibrate $xsens --strict --json
-check "strict: the JSON is printed all the same" is_json "$work/stdout"
+check "strict: the JSON is printed anyway" is_json "$work/stdout"
 run calibrate $xsens --quiet
 check "without it the exit code of a rough one is 0" test "$code" -eq 0
 in=$work/log.csv
@@ -112,7 +112,7 @@ agree() { # LEAST [-v ins=1] -- ARGUMENTS: so many figures of the page are the J
 }
 # shellcheck disable=SC2086
 {
-check "figures: of a real sensor, with limits and a need" agree 50 0 $xsens --tolerance 0.02,0.005,0.02 --need 1mg
+check "figures: a real sensor, with limits and a need" agree 50 0 $xsens --tolerance 0.02,0.005,0.02 --need 1mg
 check "figures: in the units of navigation" agree 50 1 $xsens --tolerance 0.02,0.005,0.02 --need 100ug --units ins
 check "figures: a drift that was fitted" agree 30 0 "$work/drift.csv" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665
 check "figures: a nonlinearity that was fitted" agree 30 0 "$work/cubic.csv" --positions --zero 0,0,0 --lsb 1 \
@@ -127,7 +127,7 @@ sensor() { awk -v what=positions -v stations="$1" -v wrong="$2" -v seed=1 -v sig
 sensor -20,25,70 23 > "$work/chamber.csv"
 check "figures: of slopes over temperature, with an outlier" agree 50 0 "$work/chamber.csv" --positions --thermal 1 --unit g \
     --gravity 9.80665
-# Their size: what the table prints to three digits is the JSON's.
+# Their size: the three digits in the table agree with the JSON.
 run calibrate "$work/outliers.csv" --json
 sed -n '/"rejected_excess"/,/\]/p' "$work/stdout" | grep -E '^ *[-0-9]' | tr -d ' ,' > "$work/excess"
 run calibrate "$work/outliers.csv"

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of plan --moves from outside: plan_moves_test.sh path/to/invcal builddir
-# Figures are those of tests/reference/turns_design.h, and closed form.
+# Tests of plan --moves by the command line: plan_moves_test.sh path/to/invcal builddir
+# Expected figures are those of tests/reference/turns_design.h, and closed forms.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -65,9 +65,9 @@ plan faces
 check "faces: rank 18" member_is rank 18
 check "faces: 12 turns" [ "$(values words | wc -l)" -eq 13 ] # and the next
 
-# An angle of a turn has the variance 2 a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2: with a turn that takes twice
-# the time, and noise of the rate alone, everything is known beforehand of the scale, whose sigma is
-# sqrt(variance) / pi where the accelerometer is as good as perfect.
+# The angle of a turn has the variance 2 a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2: with a turn that takes twice
+# the time, and only noise of the rate, the sigma of the scale is known in advance: sqrt(variance) / pi, if the
+# accelerometer is nearly perfect.
 run plan --json --moves tour12 --noise 0.000001 --dwell 1 --rate-noise 0.01 --instability 0 --move 2
 check "sigma of the scale with a noise of the rate" near 0.0001 \
     "$(numbers expected | awk '{ print 1000 * $1 }')" \
@@ -79,7 +79,7 @@ check "--dwell counts in the time" member_is seconds 70
 # ---- words -------------------------------------------------------------------------------------
 
 accepts "plan --moves: it prints" plan --moves tour12
-check "it begins where it begins" matches "$work/stdout" '^Start with \+z up\.'
+check "it names its start" matches "$work/stdout" '^Start with \+z up\.'
 check "a quarter turn in words" matches "$work/stdout" '^ +1 \+x up: a quarter turn about y +18 '
 check "sigma in units" matches "$work/stdout" '^  gyro scale x  +0\.5[0-9]+ +0\.015[0-9] %$'
 accepts "plan --moves with --units ins" plan --moves tour12 --units ins
@@ -108,7 +108,7 @@ check "one axis: what is open is named" member_is undetermined "[$one_axis]"
 check "one axis: no sigma" [ "$(numbers sigma | tr -d ' ')" = null,null,null,null,null,null,null,null,null,null,null,null,null,null,null,null,null,null ]
 check "one axis: said in one line" says '8 turns determine 8 of 18 parameters; undetermined: gyro angle xy, .*, angle xz\. Turn next: .* up: '
 run plan --moves x:90,x:90,x:90,x:90
-check "the table is printed all the same" matches "$work/stdout" '^ +4 \+z up: a quarter turn about x +12 '
+check "the table is printed anyway" matches "$work/stdout" '^ +4 \+z up: a quarter turn about x +12 '
 check "and no sigma" lacks "$work/stdout" 'sigma'
 plan x:90,x:90,x:90,x:90,y:90,y:90,y:90,y:90
 check "two axes: rank 14" member_is rank 14
@@ -119,12 +119,12 @@ check "two axes: what is open is named" member_is undetermined \
 
 accepts "plan --moves --report" plan --quiet --moves tour16 --report "$work/turns.html"
 check "it is a page" is_page "$work/turns.html"
-check "which tells its command" tells_command "$work/turns.html" invcal plan --quiet --moves tour16 --report "$work/turns.html"
+check "which shows its command" shows_command "$work/turns.html" invcal plan --quiet --moves tour16 --report "$work/turns.html"
 check "and the verdict" matches "$work/turns.html" '16 turns determine all 18 parameters'
 check "and each turn" [ "$(grep -c '☐' "$work/turns.html")" -eq 16 ]
 run plan --quiet --moves x:90,x:90 --report "$work/open.html"
-check "what is refused has a page, too" is_page "$work/open.html"
-check "with what is open" matches "$work/open.html" 'Undetermined'
+check "a refusal has a page, too" is_page "$work/open.html"
+check "with the open parameters" matches "$work/open.html" 'Undetermined'
 
 # ---- refusals ----------------------------------------------------------------------------------
 

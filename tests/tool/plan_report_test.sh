@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of plan --report and of pictures of a comparison, from outside:
+# Tests of plan --report and of pictures of a comparison, by the command line:
 # plan_report_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
@@ -17,30 +17,30 @@ makes_page() { # makes_page SENTENCE ARGUMENTS ...: the tool accepts them and wr
     check "report: $what: well-formed, self-contained" is_page "$page"
 }
 
-# The page's words, a line for each element; cells of a row stand together, with | between.
+# The page's words, a line for each element; the cells of a row are on one line, separated by |.
 words() {
     sed -n '/^<body>/,$p' "$page" | sed -e "s/$(printf '\302\240')/ /g" \
         -e 's/<\/t[hd]>/|/g' -e 's/<[^>]*>//g' -e 's/−/-/g' -e '/^ *$/d'
 }
-tells() { words | grep -Fq -- "$1"; }
+page_says() { words | grep -Fq -- "$1"; }
 row() { words | sed -n "s/^$1|//p" | head -n 1; } # row NAME: the cells behind the first
 formula() { awk "BEGIN { printf \"$1\", $2 }"; }  # formula FORMAT EXPRESSION
 
 # ---- the program of 18 positions ---------------------------------------------------------------
 
 makes_page "the program of 18 positions" --per-group 6
-check "report: good" tells '✓ Good'
-check "report: what to do next" tells 'invcal calibrate LOG'
-check "report: sigma by the paper's formulas" tells "offsets to $(formula %.3f 'sqrt(1/6)'), \
+check "report: good" page_says '✓ Good'
+check "report: what to do next" page_says 'invcal calibrate LOG'
+check "report: sigma by the paper's formulas" page_says "offsets to $(formula %.3f 'sqrt(1/6)'), \
 scale errors to $(formula %.3f 'sqrt(7/30)'), angles to $(formula %.2f 'sqrt(8/6)') times"
 check "report: offset x" test "$(row 'offset x')" = "$(formula %.4f 'sqrt(1/6)')|"
 check "report: scale y" test "$(row 'scale y')" = "$(formula %.4f 'sqrt(7/30)')|"
 check "report: angle zy" test "$(row 'angle zy')" = "$(formula %.3f 'sqrt(8/6)')|"
-check "report: time" tells '2 min 55 s'
-check "report: its command" tells_command "$page" invcal plan --per-group 6 --report "$page"
-check "report: all axes" tells 'All six of +x, -x, +y, -y, +z, -z point along gravity.'
-check "report: groups" tells 'group 3'
-check "report: nonlinear terms" tells 'quadratic 1.63 × noise, of 12 parameters, condition 40.2; cubic 3.27 × noise, of 15'
+check "report: time" page_says '2 min 55 s'
+check "report: its command" shows_command "$page" invcal plan --per-group 6 --report "$page"
+check "report: all axes" page_says 'All six of +x, -x, +y, -y, +z, -z point along gravity.'
+check "report: groups" page_says 'group 3'
+check "report: nonlinear terms" page_says 'quadratic 1.63 × noise, of 12 parameters, condition 40.2; cubic 3.27 × noise, of 15'
 
 # The paper's Table 1 with starts 30, 30, 120, and five seconds to stay and to move.
 follows_table() {
@@ -76,9 +76,9 @@ check "report: six markers of each group" test \
     "$(marks circle c1) $(marks polygon c2) $(marks polygon c3)" = '6 6 6'
 run plan --json
 down=$(sed -n 's/^ *"vertical": .*, \(.*\)\],*$/\1/p' "$work/stdout" | awk '$1 < -1e-9' | wc -l)
-check "report: the lower half is described" tells \
+check "report: the lower half is described" page_says \
     "z down, seen from +z. It holds $((down + 0)) of 18 positions."
-check "report: and the upper" tells "z up or level, seen from +z. It holds $((18 - down)) of 18 positions"
+check "report: and the upper" page_says "z up or level, seen from +z. It holds $((18 - down)) of 18 positions"
 check "report: position 2 of group 1 is in the middle" matches "$page" \
     '^<circle class="c1 over" cx="168" cy="164"'
 
@@ -105,10 +105,10 @@ run plan --json
 bounds=$(length_sigma)
 check "report: |a| is known best along an axis" test "${bounds% *}" = \
     "$(formula %.3f 'sqrt(1/6 + 7/30)')"
-check "report: sigma of |a|, the least" tells "of a corrected reading is ±${bounds% *} × noise"
-check "report: sigma of |a|, the most" tells "±${bounds#* } × noise in the worst"
+check "report: sigma of |a|, the least" page_says "of a corrected reading is ±${bounds% *} × noise"
+check "report: sigma of |a|, the most" page_says "±${bounds#* } × noise in the worst"
 
-# The check of pages must see what it is for.
+# The check of pages must detect these faults.
 sees() { # sees FAULT SED-COMMAND
     check "report: the test sees $1" test -n "$(sed "$2" "$page" | awk -f "$here/page.awk")"
 }
@@ -124,18 +124,18 @@ sees "a picture from elsewhere" 's/<h1>/<img src="x"\/><h1>/'
 # ---- units, limits -----------------------------------------------------------------------------
 
 makes_page "with noise" --per-group 8 --noise 0.0001 --dwell 4
-check "report: offsets in mg" tells "offsets to $(formula %.4f '0.05 * sqrt(1/8)') mg"
-check "report: scale errors in %" tells "scale errors to $(formula %.5f '0.005 * sqrt(7/40)') %"
-check "report: angles in degrees" tells "angles to $(formula %.5f '5e-5 * 45 / atan2(1, 1)') °"
-check "report: |a| in mg" tells "of a corrected reading is ±$(formula %.4f '0.05 * sqrt(1/8 + 7/40)') mg in the best"
-check "report: time of 24 positions" tells "$(formula '%d min %d s' 'int(211 / 60), 211 % 60')"
+check "report: offsets in mg" page_says "offsets to $(formula %.4f '0.05 * sqrt(1/8)') mg"
+check "report: scale errors in %" page_says "scale errors to $(formula %.5f '0.005 * sqrt(7/40)') %"
+check "report: angles in degrees" page_says "angles to $(formula %.5f '5e-5 * 45 / atan2(1, 1)') °"
+check "report: |a| in mg" page_says "of a corrected reading is ±$(formula %.4f '0.05 * sqrt(1/8 + 7/40)') mg in the best"
+check "report: time of 24 positions" page_says "$(formula '%d min %d s' 'int(211 / 60), 211 % 60')"
 makes_page "rests too short for a log" --dwell 1.5 --move 3
-check "report: it says so" tells 'holding two seconds or more'
+check "report: it says so" page_says 'holding two seconds or more'
 check "report: begins with tenths" test "$(row 2 | cut -d '|' -f 2)" = 0:04.5
 makes_page "an odd number" --per-group 7
-check "report: it says what is missing, and why" \
-    tells 'Never along gravity: +x +y -z; an odd number per group'
-# +x, -x, +y, -y, +z, -z by what stands at +1 g (the right end, 672) and -1 g (34).
+check "report: it names what is missing, and why" \
+    page_says 'Never along gravity: +x +y -z; an odd number per group'
+# +x, -x, +y, -y, +z, -z by the markers at +1 g (the right end, 672) and -1 g (34).
 covered() {
     sed -n '/>The range of each axis</,/^<\/svg>/p' "$page" | awk '
         /class="c3 over"|class="c2 hollow"/ && rows > 0 {
@@ -148,44 +148,44 @@ covered() {
 }
 check "report: markers of axes along gravity" test "$(covered)" = '+no -yes +no -yes +yes -no '
 makes_page "start angles" --start 0,10,0
-check "report: they miss axes" tells 'its start angles miss them'
+check "report: they miss axes" page_says 'its start angles miss them'
 
 makes_page "a choice" --limits 0.4,0.6,1 --budget 600
-check "report: it shows what was chosen" tells 'free directions, chosen|19|'
-check "report: and the other" tells '3 x 8|24|'
+check "report: it shows the choice" page_says 'free directions, chosen|19|'
+check "report: and the other" page_says '3 x 8|24|'
 check "report: the limit in the table" test "$(row 'scale x' | cut -d '|' -f 2)" = 0.600
 makes_page "limits not met" --optimal 9 --limits 0.4,0.4,0.4
-check "report: it says so" tells '! Limits not met'
+check "report: it says so" page_says '! Limits not met'
 check "report: and where" test "$(row 'angle xy' | cut -d '|' -f 3)" = 'beyond the limit'
 check "report: and in colour" matches "$page" '<rect class="c2 bar"'
 
 # ---- a stand, shares, bounds, warm-up ----------------------------------------------------------
 
 makes_page "stand-12" --stand-12
-check "report: angles of a stand" tells 'α: outer axis of the stand'
-check "report: turn the stand" tells 'turn the stand as the work sheet says'
+check "report: angles of a stand" page_says 'α: outer axis of the stand'
+check "report: turn the stand" page_says 'turn the stand as the work sheet says'
 makes_page "angles" --optimal 12 --grid 30 --need-axes
 check "report: of a grid" test "$(row 1 | cut -d '|' -f 3,4 | grep -c '^-*[0-9]*0|-*[0-9]*0$')" -eq 1
 makes_page "shares" --edges --weights --dwell 9
 # A face has 18/30 of 9 s, an edge 18/15.
-check "report: how long to stay" test "$(words | awk -F '|' '$2 == "☐" { print $9 }' | sort | uniq -c |
+check "report: the dwell of each position" test "$(words | awk -F '|' '$2 == "☐" { print $9 }' | sort | uniq -c |
     tr -s ' \n' ' ')" = " 12 10.8 s 6 5.4 s "
-check "report: on the average" tells 'for 9 s in each position on average'
-check "report: what it wins" tells "with equal ones ln det H&#39;H is 9.36426; for any 18 positions it is at most 9.46494"
+check "report: on the average" page_says 'for 9 s in each position on average'
+check "report: the gain" page_says "with equal ones ln det H&#39;H is 9.36426; for any 18 positions it is at most 9.46494"
 makes_page "bounds" --bound 0.001
 check "report: bounds of 3 x 6" test "$(words | grep '^offset x|1\.244|')" = 'offset x|1.244|1.24 mg|'
 makes_page "a warm-up" --warm-up 600
 check "report: the first begins after it" test "$(row 1 | cut -d '|' -f 2)" = 10:00
-check "report: it says so" tells 'let the sensor warm up for 10 min 00 s'
+check "report: it says so" page_says 'let the sensor warm up for 10 min 00 s'
 
 # ---- other sets --------------------------------------------------------------------------------
 
 makes_page "the icosahedron" --icosahedron
 check "report: equally well in every direction" \
-    tells "is the same in every direction: ±$(formula %.3f 'sqrt(0.75)') × noise"
+    page_says "is the same in every direction: ±$(formula %.3f 'sqrt(0.75)') × noise"
 makes_page "edges" --edges
 makes_page "nine positions" --optimal 9
-check "report: no redundancy" tells '! No redundancy'
+check "report: no redundancy" page_says '! No redundancy'
 cat > "$work/cap.csv" <<END
 0.1 0 1
 0.9 0.3 0.3
@@ -200,8 +200,8 @@ cat > "$work/cap.csv" <<END
 0 0.9 -0.1
 END
 makes_page "a cap of directions" --directions "$work/cap.csv"
-check "report: weak" tells '✗ Weak'
-check "report: what to add" tells 'add positions with'
+check "report: weak" page_says '✗ Weak'
+check "report: what to add" page_says 'add positions with'
 makes_page "3000 positions" --per-group 1000
 check "report: the work sheet is folded" grep -q '^<details>$' "$page"
 check "report: but whole" test "$(words | grep -c '^[0-9]*|☐|')" -eq 3000
@@ -213,8 +213,8 @@ check "report: below 1 MB" test "$(wc -c < "$page")" -lt 1000000
 # ---- a sweep -----------------------------------------------------------------------------------
 
 makes_page "a sweep" --sweep 5:16
-check "report: twice the positions" tells "multiply every σ by $(formula %.2f 'sqrt(1/2)')"
-check "report: from end to end" tells \
+check "report: twice the positions" page_says "multiply every σ by $(formula %.2f 'sqrt(1/2)')"
+check "report: from end to end" page_says \
     "falls from $(formula %.2f 'sqrt(8/5)') to $(formula %.3f 'sqrt(8/16)') times"
 follows_formulas() {
     words | awk -F '|' '/^3 x [0-9]*\|/ {
@@ -233,7 +233,7 @@ makes_page "the widest sweep" --sweep 5:1000
 # ---- a comparison ------------------------------------------------------------------------------
 
 makes_page "a comparison" --compare per-group:8 per-group:6 --svg "$work/out/ratios.svg"
-check "report: time and sigma in a sentence" tells \
+check "report: time and sigma in a sentence" page_says \
     "B needs $(formula %.4f 175/235) of the time of A, with 18 positions instead of 24; its σ \
 are $(formula %.3f 'sqrt(8/6)') times as large."
 check "report: the ratios in a table" test "$(row 'σ of angles, × noise')" = \
@@ -246,7 +246,7 @@ is_svg() {
         tail -n 1 "$1" | grep -q '^</svg>$' && ! grep -Eq '<script|href=|url\(|@import' "$1"
 }
 check "report: the picture alone" is_svg "$work/out/ratios.svg"
-# sqrt(24/18) is half as far from 1 as 18/24, on a logarithmic axis; bars jut out by a pixel.
+# sqrt(24/18) is half as far from 1 as 18/24 on a logarithmic axis; bars extend by a pixel.
 has_true_bars() {
     sed -n 's/^<rect class="\(c[12]\) bar".* width="\([0-9.]*\)".*/\1 \2/p' "$work/out/ratios.svg" |
         awk 'NR > 2 { style[++n] = $1; width[n] = $2 - 2 }
@@ -274,24 +274,24 @@ ends_at_tick() {
         END { if (far(left, at["0.75"]) || far(right, at["1.00"])) exit 1 }' "$work/out/ratios.svg"
 }
 check "report: the bar of 0.75 ends at its tick" ends_at_tick
-check "report: bars go by the logarithm of the ratio" has_true_bars
+check "report: the length of a bar is the logarithm of its ratio" has_true_bars
 makes_page "equal sets" --compare edges edges
-check "report: they are equally good" tells 'A and B are equally good'
+check "report: they are equally good" page_says 'A and B are equally good'
 makes_page "better in all" --compare "directions:$work/cap.csv" optimal:11 --noise 0.001
-check "report: B is better" tells 'B is better'
-check "report: A is weak" tells 'A is weak'
+check "report: B is better" page_says 'B is better'
+check "report: A is weak" page_says 'A is weak'
 makes_page "worse in all" --compare optimal:11 "directions:$work/cap.csv"
-check "report: A is better" tells 'A is better'
+check "report: A is better" page_says 'A is better'
 makes_page "far apart" --compare per-group:1000 optimal:9
-check "report: the one of nine is unchecked" tells 'B has no redundancy'
+check "report: the one with nine positions is unchecked" page_says 'B has no redundancy'
 
 # ---- names and files ---------------------------------------------------------------------------
 
 awk '{ print NR * $1, NR * $2, NR * $3 }' "$work/cap.csv" > "$work/out/<b>&\"'x.csv"
 makes_page "a hostile name" --directions "$work/out/<b>&\"'x.csv"
 check "report: it is escaped" lacks "$page" '<b>&|&"'
-check "report: and there" matches "$page" '&lt;b&gt;&amp;&quot;&#39;x\.csv'
-check "report: in the command it stands in quotes" tells_command "$page" invcal plan --directions \
+check "report: and shown" matches "$page" '&lt;b&gt;&amp;&quot;&#39;x\.csv'
+check "report: in the command it is quoted" shows_command "$page" invcal plan --directions \
     "$work/out/<b>&\"'x.csv" --report "$page"
 makes_page "a hostile name to compare" --compare "directions:$work/out/<b>&\"'x.csv" edges
 check "report: it is escaped, too" lacks "$page" '<b>&|&"'
@@ -299,7 +299,7 @@ check "report: it is escaped, too" lacks "$page" '<b>&|&"'
 run plan --json
 cp "$work/stdout" "$work/plain.json"
 makes_page "with JSON" --json
-check "report: JSON is as without" same "$work/stdout" "$work/plain.json"
+check "report: JSON is the same without it" same "$work/stdout" "$work/plain.json"
 
 rm -f "$work"/out/*
 cp "$work/cap.csv" "$work/out/own.csv"
@@ -313,14 +313,14 @@ check "report: they are still there" same "$work/cap.csv" "$work/out/own.csv"
 rm -f "$work"/out/*
 refuses "report: one file for both" 2 'report: is the file of --svg' plan --svg "$page" \
     --report "$page"
-check "report: neither is there" test -z "$(ls -A "$work/out")"
+check "report: neither exists" test -z "$(ls -A "$work/out")"
 echo old > "$work/out/cal.json"
 run plan --faces --report "$work/out/cal.json"
 check "report: a refusal leaves the page as it was" is_untouched
 run plan --svg "$work/out/cal.json" --report "$work/nowhere/x.html"
-check "report: a page where none can be leaves the picture as it was" kept_old 3 'nowhere/x\.html'
+check "report: if the page cannot be written, the picture stays as it was" kept_old 3 'nowhere/x\.html'
 run plan --report "$work/out/cal.json" --svg "$work/nowhere/x.svg"
-check "report: and the other way round" kept_old 3 'nowhere/x\.svg'
+check "report: and vice versa" kept_old 3 'nowhere/x\.svg'
 "$tool" plan --report "$work/out/cal.json" --svg "$work/out/x.svg" >&- 2> "$work/stderr"
 code=$?
 check "report: an output that fails leaves everything as it was" \

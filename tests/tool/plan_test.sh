@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of plan from outside: plan_test.sh path/to/invcal builddir
+# Tests of plan by its command line: plan_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# Runs plan --json and judges its directions again: $judged, see directions.awk.
+# Runs plan --json and evaluates its directions independently: $judged, see directions.awk.
 judge() {
     run plan --json "$@"
     judged=$(awk -f "$here/directions.awk" "$work/stdout")
@@ -80,11 +80,11 @@ done
 judge --per-group 11 --start -360,77.7,359
 check "plan: any start angles give the same sigma" holds '(gamma - sqrt(8 / 11)) ^ 2 < 1e-17'
 judge --start 30,30,120
-check "plan: start angles alone are those of 6 in a group" holds 'n == 18'
+check "plan: only start angles: 6 in a group" holds 'n == 18'
 
 accepts "plan: sweep" plan --sweep 5:16
 check "plan: the sweep has 12 rows" test "$(grep -c '^ *[0-9]' "$work/stdout")" -eq 12
-check "plan: fifteen positions are the least" near 0 "5 15" "$(cell 4 1) $(cell 4 2)"
+check "plan: fifteen positions are the minimum" near 0 "5 15" "$(cell 4 1) $(cell 4 2)"
 check "plan: they miss axes" matches "$work/stdout" '^ +5 .* -x -y \+z$'
 check "plan: every even number points all six axes" test \
     "$(awk '$1 % 2 == 0 && /all six$/' "$work/stdout" | grep -c .)" -eq 6
@@ -118,7 +118,7 @@ run plan --faces --json
 check "plan: six faces: refused, but shown" test "$code" -eq 1
 check "plan: six faces: the angles are named" test "$(field undetermined)" = \
     '["gamma_xy", "gamma_xz", "gamma_zy"]'
-check "plan: six faces: sigma is not known" test "$(field sigma_gamma)" = null
+check "plan: six faces: sigma is unknown" test "$(field sigma_gamma)" = null
 check "plan: six faces: all axes" test "$(field missing)" = '[]'
 check "plan: six faces: one line says why" says 'faces: .*angle xy, angle xz, angle zy'
 
@@ -140,8 +140,8 @@ refuses "plan: too many directions" 3 '3001 directions; the maximum is 3000' pla
 
 # ---- optimal -----------------------------------------------------------------------------------
 
-# Bound of a spherical 4-design: within 0.05 from 14 positions on. The paper's programs, whose ln
-# det is 0.517 below it for every N, are passed.
+# Bound of a spherical 4-design: within 0.05 from 14 positions on. They are better than the paper's
+# programs, whose ln det is 0.517 below the bound for every N.
 n=9
 while [ $n -le 48 ]; do
     judge --optimal $n
@@ -158,7 +158,7 @@ check "plan: its first direction is up" near 1e-12 "0 0 1" \
 
 # The paper's program is itself the best against limits in the ratio of its sigma.
 judge --optimal 18 --limits 0.408248,0.483046,1.154701
-check "plan: weighed by limits, 18 directions are as good as the paper's in all three" holds \
+check "plan: weighted by limits, 18 directions are as good as the paper's in all three" holds \
     'delta < 1.001 * 0.408248 && dk < 1.001 * 0.483046 && gamma < 1.001 * 1.154701'
 judge --optimal 24 --limits 1,1,1
 check "plan: equal limits make the worst sigma smaller than the D-optimum does" holds \
@@ -176,7 +176,7 @@ least=$(awk 'BEGIN {
     print least
 }')
 judge --optimal 60 --limits 0.3,0.3,1
-check "plan: weighed by limits, 60 directions are as good as any can be" holds \
+check "plan: weighted by limits, 60 directions are as good as possible" holds \
     "delta < 0.3 * $least && dk < 1.001 * 0.3 * $least && gamma < 1.001 * $least"
 
 # ---- the choice --------------------------------------------------------------------------------
@@ -188,34 +188,34 @@ check "plan: limits: the stand program takes 24" near 0 24 "$(member labour 2)"
 # 18 directions would not be: delta is at least sqrt(3 / 18) for any 18.
 judge --limits 0.4083,0.49,1.2
 check "plan: limits: at equal labour the set inside them is taken" holds 'n <= 18 && dk <= 0.49'
-# Nine are never chosen unasked: nothing would check them.
+# Nine are never chosen by default, as nothing would check them.
 judge --limits 10,10,10
-check "plan: limits: twelve are the least, three to spare" holds 'n == 12'
+check "plan: limits: twelve are the minimum, with a redundancy of three" holds 'n == 12'
 judge --limits 10,10,10 --spare 0
-check "plan: limits: nine are the least if none are to spare" holds 'n == 9'
-# Found by another optimiser: sets of this size are within these limits, to the third digit.
+check "plan: limits: nine are the minimum without redundancy" holds 'n == 9'
+# Another optimiser found sets of this size within these limits, to the third digit.
 judge --limits .605,.86,1.356 --spare 0
-check "plan: limits: nine where nine will do" holds 'n == 9'
+check "plan: limits: nine where nine are enough" holds 'n == 9'
 judge --limits 1.32,.66,1.584 --spare 0
-check "plan: limits: ten where ten will do" holds 'n == 10'
+check "plan: limits: ten where ten are enough" holds 'n == 10'
 judge --limits .53,.7526,1.1872 --spare 0
-check "plan: limits: eleven where eleven will do" holds 'n == 11'
+check "plan: limits: eleven where eleven are enough" holds 'n == 11'
 judge --limits 10,0.4,10
-check "plan: limits: twenty where twenty will do, and none is weak" holds 'n == 20 && gamma < 10'
+check "plan: limits: twenty where twenty are enough, and none is weak" holds 'n == 20 && gamma < 10'
 judge --limits 0.224,0.32,0.501
 check "plan: limits: sixty as five icosahedra" holds 'n <= 60'
 judge --limits 1e6,0.3,1e6
 check "plan: limits: a limit of one sigma leaves none above 10" holds 'delta <= 10 && gamma <= 10'
 judge --limits 0.15,0.15,0.15
-check "plan: limits: many positions on a stand where 144 free ones do not do" holds \
+check "plan: limits: many positions on a stand where 144 free ones are not enough" holds \
     'n == 1068 && gamma <= 0.15 + 1e-9'
 # 0.1 mg in a second, 0.05 mg in four: the same limits in g, 1 and rad.
 judge --limits 0.00002,0.00003,0.00005 --noise 0.0001 --dwell 4
 check "plan: limits in units of the field" holds 'n == 19'
-check "plan: what the noise makes of sigma" near 1e-7 0.0000198680 "$(member delta 1)"
+check "plan: sigma with the noise" near 1e-7 0.0000198680 "$(member delta 1)"
 refuses "plan: limits that nothing meets" 1 'no program of up to 3000' plan --limits 0.01,0.01,0.01
 run plan --limits 0.01,0.01,0.01 --json
-check "plan: --json tells a refusal too" matches "$work/stdout" '^  "reason": "no program'
+check "plan: --json has a refusal, too" matches "$work/stdout" '^  "reason": "no program'
 
 judge --budget 200
 check "plan: a budget of 200 s holds 20 positions of 5 s and 19 moves of 5 s" holds 'n == 20'
@@ -238,16 +238,16 @@ check "plan: limits within a budget" holds 'n == 19'
 # ---- requirements ------------------------------------------------------------------------------
 
 judge --limits 10,10,10 --spare 7
-check "plan: seven to spare" holds 'n == 16'
+check "plan: a redundancy of seven" holds 'n == 16'
 check "plan: it says so" test "$(field redundancy)" = 7
 judge --budget 200 --spare 11
-check "plan: eleven to spare in a budget" holds 'n == 20'
-refuses "plan: twelve to spare in it" 1 '20 positions fit .* the minimum is 21, nine and a redundancy of 12' plan \
+check "plan: a redundancy of eleven in a budget" holds 'n == 20'
+refuses "plan: a redundancy of twelve in it" 1 '20 positions fit .* the minimum is 21, nine and a redundancy of 12' plan \
     --budget 200 --spare 12
-refuses "plan: more to spare than --optimal leaves" 2 'spare 4: --optimal 12 has a redundancy of only 3' plan \
+refuses "plan: more redundancy than --optimal allows" 2 'spare 4: --optimal 12 has a redundancy of only 3' plan \
     --optimal 12 --spare 4
 judge --optimal 12 --spare 3
-check "plan: as many as it leaves" holds 'n == 12'
+check "plan: as many as it allows" holds 'n == 12'
 for set in '--limits 0.4,0.6,1' '--limits 10,10,10' '--budget 300' '--optimal 11' '--optimal 18' \
     '--optimal 24 --limits 1,1,1' '--optimal 18 --grid 15'; do
     # shellcheck disable=SC2086
@@ -255,21 +255,21 @@ for set in '--limits 0.4,0.6,1' '--limits 10,10,10' '--budget 300' '--optimal 11
     check "plan: $set: each axis up and down" test "$(field missing)" = '[]'
     check "plan: $set: and the figures are true" holds 'n >= 11'
 done
-# Whatever an odd number of positions in each group would do, an even one is taken.
+# Even if an odd number of positions in each group were enough, an even one is taken.
 judge --limits 0.4,0.46,1.07 --need-axes
 run plan --limits 0.375,0.45,1.07 --need-axes
 check "plan: programs with all axes have even groups" matches "$work/stdout" '^3 x 8 '
 run plan --limits 0.38,0.45,1.07
-check "plan: without that an odd one will do" matches "$work/stdout" '^3 x 7 '
+check "plan: without that an odd one is enough" matches "$work/stdout" '^3 x 7 '
 # Six faces fixed, twelve more: the edges of a cube are such a set.
 judge --optimal 18 --need-axes
-check "plan: with the axes 18 are as good as faces and edges" holds 'below < 9.464940 - 9.364262 + 1e-6'
+check "plan: with the axes, 18 are as good as faces and edges" holds 'below < 9.464940 - 9.364262 + 1e-6'
 judge --optimal 12 --need-axes
-check "plan: with the axes 12 cannot be an icosahedron" holds 'below > 0.3'
+check "plan: with the axes, 12 cannot be an icosahedron" holds 'below > 0.3'
 
 # ---- a stand -----------------------------------------------------------------------------------
 
-# ln det is told by the closed form: of 3 x 6 each axis takes 1 from an offset, ...
+# ln det has a closed form: from 3 x 6, each axis takes 1 from an offset, ...
 judge --stand-12
 check "plan: stand-12: ln det 5.801, sigma" holds 'n == 12 && delta == 0.5 && gamma == 1.154700538 &&
     (below - 5.815754 + 5.801363) ^ 2 < 1e-11'
@@ -298,7 +298,7 @@ for option in --need-axes '--spare 4'; do
     refuses "plan: $option of a given set" 2 'needs --limits' plan --edges $option
 done
 for bad in -1 136 1.5 x; do
-    refuses "plan: $bad to spare" 2 'spare' plan --limits 1,1,1 "--spare=$bad"
+    refuses "plan: --spare $bad" 2 'spare' plan --limits 1,1,1 "--spare=$bad"
 done
 
 # ---- shares of the dwell, bounds ---------------------------------------------------------------
@@ -370,16 +370,16 @@ check "plan: cubic" matches "$work/stdout" '^  cubic  *3\.2660   of 15 parameter
 accepts "plan: and in units" plan --noise 0.0001 --dwell 1
 check "plan: cubic in units" matches "$work/stdout" '^  cubic  *3\.2660  *0\.3266 mg per g³   of 15 '
 accepts "plan: of few positions" plan --per-group 5
-check "plan: what calibrate does not take is told" matches "$work/stdout" \
+check "plan: it says what calibrate does not fit" matches "$work/stdout" \
     '^  cubic .*, but --cubic needs 17 positions or more$'
 accepts "plan: of corners" plan --icosahedron
-check "plan: what they do not tell is named" matches "$work/stdout" \
+check "plan: it names the terms that they do not determine" matches "$work/stdout" \
     '^  cubic  *undetermined: cubic x, cubic y, cubic z$'
 accepts "plan: of nine" plan --optimal 9
-check "plan: nor nine the quadratic" matches "$work/stdout" \
+check "plan: nor do nine the quadratic ones" matches "$work/stdout" \
     '^  quadratic  *undetermined: quadratic x, quadratic y, quadratic z$'
 run plan --faces
-check "plan: nothing of it for what determines no calibration" lacks "$work/stdout" 'quadratic'
+check "plan: not for positions that determine no calibration" lacks "$work/stdout" 'quadratic'
 
 # ---- labour ------------------------------------------------------------------------------------
 
@@ -392,8 +392,8 @@ check "plan: minutes" matches "$work/stdout" '^12\.92 minutes: 10 to warm up, 0 
 accepts "plan: labour compared" plan --compare stand-24 per-group:6 --warm-up 600
 check "plan: minutes compared" matches "$work/stdout" '^minutes  *13\.9167  *12\.9167  *0\.9281$'
 judge --budget 800 --warm-up 600
-check "plan: a budget has the warm-up in it" holds 'n == 20'
-refuses "plan: a budget that the warm-up eats" 1 '0 positions fit into 600 s' plan --budget 600 \
+check "plan: a budget includes the warm-up" holds 'n == 20'
+refuses "plan: a budget that the warm-up uses up" 1 '0 positions fit into 600 s' plan --budget 600 \
     --warm-up 700
 refuses "plan: a negative warm-up" 2 'warm-up' plan --warm-up=-1
 
@@ -422,13 +422,13 @@ for set in --stand-24 --icosahedron '--per-group 7 --start 1,2,3.3' '--edges --w
     # shellcheck disable=SC2086
     "$tool" plan $set --csv > "$work/stand.csv"
     accepts "plan: $set: read back" plan --angles "$work/stand.csv" --csv
-    check "plan: $set: the same to the byte" same "$work/stand.csv" "$work/stdout"
+    check "plan: $set: the same bytes" same "$work/stand.csv" "$work/stdout"
     # shellcheck disable=SC2086
     run plan $set --json
     sed -n '/"sigma_d/p; /"log_det"/p; /"seconds"/p; /"condition"/p' "$work/stdout" > "$work/before"
     run plan --angles "$work/stand.csv" --json
     sed -n '/"sigma_d/p; /"log_det"/p; /"seconds"/p; /"condition"/p' "$work/stdout" > "$work/after"
-    check "plan: $set: worth the same" near 1e-6 "$(tr -dc '0-9.\n' < "$work/before" | tr '\n' ' ')" \
+    check "plan: $set: the same figures" near 1e-6 "$(tr -dc '0-9.\n' < "$work/before" | tr '\n' ' ')" \
         "$(tr -dc '0-9.\n' < "$work/after" | tr '\n' ' ')"
 done
 check "plan: its heading" test "$(head -n 1 "$work/stand.csv")" = number,alpha,beta,dwell,x,y,z
@@ -443,7 +443,7 @@ accepts "plan: angles without a header" plan --angles "$work/table2"
 printf 'beta,alpha\n90,30\n0,10\n0,60\n0,100\n0,150\n0,-80\n90,60\n90,150\n90,-80\n30,-90\n100,-90\n200,-90\n' \
     > "$work/pairs.csv"
 accepts "plan: angles in two columns with names" plan --angles "$work/pairs.csv"
-check "plan: the names tell which is which" matches "$work/stdout" '^ +1 +30 +90 +0\.5000 +0\.8660 +0\.0000$'
+check "plan: the names decide which is which" matches "$work/stdout" '^ +1 +30 +90 +0\.5000 +0\.8660 +0\.0000$'
 accepts "plan: angles to compare" plan --compare "angles:$work/table2" per-group:6
 check "plan: Table 2 is 3 x 6" matches "$work/stdout" '^ln det .* 8\.9475 +8\.9475$'
 bad_angles() { # bad_angles SENTENCE PATTERN LINE ...
@@ -511,7 +511,7 @@ for bad in 1e-300,1,1 1,1e300,1; do
     refuses "plan: absurd limits, $bad" 2 'limits: must be within' plan --optimal 12 --limits $bad
 done
 run plan --optimal 9
-check "plan: nine positions are said to be unchecked" matches "$work/stdout" 'no redundancy'
+check "plan: nine positions are reported as unchecked" matches "$work/stdout" 'no redundancy'
 refuses "plan: nothing to compare" 2 'compare: takes two' plan --compare
 refuses "plan: one to compare" 2 'a second SET for --compare .one alone is an option: --edges. is missing' plan --compare edges
 refuses "plan: three to compare" 2 'one operand too many: it takes only SET and a second SET for --compare' plan --compare edges edges edges
@@ -528,7 +528,7 @@ is_svg() { # an SVG document that is closed, with nothing from elsewhere
 accepts "plan: a picture of a sweep" plan --sweep 5:16 --svg "$work/out/fig2.svg"
 check "plan: it is SVG" is_svg "$work/out/fig2.svg"
 check "plan: its axis is labelled" matches "$work/out/fig2.svg" 'number of positions'
-# Other programs beside the curves: those of 12 positions left of 15, faces and edges at 18.
+# Other programs next to the curves: those of 12 positions left of 15, faces and edges at 18.
 centre() { # centre CLASS: the middle of the first diamond of this class
     sed -n "s/^<polygon class=\"$1\" points=\"\([^\"]*\)\".*/\1/p" "$work/out/fig2.svg" |
         awk 'NF == 4 { gsub(/,/, " "); printf "%.1f %.1f", ($1 + $5) / 2, ($2 + $6) / 2; exit }'
@@ -563,7 +563,7 @@ rm -f "$work"/out/*
 echo old > "$work/out/cal.json"
 run plan --faces --svg "$work/out/cal.json"
 check "plan: a refusal leaves the picture as it was" is_untouched
-refuses "plan: a picture where none can be" 3 'nowhere/x\.svg' plan --svg "$work/nowhere/x.svg"
+refuses "plan: a picture that cannot be written" 3 'nowhere/x\.svg' plan --svg "$work/nowhere/x.svg"
 accepts "plan: a picture of a comparison" plan --compare edges icosahedron --svg "$work/x.svg"
 check "plan: it is SVG as well" is_svg "$work/x.svg"
 

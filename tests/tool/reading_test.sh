@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of what other people's logs need: reading_test.sh path/to/invcal builddir
-# Which columns are meant, lines that are cut, rates that nobody states, rests that are missing, files
-# that are no tables, and options that are easily misunderstood.
+# Tests of what logs from elsewhere need: reading_test.sh path/to/invcal builddir
+# Which columns are meant, truncated lines, rates that are not stated, missing rests, files that are not
+# tables, and options that are easily misunderstood.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -40,24 +40,24 @@ xyz='x "," y "," z'
 nine='ax,ay,az,gx,gy,gz,mx,my,mz'
 write "$nine" "$xyz \",1,2,3,40,50,60\""
 is_right "nine axes" --rate 100
-check "nine axes: the accelerometer is told" first_lines "header in line 1; the accelerometer's ax ay az in counts"
+check "nine axes: the accelerometer is reported" first_lines "header in line 1; the accelerometer's ax ay az in counts"
 check "nine axes: so is the magnetometer" first_lines \
     "gyroscope: gx gy gz; ignored: 3 other columns, including a magnetometer's (mx ..; --columns chooses)"
 write "timestamp,mag_x,mag_y,mag_z,temp,gyro_x,gyro_y,gyro_z,accel_x,accel_y,accel_z" "t \",4,5,6,25,1,2,3,\" $xyz"
 is_right "nine axes in another order, time and temperature"
-check "nine axes in another order: it is told" first_lines \
+check "nine axes in another order: it is reported" first_lines \
     "timestamp (s), the accelerometer's accel_x accel_y accel_z in counts (by their size), temp; gyroscope: gyro_x gyro_y gyro_z; ignored: 3 other"
 write "# made by hand\n#t, $nine, temperature" "t \",\" $xyz \",1,2,3,4,5,6,25\""
 is_right "a header of eleven columns behind #"
-check "a header behind #: its line is told" first_lines "header in line 2; t (s), the accelerometer's ax ay az"
+check "a header behind #: its line is reported" first_lines "header in line 2; t (s), the accelerometer's ax ay az"
 write "# t z y x" 't " " z " " y " " x'
 is_right "a header behind # names the order"
 write "% some remark here" "t \",\" $xyz"
-is_right "a comment that is no header"
-check "a comment that is no header: none is told" first_lines "no header; t (s), x y z"
+is_right "a comment that is not a header"
+check "a comment that is not a header: none is reported" first_lines "no header; t (s), x y z"
 write "# when who what" "$xyz"
 is_right "a comment of as many words as columns, none of them an axis" --rate 100
-check "such a comment is no header" first_lines "no header; x y z"
+check "such a comment is not a header" first_lines "no header; x y z"
 write '#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]' \
     't * 1e9 ",1,2,3," x * 0.0006 "," y * 0.0006 "," z * 0.0006'
 run calibrate "$work/log.csv" --json
@@ -65,7 +65,7 @@ check "EuRoC: the offset is the true one" near 0.0012 "$(json "$work/stdout" off
     "$(echo "$truth" | tr -d '[],' | awk '{ print $1 * 0.0006, $2 * 0.0006, $3 * 0.0006 }')"
 check "EuRoC: the unit is that of the header" test "$(json "$work/stdout" unit)" = '"m/s^2"'
 
-# ROS, flat: what it calls linear acceleration holds gravity; that of a phone does not.
+# ROS, flat: its linear acceleration includes gravity; a phone's does not.
 write "stamp,linear_acceleration_x,linear_acceleration_y,linear_acceleration_z,angular_velocity_x,magnetic_field_x,magnetic_field_y,magnetic_field_z" \
     't "," x * 0.0006 "," y * 0.0006 "," z * 0.0006 ",1,4,5,6"'
 run calibrate "$work/log.csv" --rate 100
@@ -83,12 +83,12 @@ write '' "t \",7,\" $xyz \",1,2,3,40,50,60,25\""
 refuses "twelve columns without a header" 3 '12 columns, .* --columns 2,3,4 states x, y, z by number$' \
     calibrate "$work/log.csv"
 is_right "columns by number" --columns 3,4,5 --rate 100
-check "columns by number: they are told" first_lines "(--columns 3,4,5); ignored: 9 other columns"
+check "columns by number: they are reported" first_lines "(--columns 3,4,5); ignored: 9 other columns"
 is_right "time, temperature and axes by number" --columns temperature=12,z=5,y=4,x=3,t=1
-check "time by number tells the rate" first_lines "124 s at 100 samples per second "
+check "time by number gives the rate" first_lines "124 s at 100 samples per second "
 write "when,p,q,r,s" "t \",\" $xyz \",9\""
 is_right "columns by name" --columns time=when,x=P,y=q,z=4
-check "columns by name: it is told" first_lines "header in line 1; when (s), p q r in counts"
+check "columns by name: it is reported" first_lines "header in line 1; when (s), p q r in counts"
 write "$nine" "\"40,50,60,1,2,3,\" $xyz"
 is_right "the magnetometer of nine axes" --columns mx,my,mz --rate 100
 echo '{"offset": [1, 2, 3], "matrix": [[2, 0, 0], [0, 2, 0], [0, 0, 1e0]]}' > "$work/simple.json"
@@ -108,16 +108,16 @@ check "apply: one line" test "$(wc -l < "$work/stderr")" -eq 1
 for heading in 'x,y,z' 'x (counts),y (counts),z (counts)'; do
     printf '%s\n9,8,6\n' "$heading" > "$work/in"
     run apply "$work/counts.json" "$work/in"
-    check "apply: no word on $heading" is_empty "$work/stderr"
+    check "apply: no warning about $heading" is_empty "$work/stderr"
 done
 "$tool" simulate --plan edges | awk -F, 'NR == 1 { print "x (ug),y (ug),z (ug)"; next }
     { print $2 * 61 "," $3 * 61 "," $4 * 61 }' > "$work/ug"
 run calibrate "$work/ug"
-check "a unit of the header that is not known" matches "$work/stdout" \
+check "an unknown unit in the header" matches "$work/stdout" \
     'unknown: the unit in the header is not g, mg, m/s2 or counts; state --zero 0,0,0 and --lsb'
 awk 'BEGIN { print "x;y;z"; for (i = 0; i < 150; i++) print "0,1;0,2;1,0" }' > "$work/commas"
 run watch "$work/commas"
-check "watch: a stream of decimal commas ends with a question" matches "$work/stderr" \
+check "watch: a stream of decimal commas ends with an explanation" matches "$work/stderr" \
     'commas:101: 100 lines in a row cannot be read: is it the right file'
 "$tool" simulate --plan faces --dwell 40 | awk -F, 'NR > 1 && $1 < 35 { print $2 ",0," $3 "," $4 "," $1 }' > "$work/rest"
 accepts "allan --columns" allan "$work/rest" --columns t=5,x=1,y=3,z=4
@@ -142,9 +142,9 @@ sed 1d "$work/plain.csv" > "$work/rows"
 cut_log() { # SENTENCE FIRST LAST SKIPPED: both by printf, LAST without an end of line
     { printf "$2"; cat "$work/rows"; printf "$3"; } > "$work/log.csv"
     is_right "$1"
-    check "$1: it is told" warns '.*log\.csv:[0-9]*: the (first|last) line is cut off, and ignored$'
-    check "$1: as often as it is" test "$(grep -c '^invcal: warning: ' "$work/stderr")" -eq "$4"
-    check "$1: so is it in the table" matches "$work/stdout" "^ *$4 malformed line"
+    check "$1: it is reported" warns '.*log\.csv:[0-9]*: the (first|last) line is cut off, and ignored$'
+    check "$1: once for each line" test "$(grep -c '^invcal: warning: ' "$work/stderr")" -eq "$4"
+    check "$1: the table says so, too" matches "$work/stdout" "^ *$4 malformed line"
 }
 cut_log "the first line has lost columns" '46,13874,8846\n' '' 1
 cut_log "the first line has one number left" '846\n' '' 1
@@ -157,11 +157,11 @@ printf '3\n0.0,2,4,6\n0.1,2,4,' > "$work/log.csv"
 run apply "$work/simple.json" "$work/log.csv"
 check "apply: lines that are cut are left out" \
     test "$(cat "$work/stdout")" = "$(printf 't,x,y,z\n0.0,2,4,3')"
-check "apply: it is told of both" test "$(grep -c ' line is cut off, and ignored$' "$work/stderr")" -eq 2
+check "apply: both are reported" test "$(grep -c ' line is cut off, and ignored$' "$work/stderr")" -eq 2
 { cat "$work/plain.csv"; printf '124.00,37'; } > "$work/log.csv"
 is_right "a last line that is cut, below a header"
 { cat "$work/rows"; printf '124.00,37\n'; cat "$work/rows"; } > "$work/log.csv"
-refuses "a line that is cut in the middle is none at the end" 3 \
+refuses "a line cut in the middle is not one cut at the end" 3 \
     'log\.csv:12401: 2 columns, but line 1 has 4, separated by commas: correct the line, or delete it$' \
     calibrate "$work/log.csv"
 { cat "$work/rows"; printf '124.00,37,1,x\n'; } > "$work/log.csv"
@@ -173,7 +173,7 @@ refuses "a last line with a word is not cut" 3 "log\.csv:12401: column 4 \(z\): 
 { cat "$data/mpu9150_0_positions.csv"; printf '1,2'; } > "$work/log.csv"
 refuses "position means stay strict" 3 ': 2 columns, but line .* has' calibrate "$work/log.csv" --positions
 
-# ---- a rate that nobody states ----------------------------------------------------------------------
+# ---- a rate that is not stated ----------------------------------------------------------------------
 
 rate_log() { # HZ DWELL: 18 rests without times
     "$tool" simulate --rate "$1" --dwell "$2" | sed 1d | cut -d, -f2- > "$work/log.csv"
@@ -181,18 +181,18 @@ rate_log() { # HZ DWELL: 18 rests without times
 for hz in 25 50 100; do
     rate_log $hz 2.5
     is_right "$hz Hz without times"
-    check "$hz Hz without times: $hz were guessed, and it is told" first_lines \
+    check "$hz Hz without times: $hz is guessed, which is reported" first_lines \
         "at $hz samples per second (a guess: state --rate)"
     run calibrate "$work/log.csv" --json
-    check "$hz Hz without times: the JSON tells the guess" test \
+    check "$hz Hz without times: the JSON has the guess" test \
         "$(json "$work/stdout" rate) $(json "$work/stdout" rate_from)" = "$hz \"guess\""
     is_right "$hz Hz, stated" --rate $hz
 done
 rate_log 20 3
 is_right "20 Hz without times"
-check "20 Hz without times: it is told that the rate is a guess" first_lines 'samples per second (a guess: state --rate)'
+check "20 Hz without times: it says that the rate is a guess" first_lines 'samples per second (a guess: state --rate)'
 run calibrate "$work/log.csv" --rate 20 --json
-check "20 Hz, stated: the JSON tells so" test "$(json "$work/stdout" rate) $(json "$work/stdout" rate_from)" = \
+check "20 Hz, stated: the JSON says so" test "$(json "$work/stdout" rate) $(json "$work/stdout" rate_from)" = \
     '20 "stated"'
 rate_log 20 1.2
 refuses "rests of 1 s at 20 Hz without times: what to do" 1 \
@@ -202,7 +202,7 @@ refuses "rests of 1 s at 20 Hz: what to do" 1 \
     'no rest of 2\.5 seconds .* at 20 samples per second; refused [0-9]+: too short: .* \(near line [0-9]+, .*hold each position still for 3\.5 s or longer, or average each yourself and add --positions; for a magnetometer in motion: --magnetometer$' \
     calibrate "$work/log.csv" --rate 20
 rate_log 20 3.5
-is_right "rests as long as it was told" --rate 20
+is_right "rests of the stated length" --rate 20
 
 # ---- too few ----------------------------------------------------------------------------------------
 
@@ -217,7 +217,7 @@ check "too few: what to do" says '; hold each position still for 3 s or longer$'
 run calibrate "$work/log.csv" --json
 check "too few: the JSON says the same" matches "$work/stdout" '"reason": "[34] positions are too few.*; found: line '
 
-# ---- files that are none ----------------------------------------------------------------------------
+# ---- files that are not tables ----------------------------------------------------------------------
 
 no_table() { # SENTENCE PATTERN BYTES
     printf "$3" > "$work/bad"
@@ -238,15 +238,15 @@ no_table "MAT" 'a MATLAB file: save the table' 'MATLAB 5.0 MAT-file, Platform'
 no_table "SQLite" 'an SQLite database' 'SQLite format 3\000'
 no_table "JSON" 'JSON: a table with one sample per line is needed' '{"offset": [1, 2, 3]}\n'
 printf '1,2,3\n\001\002\003\n' > "$work/bad"
-refuses "what is no text otherwise" 3 'not a text file; export the readings as CSV$' calibrate "$work/bad"
+refuses "other data that is not text" 3 'not a text file; export the readings as CSV$' calibrate "$work/bad"
 : > "$work/bad"
 refuses "an empty file" 3 'bad: is empty: was it copied whole\?$' calibrate "$work/bad"
 
-# ---- position means that are samples ----------------------------------------------------------------
+# ---- samples given as position means ----------------------------------------------------------------
 
 awk 'NR > 1 && NR % 12 == 0' "$work/plain.csv" | cut -d, -f2- > "$work/samples.csv"
 run calibrate "$work/samples.csv" --positions
-check "a raw log as positions: it is told, and what to do" warns \
+check "a raw log as positions: it is reported, and what to do" warns \
     '.*samples\.csv: this looks like a raw log, .* invcal calibrate reads a raw log without --positions$'
 check "a raw log as positions: ten that are left out are listed" test "$(grep -c '^Left out: ' "$work/stdout")" -eq 10
 check "a raw log as positions: and how many more" matches "$work/stdout" '^ +and [0-9]{2,} more$'

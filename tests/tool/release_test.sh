@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Files that earlier releases of the tool wrote are read by this one: release_test.sh path/to/invcal
-# builddir. They stand in tests/reference/releases, and are never made again, only added to. What they
-# must give is computed here from their numbers. Prints a line for each check and a count.
+# This tool reads files that earlier releases of it wrote: release_test.sh path/to/invcal builddir. They
+# are in tests/reference/releases, and are never regenerated, only added to. The expected results are
+# computed here from their numbers. Prints a line for each check and a count.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -11,7 +11,7 @@ releases=$here/../reference/releases
 
 rows() { sed 1d "$1" | tr ',\n' '  '; }
 
-# The top of a file: 3 of offset, 9 of matrix, as one line.
+# The top of a file: 3 numbers of offset, 9 of matrix, on one line.
 correction() {
     awk '/^  "offset": / { gsub(/[^-+.0-9e ]/, ""); sub(/^ *e */, ""); print }
         /^  "matrix": / { on = 1; next }
@@ -19,7 +19,7 @@ correction() {
         on { gsub(/[^-+.0-9e ]/, ""); print }' "$1" | tr '\n' ' '
 }
 
-# What a correction makes of the readings in raw.csv.
+# The readings in raw.csv, corrected.
 corrected() { # CORRECTION
     { echo "$1"; sed 1d "$work/raw.csv" | tr ',\n' '  '; } | tr '\n' ' ' | awk '{
         for (i = 13; i < NF; i += 3)
@@ -68,7 +68,7 @@ for file in "$releases"/*-nonlinear.json; do
     accepts "${file##*/} is read" apply "$file" "$work/bent.csv"
     check "and gives the directions back" near 1e-8 "$(rows "$work/stdout")" "1 0 0 .6 .8 0 0 0 -1"
     run export "$file" --format c
-    check "and is not exported, which is said" [ "$code" -ne 0 ]
+    check "and is not exported, which is reported" [ "$code" -ne 0 ]
 done
 
 # A magnetometer.
@@ -101,13 +101,13 @@ for file in "$releases"/*-thermal.json; do
         "1 0 0 1 0 0 1 0 0 .6 .8 0 .6 .8 0 .6 .8 0 0 0 -1 0 0 -1 0 0 -1"
 done
 
-# White noise: what is left after so many seconds is the worst axis over their root, over g.
+# White noise: what remains after that many seconds is the worst axis over their root, over g.
 for file in "$releases"/*-noise.json; do
     accepts "${file##*/} is read" plan --limits 0.0002,0.0003,0.0005 --allan "$file" --json
     expected=$(awk -v seconds="$(json "$work/stdout" dwell)" '/"white": / && $2 + 0 > white { white = $2 + 0 }
         /^  "gravity"/ { g = $2 + 0 }
         END { printf "%.12g\n", white / sqrt(seconds) / g }' "$file")
-    check "and tells how long to stay" near 1e-12 "$(json "$work/stdout" dwell_sigma)" "$expected"
+    check "and gives the dwell" near 1e-12 "$(json "$work/stdout" dwell_sigma)" "$expected"
 done
 
 finish

@@ -3,7 +3,7 @@
 #
 # Tests of the page that calibrate --report writes: report_test.sh path/to/invcal builddir
 #
-# What it looks like is seen by tests/pages.sh, in a browser.
+# Its looks are checked by tests/pages.sh, in a browser.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -25,8 +25,8 @@ makes_page() { # makes_page SENTENCE ARGUMENTS ...
     shift
     rm -f "$page"
     accepts "report: $sentence" calibrate --report "$page" "$@"
-    check "report: $sentence: well formed, and needs nothing else" is_page "$page"
-    check "report: $sentence: every number is one" is_finite
+    check "report: $sentence: well-formed and self-contained" is_page "$page"
+    check "report: $sentence: every number is finite" is_finite
 }
 
 # ---- the verdicts of real sensors ----------------------------------------------------------------
@@ -47,32 +47,32 @@ check "report: and only that" test "$(grep -c '<tr class="bad">' "$page")" -eq 1
     "$(grep -c 'beyond the limit<' "$page")" -eq 1
 run calibrate "$data/t265_positions.csv" --positions --gravity 9.8016 --zero 0,0,0 --lsb 1 \
     --tolerance 0.05,0.01,0.01
-check "report: what only may be beyond is not" matches "$work/stdout" \
+check "report: what may be beyond is not" matches "$work/stdout" \
     '^Beyond the limits of the data sheet: offset y, scale y, scale z\.$'
 check "report: its title is the name of the file" says_page '^ *Calibration of xsens_mti_positions\.csv'
 
 makes_page "T265" "$data/t265_positions.csv" --positions --gravity 9.8016
 check "report: T265 is weak, and in what" says_page \
     '✗ Weak The positions hardly determine angle xy, angle xz, angle zy'
-check "report: and where to begin" says_page \
+check "report: and where to start" says_page \
     'Next: add positions with the field midway between x and y, x and z, z and y\. Begin with: [+-][xyz] up'
-check "report: an error that no direction checks is not told" says_not 'rms error of'
-check "report: what the samples' noise does not explain is told: 0.00553 / 0.000872" says_page \
+check "report: an error that no direction checks is not reported" says_not 'rms error of'
+check "report: what the samples' noise does not explain is reported: 0.00553 / 0.000872" says_page \
     'They are 6\.3 times as large as the noise of the samples explains'
-check "report: a noise that nobody stated is not called stated" says_page \
+check "report: a noise that was not stated is not called stated" says_page \
     'noise 0\.000872 m/s² of a position mean, from the scatter'
 makes_page "MPU-9150" "$data/mpu9150_0_positions.csv" --positions --gravity 9.81
 
-# ---- the file that it was ------------------------------------------------------------------------
+# ---- the identity of the file --------------------------------------------------------------------
 
-# gzip knows the CRC-32 and the size of what it packs.
+# gzip stores the CRC-32 and the size of what it packs.
 gzip -c "$data/mpu9150_0_positions.csv" | tail -c 8 | od -An -tu1 > "$work/trailer"
 crc=$(awk '{ printf "%02x%02x%02x%02x", $4, $3, $2, $1 }' "$work/trailer")
 size=$(awk '{ print $5 + 256 * ($6 + 256 * ($7 + 256 * $8)) }' "$work/trailer")
 check "report: CRC and size are those of the file" says_page "$size bytes, CRC-32 $crc"
 run calibrate "$data/mpu9150_0_positions.csv" --positions --gravity 9.81 --json
 check "report: the JSON has the same CRC" test "$(json "$work/stdout" source_crc)" = "\"$crc\""
-check "report: the command line is told" tells_command "$page" invcal calibrate --report "$page" \
+check "report: the command line is shown" shows_command "$page" invcal calibrate --report "$page" \
     "$data/mpu9150_0_positions.csv" --positions --gravity 9.81
 in=$data/mpu9150_0_positions.csv
 makes_page "standard input" - --positions --gravity 9.81
@@ -88,7 +88,7 @@ wrong=$(grep '"wrong"' "$work/truth.json" | grep -n 'wrong": -*0\.05' | cut -d: 
 named=$(words | grep -o 'Left out: position [0-9]*' | awk '{ printf "%s ", $4 }')
 check "report: the outliers are named, and they are the wrong ones" test "$named" = "$wrong"
 check "report: by how much" says_page 'contradicts the others; it reads (4[89]|5[012])\.[0-9]* mg too'
-check "report: the verdict tells of them" says_page '2 positions contradict the others and are left out'
+check "report: the verdict mentions them" says_page '2 positions contradict the others and are left out'
 crosses() { # of one picture, by its title
     sed -n "/<title>$1</,/<\/svg>/p" "$page" | grep -c '<polygon class="c2 full"'
 }
@@ -113,7 +113,7 @@ rests_are_true() {
     } END { exit NR != 18 }'
 }
 check "report: each rest lies within the true one, with its temperature" rests_are_true
-# At rest the calibrated length is that of the field, to 15 pixels of 150; before it is not. Bands are rests.
+# At rest the calibrated length is that of the field, to 15 pixels of 150; uncalibrated it is not. Bands are rests.
 lengths_are_true() {
     sed -n '/<title>The log and the rests in it</,/<\/svg>/p; /<title>Length of the readings/,/<\/svg>/p' "$page" |
         tr '"' ' ' | awk '/<title>The log/ { log_pictures++ }
@@ -125,7 +125,7 @@ lengths_are_true() {
             }
         } END { exit !(all["c1"] > 200 && far["c1"] == 0 && far["c0"] > all["c0"] / 4) }'
 }
-check "report: the temperatures are told" says_page 'temperature 2[01]\.[0-9] \.\.\. (29|30)\.[0-9] °C'
+check "report: the temperatures are reported" says_page 'temperature 2[01]\.[0-9] \.\.\. (29|30)\.[0-9] °C'
 
 "$tool" simulate --plan edges > "$work/log.csv"
 makes_page "a log, its nominal stated" "$work/log.csv" --zero 0,0,0 --lsb 0.000598
@@ -142,24 +142,24 @@ check "report: the histogram has all positions" histogram_is_full
 # An hour's pause is not drawn.
 awk -F, -v OFS=, 'NR > 5000 { $1 += 3600 } { print }' "$work/outliers.csv" > "$work/pause.csv"
 makes_page "a log with a pause" "$work/pause.csv"
-check "report: what becomes of the pause is told" says_page \
+check "report: it says how the pause is drawn" says_page \
     '1 gap in the times; those of more than a minute are left out here\.'
 
-# A sensor that ends at 0.95 g, and nobody has said so. Its counts are too coarse for one to notice
-# that an axis at the end has no noise.
+# A sensor that clips at 0.95 g, which is not stated. Its counts are too coarse to notice that an axis
+# that clips has no noise.
 "$tool" simulate --plan per-group:6 --range 0.95 --lsb 0.006 > "$work/clipped.csv"
 makes_page "clipped readings" "$work/clipped.csv"
 check "report: positions that disagree confirm nothing" says_page \
     '! Rough The positions disagree by [0-9]{3} times the noise of the samples'
-check "report: and the table tells why that may be" matches "$work/stdout" \
+check "report: and the table gives a possible reason" matches "$work/stdout" \
     '^The residuals are [0-9]* times as large'
 
-# Which of them are wrong, four residuals as large as one another do not tell.
+# Four residuals of the same size do not show which positions are wrong.
 "$tool" simulate --plan per-group:5 --outliers 3 --seed 33 --noise 0.002 > "$work/doubt.csv"
-makes_page "outliers not to be told" "$work/doubt.csv"
-check "report: then the verdict is no good one" says_page \
+makes_page "outliers that cannot be identified" "$work/doubt.csv"
+check "report: then the verdict is not good" says_page \
     '! Contradictory .* 4 positions contradict one another, and nothing shows which'
-check "report: nor is the table's" matches "$work/stdout" '^Contradictory: .* 4 positions'
+check "report: nor is it in the table" matches "$work/stdout" '^Contradictory: .* 4 positions'
 check "report: and the next step is another measurement" matches "$work/stdout" \
     '^Next: measure again with more positions'
 
@@ -171,7 +171,7 @@ positions sphere 9 1 > "$work/nine-means.csv"
 makes_page "nine means, no noise known" "$work/nine-means.csv" --positions
 check "report: without a noise there is no ±" says_page 'There is no ±'
 
-# A prior far below what the noise lets the positions tell.
+# A prior far narrower than what the positions can determine with their noise.
 positions sphere 18 1 > "$work/prior.csv"
 makes_page "angles from a prior" "$work/prior.csv" --positions --zero 0,0,0 --lsb 1 --noise 0.1 \
     --prior 0.1,0.1,0.0001
@@ -205,14 +205,14 @@ awk 'function g(r) { return 9.80665 * sqrt(1 + 2 * r) / n }
             g(-j * t) * i, g(-j * t) * j * c, g(0) * j * c, g(0) * i } }' \
     > "$work/icosahedron.csv"
 makes_page "an icosahedron" "$work/icosahedron.csv" --positions --noise 0.00980665 --zero 0,0,0 --lsb 1
-check "report: every direction is known as closed form has it" says_page \
+check "report: every direction is known as closed form says" says_page \
     'is ±2\.0 mg in the best direction, and ±2\.0 mg in the worst'
 
 # A magnetometer: no mg, no m/s^2.
 awk -F, '{ printf "%.6f,%.6f,%.6f\n", $1 * 4.9, $2 * 4.9, $3 * 4.9 }' "$work/icosahedron.csv" |
     cat - "$work/icosahedron.csv" | head -n 12 > "$work/mag.csv"
 makes_page "a magnetometer" "$work/mag.csv" --positions --gravity 48.0526 --noise 0.05
-check "report: a field that is no gravity is not called so" says_not ' mg|m/s|gravity to|\|a\|'
+check "report: a field that is not gravity is not called so" says_not ' mg|m/s|gravity to|\|a\|'
 
 # ---- hostile names -------------------------------------------------------------------------------
 
@@ -220,19 +220,19 @@ odd="$work/<img src=x onerror=alert(1)>&\"' \$(id).csv"
 { echo '# <script>alert(2)</script>'; echo 'x,y,z,"</title><script>alert(3)</script>"'
     sed 's/$/,1/' "$work/icosahedron.csv"; } > "$odd"
 makes_page "a hostile name and header" "$odd" --positions --noise 0.01 --nominal-name '<b>"&'
-check "report: the name is told all the same" says_page \
+check "report: the name is reported anyway" says_page \
     "Calibration of <img src=x onerror=alert\(1\)>&\"' \\\$\(id\)\.csv"
-check "report: in the command it stands in quotes" tells_command "$page" invcal calibrate \
+check "report: in the command it is quoted" shows_command "$page" invcal calibrate \
     --report "$page" "$odd" --positions --noise 0.01 --nominal-name '<b>"&'
 printf 'x\377y' > "$work/bytes"
 makes_page "a name that is no UTF-8" "$work/icosahedron.csv" --positions --noise 0.01 \
     --nominal-name "$(cat "$work/bytes")"
 is_utf8() { iconv -f UTF-8 -t UTF-8 "$page" > "$work/converted" && same "$page" "$work/converted"; }
-check "report: the page is UTF-8 all the same" is_utf8
+check "report: the page is UTF-8 anyway" is_utf8
 
-# ---- to take away ---------------------------------------------------------------------------------
+# ---- to copy --------------------------------------------------------------------------------------
 
-# What stands in the boxes to copy, one behind the other.
+# The contents of the boxes to copy, one after the other.
 boxes() {
     awk '/<pre class="code"/ { on = 1 } on { print } /<\/pre>/ { on = 0 }' "$page" | sed 's/<[^>]*>//g' | plainly
 }
@@ -254,7 +254,7 @@ rm -f "$work/my place"/*.json "$work/my place"/*.h
 check "report: without --out the first command saves it" uses ./-it\'s.csv --positions --gravity 9.81744
 check "report: and so it is there" is_json "$work/my place/CAL.json"
 rm -f "$work/my place"/*.json "$work/my place"/*.h
-check "report: a file that is called as an option" uses --positions --gravity 9.81744 --out=-cal.json -- -it\'s.csv
+check "report: a file whose name looks like an option" uses --positions --gravity 9.81744 --out=-cal.json -- -it\'s.csv
 "$tool" calibrate "$xsens" --positions --gravity 9.81744 --json > "$work/result.json"
 awk -F'[][,]' '/^  "offset"/ { for (i = 2; i <= 4; i++) o[i - 2] = $i }
     /^  "matrix"/ { on = 3; next } on { n = 3 - on; on--; print "-", o[n], $2, $3, $4 }' "$work/result.json" |
@@ -264,24 +264,24 @@ check "report: the matrix is the JSON's" sh -c 'sed -n "/<h2>Use it/,/<.table>/p
     awk -v file="$2" "{ for (i = 0; i < 3; i++) {
             getline line < file; if (split(line, m, /[^-+0-9.e]+/) < 5) exit 1
             for (k = 2; k <= 5; k++) { d = \$(5 * i + k) / m[k] - 1; if (!(d * d < 1e-16)) exit 1 } } }" "$3"' sh \
-    "$page" "$work/numbers" "$work/told"
+    "$page" "$work/numbers" "$work/printed"
 makes_page "a nonlinearity" "$xsens" --positions --gravity 9.81744 --quadratic
-check "report: of which there is no constant" says_page 'It cannot be exported as a constant: no format corrects quadratic'
-check "report: nor a box with one" lacks "$page" 'static const'
+check "report: which has no constant" says_page 'It cannot be exported as a constant: no format corrects quadratic'
+check "report: and no box for one" lacks "$page" 'static const'
 in=$xsens
 makes_page "standard input, to take away" - --positions --gravity 9.81744 --out "$work/out/cal.json"
 in=/dev/null
 check "report: then LOG stands for it" matches "$page" '>invcal apply .*out/cal\.json[^ ]* LOG &gt; calibrated\.csv</pre>'
 rm -f "$work/out/cal.json"
 
-# ---- nothing can be written (what is refused has a page of its own: refusal_test.sh) --------------
+# ---- nothing can be written (for pages of refusals see refusal_test.sh) ----------------------------
 
 echo old > "$work/out/cal.json"
 rm -f "$page"
 positions plane 18 4 > "$work/plane.csv"
 refuses "report: where none can be" 3 'nowhere/x\.html' \
     calibrate "$xsens" --positions --report "$work/nowhere/x.html" --out "$work/out/cal.json"
-check "report: then the calibration is not written either" is_untouched
+check "report: then the calibration is not written, either" is_untouched
 refuses "report: not over LOG" 2 'report: would overwrite LOG' \
     calibrate "$work/plane.csv" --positions --report "$work/plane.csv"
 refuses "report: not over the calibration" 2 'report: is the file of --out' \

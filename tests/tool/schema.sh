@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Everything that the tool prints as JSON against port/host/schema.json: schema.sh path/to/invcal builddir
-# Needs Debian's python3-jsonschema, so it is no part of `make test`. Prints a line for each check.
+# Checks all JSON of the tool against port/host/schema.json: schema.sh path/to/invcal builddir
+# Needs Debian's python3-jsonschema, so it is not part of `make test`. Prints a line for each check.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -201,12 +201,12 @@ planted() { # planted SENTENCE SED: a calibration that was good, with a mistake
     sed "$2" "$work/good.json" > "$work/bad.json"
     check "refused: $1" misfits calibration "$work/bad.json"
 }
-planted "a member too many" 's/"gravity"/"extra": 1, &/'
-planted "a member that is missing" '/"condition"/d'
+planted "a surplus member" 's/"gravity"/"extra": 1, &/'
+planted "a missing member" '/"condition"/d'
 planted "a misspelt verdict" 's/"verdict": "[a-z ]*"/"verdict": "fine"/'
-planted "a number that is none" 's/"gravity": [0-9.]*/"gravity": NaN/'
-planted "a member that is there twice" 's/"frame"/"suspected": 0, &/'
-planted "a name in a list that is no parameter" 's/"undetermined": \[/&"delta_w"/'
+planted "a number that is NaN" 's/"gravity": [0-9.]*/"gravity": NaN/'
+planted "a duplicate member" 's/"frame"/"suspected": 0, &/'
+planted "a name in a list that is not a parameter" 's/"undetermined": \[/&"delta_w"/'
 check "refused: a refusal in place of a calibration" misfits calibration_refusal "$work/good.json"
 sed '0,/"additionalProperties": false/s//"additionalProperties": true/' "$schema" > "$work/lax.json"
 check "refused: a schema that lets a misspelt member pass" misfits calibration "$work/good.json" \

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of what the sensor was to read: by --sensor, by the unit, or by nothing at all; then no number is
-# told that would mean nothing. sensor_test.sh path/to/invcal builddir
+# Tests of the nominal sensor: from --sensor, from the unit, or unknown; then no meaningless number is
+# printed. sensor_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -15,7 +15,7 @@ says_page() { words | grep -Eq -- "$1" || { { words | head -c 600; echo; } >&2; 
 says_not() { ! words | grep -Eq -- "$1"; }
 made() { "$tool" simulate --plan edges "$@" > "$work/log.csv"; } # made OPTIONS ...: a log
 
-# JSON on one line each: offset, matrix, sigma ... of the run.
+# Members of the run's JSON, a line each: offset, matrix, sigma ...
 member() { json "$work/stdout" "$1"; }
 nominal() { # nominal MEMBER: one of nominal
     sed -n '/^  "nominal": {/,/^  }/p' "$work/stdout" | sed -n "s/^    \"$1\": \(.*[^,]\),*\$/\1/p"
@@ -32,25 +32,25 @@ scales='0.01 -0.008 0.012' # scale errors
 made
 accepts "nothing stated: is calibrated" calibrate "$work/log.csv" --out "$work/cal.json" --report "$page"
 cp "$work/stdout" "$work/table"
-check "nothing stated: the table says so, and what would state it" matches "$work/table" \
+check "nothing stated: the table says so, and which options would" matches "$work/table" \
     '^nominal: unknown; state --sensor, --unit, or --zero and --lsb$'
-check "nothing stated: no columns of it" matches "$work/table" '^ +calibrated ± sigma$'
+check "nothing stated: no columns for nominal" matches "$work/table" '^ +calibrated ± sigma$'
 check "nothing stated: offsets as they are read" matches "$work/table" '^offset x +327\.[0-9]+ ± 0\.[0-9]+ +counts$'
 check "nothing stated: scales too" matches "$work/table" '^scale z +169[0-9]\.[0-9] ± [0-9.]+ +counts per m/s²$'
-check "nothing stated: angles, which are square or not" matches "$work/table" '^angle xy +0\.57[0-9]+ ± 0\.0[0-9]+ +degrees off square$'
-check "nothing stated: no deviation, no before, no excuse" lacks "$work/table" 'scale error|difference|rms before|guess|range'
+check "nothing stated: angles, from square" matches "$work/table" '^angle xy +0\.57[0-9]+ ± 0\.0[0-9]+ +degrees off square$'
+check "nothing stated: no deviation, no before, no guess" lacks "$work/table" 'scale error|difference|rms before|guess|range'
 check "nothing stated: the page has no deviations" says_not 'deviation from nominal|Deviation from nominal'
 check "nothing stated: nor before" says_not '[Bb]efore'
-check "nothing stated: nor an excuse" says_not 'guess|say nothing'
-check "nothing stated: nor bars" lacks "$page" 'bar"|The nine parameters with their uncertainty'
-check "nothing stated: it has what the sensor reads, and angles" says_page \
+check "nothing stated: nor a guess" says_not 'guess|say nothing'
+check "nothing stated: and no bars" lacks "$page" 'bar"|The nine parameters with their uncertainty'
+check "nothing stated: it has offsets, scales and angles" says_page \
     'parameter value remark offset x 327\.[0-9]+ ± 0\.[0-9]+ .*angle xy \+0\.57[0-9]* ± 0\.0[0-9]* °'
-check "nothing stated: it says what would state it" says_page 'nominal unknown; state --sensor, --unit, or --zero and --lsb'
+check "nothing stated: it says which options would" says_page 'nominal unknown; state --sensor, --unit, or --zero and --lsb'
 check "nothing stated: it has residuals" says_page ' Residuals '
-check "nothing stated: it is well formed" is_page "$page"
+check "nothing stated: it is well-formed" is_page "$page"
 run calibrate "$work/log.csv" --json
 for m in delta dk; do
-    check "nothing stated: JSON: $m is not known" is "$(member $m)" "$unknown"
+    check "nothing stated: JSON: $m is unknown" is "$(member $m)" "$unknown"
 done
 check "nothing stated: JSON: no zero" is "$(nominal zero) $(nominal zero_from)" "$unknown \"range\""
 check "nothing stated: JSON: no scale" is "$(nominal lsb) $(nominal lsb_from)" "$unknown \"range\""
@@ -62,10 +62,10 @@ for m in offset delta dk gamma; do
 done
 accepts "nothing stated: apply takes the file" apply "$work/cal.json" "$work/log.csv"
 accepts "nothing stated: export takes it" export "$work/cal.json" --format c
-refuses "nothing stated: nobody tells a driver's scale" 2 'the scale of the driver is unknown' export "$work/cal.json" \
+refuses "nothing stated: a driver's scale is unknown" 2 'the scale of the driver is unknown' export "$work/cal.json" \
     --format px4
 accepts "nothing stated: the file is a nominal" calibrate "$work/log.csv" --nominal "$work/cal.json"
-check "nothing stated: and the log does not differ from it" matches "$work/stdout" '^scale error x +-?0\.00 ± '
+check "nothing stated: its log does not differ from that nominal" matches "$work/stdout" '^scale error x +-?0\.00 ± '
 run calibrate "$work/log.csv" --zero 0,0,0 --json
 check "a zero alone: offsets from it, to 1 %" near 5e-4 "$(member delta)" "$truth"
 check "a zero alone: no scale errors" is "$(member dk) $(member residual_before)" "$unknown null"
@@ -73,7 +73,7 @@ run calibrate "$work/log.csv" --lsb 0.00059855 --json
 check "a scale alone: its errors" near 3e-3 "$(member dk)" "$scales"
 check "a scale alone: no offsets from nominal" is "$(member delta) $(member residual_before)" "$unknown null"
 run watch "$work/log.csv" --json
-check "nothing stated: watch tells no deviations either" is "$(member delta) $(member dk)" "$unknown $unknown"
+check "nothing stated: watch has no deviations, either" is "$(member delta) $(member dk)" "$unknown $unknown"
 run calibrate "$work/log.csv" --robust --json
 check "nothing stated: nor does the cross-check" [ "$(grep -c '"d[ek][a-z]*": \[null' "$work/stdout")" -eq 4 ]
 
@@ -114,7 +114,7 @@ compares "mg by header" unit "$work/unit.csv"
 
 # ---- data sheets --------------------------------------------------------------------------------
 
-# Counts a g as the sheets have them: NAME COUNTS, what of the truth is beyond
+# Counts per g as in the data sheets: NAME COUNTS, and which true values are beyond its limits
 while read -r name counts beyond; do
     made --lsb "$(awk -v c="$counts" 'BEGIN { printf "%.17g", 9.80665 / c }')"
     compares "$name" sensor "$work/log.csv" --sensor "$name"
@@ -135,14 +135,14 @@ adxl355:4g 128000
 EOF
 made
 compares "bmi160" sensor "$work/log.csv" --sensor bmi160
-check "the name is kept" is "$(nominal sensor)" '"bmi160:2g"'
+check "the name is saved" is "$(nominal sensor)" '"bmi160:2g"'
 run calibrate "$work/log.csv" --sensor mpu6050
 check "the first line says whose counts" matches "$work/stdout" 'counts \(--sensor\)$'
 check "the table says which sheet" matches "$work/stdout" '^MPU-6050 at 2g: InvenSense PS-MPU-6000A-00 Rev\. 3\.4'
 check "the table says its limits" matches "$work/stdout" '^limits        typical: offsets ±50, ±50, ±80 mg; scale ±3 %; cross-axis ±2 %$'
 accepts "the page of a sensor" calibrate "$work/log.csv" --sensor mpu6050 --report "$page" --out "$work/cal.json"
-check "it says the limits" says_page 'sensor MPU-6050 at 2g its limits typical: offsets ±50, ±50, ±80 mg; scale ±3 %; cross-axis ±2 %'
-check "it says the document" says_page 'InvenSense PS-MPU-6000A-00 Rev\. 3\.4, 2013-08-19'
+check "it has the limits" says_page 'sensor MPU-6050 at 2g its limits typical: offsets ±50, ±50, ±80 mg; scale ±3 %; cross-axis ±2 %'
+check "it names the document" says_page 'InvenSense PS-MPU-6000A-00 Rev\. 3\.4, 2013-08-19'
 check "it has before and after" says_page 'Deviation: from nominal.* Before and after'
 check "bars are drawn, with limits of each axis" [ "$(grep -c 'c0 dashed' "$page")" -eq 36 ]
 run export "$work/cal.json" --format px4
@@ -157,13 +157,13 @@ made --offset 0.06,0.02,0.06 --dk 0.04,0,0 --gamma 0,0.05,0
 run calibrate "$work/log.csv" --sensor mpu6050 --json
 check "beyond: each by its own limit" is "$(member beyond)" '["delta_x", "dk_x", "gamma_xz"]'
 run calibrate "$work/log.csv" --sensor mpu6050 --tolerance 0.07,0.05,0.06 --json
-check "--tolerance knows better" is "$(member beyond)" '[]'
+check "--tolerance overrides the sheet by looser limits" is "$(member beyond)" '[]'
 run calibrate "$work/log.csv" --sensor mpu6050 --tolerance 0.01,0.05,0.06 --json
-check "--tolerance knows worse" is "$(member beyond)" '["delta_x", "delta_y", "delta_z"]'
+check "--tolerance overrides the sheet by tighter limits" is "$(member beyond)" '["delta_x", "delta_y", "delta_z"]'
 run calibrate "$work/log.csv" --sensor lsm6ds3 --json
 check "beyond: what the sheet does not state is no limit" is "$(member beyond)" '["delta_x", "delta_z"]'
 run calibrate "$work/log.csv" --sensor mpu6050 --zero 983,0,983 --json
-check "--zero knows better, the scale is the sheet's" is \
+check "--zero overrides the zero, the scale is the sheet's" is \
     "$(nominal zero_from) $(nominal lsb_from) $(member beyond)" '"given" "sensor" ["dk_x", "gamma_xz"]'
 
 # In m/s^2 the sheet has the limits, and the unit the rest.
@@ -172,9 +172,9 @@ run calibrate "$work/unit.csv" --sensor mpu6050 --json
 check "readings in m/s^2: limits of the sheet" is "$(nominal lsb_from) $(member beyond)" \
     '"unit" ["delta_x", "dk_x", "gamma_xz"]'
 run calibrate "$work/unit.csv" --sensor xsens-mti --json
-check "a sheet without limits: none is judged" is "$(member beyond)" ''
+check "a sheet without limits: nothing is judged" is "$(member beyond)" ''
 run watch "$work/unit.csv" --sensor mpu6050:16g --json
-check "watch: readings in m/s^2 are of any range" is "$(nominal lsb_from) $(member beyond)" \
+check "watch: readings in m/s^2 may have any range" is "$(nominal lsb_from) $(member beyond)" \
     '"unit" ["delta_x", "dk_x", "gamma_xz"]'
 
 # ---- temperature ----------------------------------------------------------------------------------
@@ -184,7 +184,7 @@ check "watch: readings in m/s^2 are of any range" is "$(nominal lsb_from) $(memb
     > "$work/drift.csv"
 slopes() { awk '/ mg\/K/ { print $3 }' "$work/stdout" | tr '\n' ' '; }
 run calibrate "$work/drift.csv" --thermal 1 --sensor mpu6050
-check "slopes against a data sheet" near 0.08 "$(slopes)" '1 1 1'
+check "slopes relative to a data sheet" near 0.08 "$(slopes)" '1 1 1'
 accepts "slopes of counts" calibrate "$work/drift.csv" --thermal 1 --report "$page"
 check "slopes of counts: in their own scale" near 0.08 "$(slopes)" '0.833 0.833 0.833'
 slope=$(awk '/ mg\/K/ { printf "%s ", $3 / 1000 }' "$work/stdout")
@@ -192,7 +192,7 @@ run calibrate "$work/drift.csv" --thermal 1 --json
 check "slopes of counts: JSON has the same" near 5e-7 "$slope" \
     "$(sed -n '/"slope": {/,/}/s/^ *"delta": //p' "$work/stdout")"
 run calibrate "$work/drift.csv" --thermal 1
-check "slopes of counts: no excuse" lacks "$work/stdout" 'guess'
+check "slopes of counts: no guess" lacks "$work/stdout" 'guess'
 check "slopes of counts: the page has none" says_not 'guess'
 check "slopes of counts: curves begin where the parameters are" says_page 'offset over the field relative to 15\.[0-9]+ °C, mg'
 
@@ -206,14 +206,14 @@ check "at a stand: angles" matches "$work/stdout" '^angle xy +0\.[0-9]+ ± [0-9.
 check "at a stand: no series" lacks "$work/stdout" '^group'
 check "at a stand: closures" matches "$work/stdout" '^closure '
 check "at a stand: the page has no series" says_not "paper's series of J1"
-check "at a stand: it is well formed" is_page "$page"
+check "at a stand: it is well-formed" is_page "$page"
 run calibrate "$work/stand.csv" --stand --json
 check "at a stand: JSON has none" [ "$(grep -c 'coefficients": \[null, null, null, null, null\]' "$work/stdout")" -eq 3 ]
 check "at a stand: JSON has no deviations" [ "$(grep -c '"d[ek][a-z]*": \[null' "$work/stdout")" -eq 6 ]
 run calibrate "$work/stand.csv" --stand --zero 0,0,0 --lsb 0.0005
 check "at a stand, and a nominal: all of it" matches "$work/stdout" '^group 1 +[-+][0-9.]+e'
 
-# ---- what it cannot be ----------------------------------------------------------------------------
+# ---- refusals --------------------------------------------------------------------------------------
 
 made
 echo old > "$work/out/cal.json"

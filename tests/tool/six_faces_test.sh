@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Six faces, which tell no angles: six_faces_test.sh path/to/invcal builddir. The simulated sensor has
-# the offsets 0.02 -0.015 0.03 g, the scale errors 0.01 -0.008 0.012, the angles 0.01 -0.006 0.008 rad.
+# Six faces, which determine no angles: six_faces_test.sh path/to/invcal builddir. The simulated sensor has
+# offsets 0.02 -0.015 0.03 g, scale errors 0.01 -0.008 0.012, angles 0.01 -0.006 0.008 rad.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -24,18 +24,18 @@ sigma_of() { # KIND
 
 # ---- without the option --------------------------------------------------------------------------
 
-refuses "six faces: without the option too few, with a way on" 1 \
+refuses "six faces: without the option too few, with advice" 1 \
     '6 positions are too few: 9 .*--six-faces takes the angles.*Six more determine everything: \+x up' \
     calibrate "$log"
 # shellcheck disable=SC2086 # words
 set_of $faces $faces > "$work/twice.csv"
-refuses "six faces: visited twice they tell no more, and the way on is the same" 1 \
+refuses "six faces: visited twice they determine no more, and the advice is the same" 1 \
     'undetermined: angle xy, angle xz, angle zy; .*--six-faces takes the angles' calibrate "$work/twice.csv"
 # shellcheck disable=SC2086
 set_of 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 0,0.6,0.8 > "$work/no_faces.csv"
 run calibrate "$work/no_faces.csv"
 check "six faces: six others are refused" test "$code" -eq 1
-check "six faces: and no way on is promised that is none" lacks "$work/stderr" 'six-faces'
+check "six faces: and the option is not suggested" lacks "$work/stderr" 'six-faces'
 
 # ---- with it -------------------------------------------------------------------------------------
 
@@ -55,7 +55,7 @@ check "six faces: the angles come from the prior" test "$(grep -c '"gamma_..": "
 check "six faces: the others from the data" test "$(grep -c '": "data"' "$work/stdout")" -eq 6
 check "six faces: what is not measured is named" \
     test "$(member not_measured)" = '["gamma_xy", "gamma_xz", "gamma_zy"]'
-check "six faces: what was stated" near 1e-12 0.01 "$(member angle_sigma)"
+check "six faces: the stated sigma" near 1e-12 0.01 "$(member angle_sigma)"
 # 1.96 sigma over the roots of 5 and of 3, of gravity
 check "six faces: that costs 8.8 mg over all directions" near 1e-4 0.085957 "$(member length95)"
 check "six faces: 11.3 mg on a corner" near 2e-4 0.110970 "$(member length95_most)"
@@ -74,7 +74,7 @@ check "six faces: what to do next" matches "$work/words" 'Next: to measure the a
 check "six faces: each angle is marked in the table" \
     test "$(grep -c '^angle .* ± 0\.57 .*not measured$' "$work/stdout")" -eq 3
 accepts "six faces: in navigation units" calibrate "$log" --six-faces --units ins
-check "six faces: where the angle is in arcsec" matches "$work/stdout" '^angle xy .* 2063 .*arcsec, not measured'
+check "six faces: the angle in arcsec, too" matches "$work/stdout" '^angle xy .* 2063 .*arcsec, not measured'
 
 run calibrate "$log" --six-faces --report "$work/page.html"
 check "six faces: a page" is_page "$work/page.html"
@@ -100,7 +100,7 @@ check "six faces: for 5 mg directions are missing, not longer rests" matches "$w
 set_of $faces 1,1,0 1,-1,0 1,0,1 1,0,-1 0,1,1 0,-1,1 > "$work/twelve.csv"
 # shellcheck disable=SC2086
 run calibrate "$work/twelve.csv" $sheet --json
-check "six faces: with the six that are named everything is told" test "$(member verdict)" = '"good"'
+check "six faces: with the six that are named everything is determined" test "$(member verdict)" = '"good"'
 check "six faces: the angles, too" near 6e-4 '0.01 -0.006 0.008' "$(json "$work/stdout" gamma)"
 run calibrate "$work/twelve.csv" --six-faces --json
 check "six faces: then the option holds nothing" test "$(member not_measured)" = '[]'
@@ -114,25 +114,25 @@ refuses "six faces: a table without noise" 2 '--six-faces: needs the noise.*--no
     calibrate "$work/means.csv" --positions --six-faces
 accepts "six faces: a table, the noise stated" calibrate "$work/means.csv" --positions --six-faces \
     --noise 0.01
-check "six faces: offsets are the middles of each pair" matches "$work/stdout" '^offset x +0\.(199|200)'
+check "six faces: offsets are the midpoint of each pair" matches "$work/stdout" '^offset x +0\.(199|200)'
 sed 's/$/,0.02,100/' "$work/means.csv" > "$work/std.csv"
 accepts "six faces: a table with std and n" calibrate "$work/std.csv" --positions --six-faces
 
 # ---- what else is known of the angles ------------------------------------------------------------
 
 run calibrate "$log" --six-faces --prior 0,0,0.02 --json
-check "six faces: another sheet" near 2e-4 0.171914 "$(member length95)"
+check "six faces: another data sheet" near 2e-4 0.171914 "$(member length95)"
 "$tool" simulate --plan edges --seed 3 > "$work/edges.csv"
 "$tool" calibrate "$work/edges.csv" --out "$work/before.json" --quiet
-# The first row beside the diagonal, about 3e-6 and 2e-6.
+# The first row off the diagonal, about 3e-6 and 2e-6.
 beside_diagonal() { sed -n '/^  "matrix"/{n;s/^ *\[[^,]*, \(.*\)\],$/\1/p;q;}' "$1" | tr ',' ' '; }
 run calibrate "$log" --six-faces --nominal "$work/before.json" --json
-check "six faces: of a sensor that was calibrated before the angles stay as they were" near 1e-9 \
+check "six faces: the angles of an earlier calibration stay as they were" near 1e-9 \
     "$(beside_diagonal "$work/before.json")" "$(beside_diagonal "$work/stdout")"
 run calibrate "$log" --six-faces --nominal "$work/before.json"
 check "six faces: and it says so" matches "$work/stdout" 'in the earlier calibration, ±0\.57'
 
-# ---- what does not do ----------------------------------------------------------------------------
+# ---- refusals --------------------------------------------------------------------------------------
 
 set_of 0,0,1 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 > "$work/z_up.csv"
 # shellcheck disable=SC2086
@@ -140,7 +140,7 @@ refuses "six faces: what is none leaves offsets and scales open, no angles" 1 \
     'undetermined: (offset z, scale z|offset z|scale z); add positions with the field along \+z and -z$' \
     calibrate "$work/z_up.csv" --six-faces $sheet
 accepts "six faces: what hardly is one is used" calibrate "$work/no_faces.csv" --six-faces
-check "six faces: and said to be weak" matches "$work/stdout" '^Weak: offset z, scale z are poorly'
+check "six faces: and reported as weak" matches "$work/stdout" '^Weak: offset z, scale z are poorly'
 head -n 5 "$work/means.csv" > "$work/five.csv"
 refuses "six faces: five are too few" 1 '5 positions are too few: 6 are needed' \
     calibrate "$work/five.csv" --positions --six-faces --noise 0.01

@@ -10,9 +10,9 @@
 #   none       tilt       the unit is mounted 14 mrad off, about (1 2 -2)/3
 #   misset     position 8 is off by 10 mrad in alpha           fine      the same by 1 mrad
 #   swapped    positions 5 and 12 were visited in each other's place
-#   repeated   position 7 is visited in place of 8, too        twice     and so as a position more
-#   columns    alpha and beta are exchanged                    reversed  beta counts the other way
-#   zero       alpha reads 20 degrees where it is 0            alpha     alpha counts the other way
+#   repeated   position 7 is also visited in place of 8        twice     an additional position
+#   columns    alpha and beta are exchanged                    reversed  beta has the opposite sense
+#   zero       alpha reads 20 degrees where it is 0            alpha     alpha has the opposite sense
 #   group      group 3 is missing                              offset    the centre of rotation is 0.3 m off
 #   lost       position 9 is missing
 #
@@ -39,7 +39,7 @@ function write_position(a, b,    i, row) {
     for (i = 1; i <= 3; i++) row = row sprintf("%.9f,", 9.80665 * (u[i] + noise * normal()))
     print row (plain ? 0 : a "," b)
 }
-# A turn of 1.5 s from the reading before (with what a lever arm feels in it), then a rest of 4 s.
+# A turn of 1.5 s from the previous reading (with the acceleration of a lever arm), then a rest of 4 s.
 function write_rest(a, b,    i, k, row) {
     for (k = 0; k < 550; k++) {
         row = sprintf("%.2f", 0.01 * time++)

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
 #
-# Every figure of the section "At the stand" of a page is that of the JSON of the same run, to its last digit:
+# Every figure in the section "At the stand" of a page is that of the JSON of the same run, to its last digit:
 #
 #     awk -f figures.awk -f stand_page.awk result.json page.html
 #
-# Says how many figures it has compared, or what differs.
+# Prints how many figures it compared, or what differs.
 function same_with_sigma(cell, value, sigma, wide, what) { same_spread(cell, value, wide * sigma, what) }
 BEGIN {
-    # which coefficients tell a parameter: group, first, sign, second, sign
+    # which coefficients determine a parameter: group, first, sign, second, sign
     split("2 3 -1 0 0 3 3 1 0 0|1 2 1 0 0 3 2 1 0 0|1 3 1 0 0 2 2 -1 0 0|" \
-        "2 1 1 4 -1 3 1 1 4 -1|1 1 1 4 1 3 1 1 4 1|1 1 1 4 -1 2 1 1 4 1", tells, "|")
+        "2 1 1 4 -1 3 1 1 4 -1|1 1 1 4 1 3 1 1 4 1|1 1 1 4 -1 2 1 1 4 1", terms, "|")
 }
 /<h2>At the stand</ { on = 1 }
 /<\/section>/ { on = 0 }
@@ -34,11 +34,11 @@ BEGIN {
         same_with_sigma(cell[2], unit[r] * nine("stand.series_parameters.", r),
             unit[r] * nine("stand.series_sigma.", r), json["stand.series_interval95"], cell[1] " from series")
         if (r > 6) next
-        split(tells[r], t, " ")
+        split(terms[r], t, " ")
         for (i = 0; i < 2; i++) {
             g = "stand.series." t[5 * i + 1] ".coefficients,"
-            told = t[5 * i + 3] * json[g t[5 * i + 2]] + (t[5 * i + 5] ? t[5 * i + 5] * json[g t[5 * i + 4]] : 0)
-            same(cell[4 + i], unit[r] * told, cell[1] " of a group")
+            of_group = t[5 * i + 3] * json[g t[5 * i + 2]] + (t[5 * i + 5] ? t[5 * i + 5] * json[g t[5 * i + 4]] : 0)
+            same(cell[4 + i], unit[r] * of_group, cell[1] " of a group")
         }
         same_with_sigma(cell[6], unit[r] * json["stand.closure," r], unit[r] * json["stand.closure_sigma," r],
             json["stand.series_interval95"], "closure of " cell[1])

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# What the angles of a stand tell, file by file: stand_test.sh path/to/invcal builddir. Simulated stands
+# What the angles of a stand show, file by file: stand_test.sh path/to/invcal builddir. Simulated stands
 # with each of the troubles of port/manual/errors.md, "The stand"; five files of each.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
@@ -17,7 +17,7 @@ make_file() { # TROUBLE SEED [plain=1 ...]
 }
 calibrate() { run calibrate "$@" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --gravity 9.80665; }
 
-# each TROUBLE PATTERN [OPTIONS]: five files are called that, and are still good
+# each TROUBLE PATTERN [OPTIONS]: five files get that message, and are still good
 each() {
     trouble=$1
     pattern=$2
@@ -47,22 +47,22 @@ is_mounted() { # TROUBLE TRUTH
     done
 }
 
-check "stand: what is in order has nothing to tell" quiet none ' closure .*sigma' --stand
+check "stand: without trouble there is no message" quiet none ' closure .*sigma' --stand
 check "stand: it sits straight" is_mounted none '0 0 0'
-check "stand: a tilt of 14 mrad is the mounting, and harms nothing" quiet tilt 'mounting x' --stand
+check "stand: a tilt of 14 mrad is the mounting, and causes no error" quiet tilt 'mounting x' --stand
 check "stand: it is known with its sigma" is_mounted tilt '0.26738 0.53476 -0.53476'
 check "stand: 10 mrad are named" each misset 'Misset: position 8 .* is off by (9\.[6-9]|10)[.0-9]* mrad: alpha by \+0\.5[0-9]*' --stand
 check "stand: 1 mrad, too" each fine 'Misset: position 8 .* is off by (0\.[789]|1\.)[0-9]* mrad' --stand
 check "stand: two swapped positions are named" each swapped \
     'Misset: position (5 .* swapped with position 12|12 .* swapped with position 5)\..*Misset: position (5|12) ' --stand
 check "stand: a repeated one is" each repeated 'Misset: position 8 .* reads like position 7: repeated' --stand
-check "stand: one more position does no harm" quiet twice 'group 2 ' --stand
-check "stand: one less does none" quiet lost 'group 2 ' --stand
+check "stand: one more position causes no error" quiet twice 'group 2 ' --stand
+check "stand: nor does one less" quiet lost 'group 2 ' --stand
 check "stand: exchanged columns are named" each columns 'Stand: .*only with alpha and beta swapped: ' --stand
 check "stand: a reversed beta is" each reversed 'Stand: .*only with the sense of beta reversed' --stand
-check "stand: and taken as told" quiet reversed ' closure ' --stand --stand-sense 1,-1
-check "stand: another zero of alpha is told" each zero 'Stand: the angles do not fit the readings' --stand
-check "stand: and taken off" quiet zero ' closure ' --stand --stand-zero 20,0
+check "stand: and corrected when stated" quiet reversed ' closure ' --stand --stand-sense 1,-1
+check "stand: another zero of alpha is reported" each zero 'Stand: the angles do not fit the readings' --stand
+check "stand: and subtracted when stated" quiet zero ' closure ' --stand --stand-zero 20,0
 check "stand: a reversed alpha is half a turn about y" each alpha \
     'mounting y +-?1(79\.9|80\.0).*The unit appears to be mounted at a large angle' --stand
 
@@ -74,8 +74,8 @@ check "stand: a misset position in JSON" matches "$work/words" \
     '"misset":\[\{"position":8,"kind":"misset","angle":0\.5[5-9]'
 calibrate "$work/swapped.1" --stand --json
 tr -d '\n ' < "$work/stdout" > "$work/words"
-check "stand: swapped ones" matches "$work/words" '"position":12,"kind":"swapped","other":5,"angle":(29\.9|30\.0)'
-check "stand: each of the other" matches "$work/words" '"position":5,"kind":"swapped","other":12,"angle":(29\.9|30\.0)'
+check "stand: swapped ones in JSON" matches "$work/words" '"position":12,"kind":"swapped","other":5,"angle":(29\.9|30\.0)'
+check "stand: each with the other" matches "$work/words" '"position":5,"kind":"swapped","other":12,"angle":(29\.9|30\.0)'
 
 # ---- some positions without angles --------------------------------------------------------------------
 
@@ -85,15 +85,15 @@ without() { # FIRST: from that position on there are none
 }
 without 9
 check "stand: positions without angles are counted" matches "$work/stdout" '^stand +8 positions with angles .*, 10 without'
-check "stand: of eight the mounting is told" matches "$work/stdout" '^mounting z '
-check "stand: and J1 is open" matches "$work/stdout" '^J1 +these directions leave parameters undetermined$'
+check "stand: eight determine the mounting" matches "$work/stdout" '^mounting z '
+check "stand: but not J1" matches "$work/stdout" '^J1 +these directions leave parameters undetermined$'
 without 4
-check "stand: three tell nothing" matches "$work/stdout" '^Stand: too few positions have angles'
+check "stand: three determine nothing" matches "$work/stdout" '^Stand: too few positions have angles'
 calibrate "$work/without" --stand --json
 check "stand: nor as JSON" matches "$work/stdout" '"angles": "few"'
 
 calibrate "$work/none.1" --stand --units ins
-check "stand: in the units that are wished" matches "$work/stdout" '^mounting x +-?[0-9.]+ ± 5\.[0-9]* +arcsec, '
+check "stand: in the requested units" matches "$work/stdout" '^mounting x +-?[0-9.]+ ± 5\.[0-9]* +arcsec, '
 check "stand: J1 as well" matches "$work/stdout" '^offset x +30[0-9]+ ± [0-9]+ .* µg$'
 
 # ---- a group that is missing -------------------------------------------------------------------------
@@ -128,7 +128,7 @@ refuses "stand: with half a group missing too it is more than that" 1 'angle xz;
 
 make_file misset 1 plain=1 > "$work/plain.csv"
 calibrate "$work/plain.csv" --plan per-group:6
-check "stand: the program tells the angles as well" matches "$work/stdout" '^Misset: position 8 .* is off by 10'
+check "stand: the program gives the angles as well" matches "$work/stdout" '^Misset: position 8 .* is off by 10'
 make_file lost 1 plain=1 > "$work/lost.csv"
 refuses "stand: of another number of positions it does not" 3 'holds 17 positions, but --plan 3 x 6 has 18' \
     calibrate "$work/lost.csv" --positions --plan per-group:6
@@ -174,7 +174,7 @@ check "stand: at rest a centre of rotation that is 0.3 m off does nothing" log o
 
 # ---- the table of the manual ---------------------------------------------------------------------------
 
-# What a row of errors.md, "The stand", quotes is printed, in this order; "nothing" is no word of the stand's.
+# What a row of errors.md, "The stand", quotes is printed, in this order; "nothing" means no message about the stand.
 sed -n '/^### The stand/,/^### The clock/p' "$here/../../port/manual/errors.md" | grep '^| ' | sed 1d > "$work/rows"
 row() { # TROUBLE CODE ARGUMENTS ...: the first cell, and what calibrate is called with
     row=$(grep -F "| $1 |" "$work/rows")
@@ -186,14 +186,14 @@ row() { # TROUBLE CODE ARGUMENTS ...: the first cell, and what calibrate is call
     check "stand: errors.md is right about: $trouble" row_is_true
 }
 row_is_true() {
-    told=$(echo "$row" | awk -F ' [|] ' '{ print $3 }')
-    { [ -n "$told" ] && [ "$code" -eq "$expected" ]; } || { complain; return 1; }
-    if [ "$told" = nothing ]; then
+    message=$(echo "$row" | awk -F ' [|] ' '{ print $3 }')
+    { [ -n "$message" ] && [ "$code" -eq "$expected" ]; } || { complain; return 1; }
+    if [ "$message" = nothing ]; then
         matches "$work/stdout" '^Good: ' && lacks "$work/stdout" '^(Misset|Stand|The unit appears)'
         return
     fi
     cat "$work/stdout" "$work/stderr" | tr -s ' \n' ' ' > "$work/words"
-    echo "$told" | grep -o '"[^"]*"' | tr -d '"' > "$work/quoted"
+    echo "$message" | grep -o '"[^"]*"' | tr -d '"' > "$work/quoted"
     awk 'NR == FNR { text = $0; next } !(at = index(text, $0)) { print "    not said: " $0; exit 1 }
         { text = substr(text, at + length($0)) }' "$work/words" "$work/quoted" >&2 && [ -s "$work/quoted" ]
 }
@@ -229,8 +229,8 @@ makes_page() { # SENTENCE FILE OPTIONS ...
     rm -f "$page"
     calibrate "$@" --json --report "$page"
     check "stand: page of $sentence" succeeded
-    check "stand: page of $sentence: well formed, and needs nothing else" is_page "$page"
-    check "stand: page of $sentence: every number is one" lacks "$page" '[^a-zA-Z](nan|inf)[^a-zA-Z]'
+    check "stand: page of $sentence: well-formed and self-contained" is_page "$page"
+    check "stand: page of $sentence: every number is finite" lacks "$page" '[^a-zA-Z](nan|inf)[^a-zA-Z]'
 }
 figures_are_those_of_json() { # AT LEAST
     compared=$(awk -f "$here/figures.awk" -f "$here/stand_page.awk" "$work/stdout" "$page")
@@ -239,7 +239,7 @@ figures_are_those_of_json() { # AT LEAST
 
 makes_page "a straight unit" "$work/none.1" --stand
 check "stand: the page has the figures of the JSON" figures_are_those_of_json 136
-check "stand: it tells how the angles are read" says_page \
+check "stand: it says how the angles are read" says_page \
     '18 positions with angles, in degrees: α = alpha, β = beta, .* derived from the paper.s Table 2'
 check "stand: nothing is misset" says_page 'No position is misset'
 check "stand: the paper's table is filled in" says_page \
@@ -251,7 +251,7 @@ arrows_turn_as_derived() {
         sed 's/.*points="//; s/[",]/ /g' | awk 'NR == 1 && !($4 < $2) { exit 1 } NR == 2 && !($3 < $1 && $4 > $2) { exit 1 }
             END { exit NR != 4 }'
 }
-check "stand: the arrows turn as was derived" arrows_turn_as_derived
+check "stand: the arrows turn as derived" arrows_turn_as_derived
 makes_page "a misset one" "$work/misset.1" --stand
 check "stand: figures of a misset one are those of the JSON" figures_are_those_of_json 138
 check "stand: it is named on the page" says_page \
@@ -259,21 +259,21 @@ check "stand: it is named on the page" says_page \
 makes_page "a tilted unit" "$work/tilt.1" --stand
 check "stand: figures of a tilted one are those of the JSON" figures_are_those_of_json 136
 makes_page "exchanged columns" "$work/columns.1" --stand
-check "stand: exchanged columns are told on the page" says_page \
+check "stand: exchanged columns are reported on the page" says_page \
     '^ *At the stand ! The angles fit the readings only with alpha and beta swapped: exchange'
-check "stand: and nothing is made of the angles" says_not 'mounting|closure|J1'
+check "stand: and the angles are not used" says_not 'mounting|closure|J1'
 makes_page "another convention" "$work/reversed.1" --stand --stand-sense 1,-1
-check "stand: the page tells the sense" says_page 'α = alpha, β = -beta, where'
+check "stand: the page shows the sense" says_page 'α = alpha, β = -beta, where'
 makes_page "another zero" "$work/zero.1" --stand --stand-zero 20,0 --units ins
-check "stand: the page tells the zero" says_page 'α = [(]alpha - 20°[)], β = beta, where'
-check "stand: and the units that are wished" says_page 'about x [-+0-9.]* ± [0-9.]* arcsec .* offset x [-+0-9.]* ± [0-9.]* µg'
+check "stand: the page shows the zero" says_page 'α = [(]alpha - 20°[)], β = beta, where'
+check "stand: and the requested units" says_page 'about x [-+0-9.]* ± [0-9.]* arcsec .* offset x [-+0-9.]* ± [0-9.]* µg'
 makes_page "a program" "$work/plain.csv" --plan per-group:6
-check "stand: the page tells that the order was kept" says_page 'those of the program 3 x 6, in its order'
+check "stand: the page says that the order was kept" says_page 'those of the program 3 x 6, in its order'
 head -n 15 "$work/none.1" > "$work/short"
 makes_page "an incomplete group" "$work/short" --stand
 check "stand: the page says which group is open" says_page \
     '3, 2 positions open open open .* Group 3 is incomplete: 2 positions do not determine its five coefficients'
 check "stand: without closures" says_not 'closure'
 run calibrate "$work/none.1" --positions --report "$page"
-check "stand: there is nothing of it where no angles are wanted" lacks "$page" 'At the stand'
+check "stand: without --stand the page does not mention it" lacks "$page" 'At the stand'
 finish

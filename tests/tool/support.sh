@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# What the tests of the tool share; to be sourced with the arguments path/to/invcal builddir.
-# Sets $tool, $data and $work, a folder of its own; at the end the test calls `finish`.
+# Shared by the tests of the tool; sourced with the arguments path/to/invcal builddir.
+# Sets $tool, $data and $work, the test's own folder; at the end the test calls `finish`.
 # shellcheck disable=SC2034,SC2154
 tool=$1
 data=$here/../data
@@ -16,7 +16,7 @@ trap 'exit 2' HUP INT TERM
 passed=0
 failed=0
 
-# Sentences stay on one line. What is printed where COLUMNS is not set is for width_test.sh.
+# Sentences stay on one line. width_test.sh tests what is printed if COLUMNS is not set.
 COLUMNS=1000
 export COLUMNS
 
@@ -81,7 +81,7 @@ refuses() { # refuses SENTENCE CODE PATTERN ARGUMENTS ...
     check "$sentence" was_refused "$expected" "$pattern"
 }
 
-# The folder of the result holds what it held before, and nothing else.
+# The folder of the result contains what it contained before, and nothing else.
 is_untouched() {
     [ "$(ls -A "$work/out")" = cal.json ] && [ "$(cat "$work/out/cal.json")" = old ]
 }
@@ -120,7 +120,7 @@ near() { # near TOLERANCE "A B C" "a b c": each pair agrees; brackets and commas
     }'
 }
 
-# It is JSON by the strict reader of apply: what is wrong with it, if anything, is its content.
+# It is JSON according to the strict parser of apply: only its content may be wrong.
 is_json() {
     "$tool" apply "$1" "$work/log.csv" 2> "$work/json.err" > /dev/null ||
         grep -q 'not a calibration' "$work/json.err"
@@ -131,14 +131,14 @@ is_page() { # FILE: HTML that is well-formed, and needs nothing else
     [ -z "$result" ] || { echo "    $result" >&2; return 1; }
 }
 
-# What a page has escaped for HTML, as it was.
+# Undoes a page's escapes for HTML.
 plainly() { sed 's/&lt;/</g; s/&gt;/>/g; s/&quot;/"/g; s/&#39;/'"'"'/g; s/&amp;/\&/g'; }
 
-# The page tells the command that made it, and a shell takes that apart into just these words.
-tells_command() { # FILE WORD ...
-    told=$(sed -n 's/^<dd class="literal">\(invcal .*\)<\/dd>$/\1/p' "$1" | plainly)
+# The page shows the command that made it, and a shell splits that into exactly these words.
+shows_command() { # FILE WORD ...
+    shown_command=$(sed -n 's/^<dd class="literal">\(invcal .*\)<\/dd>$/\1/p' "$1" | plainly)
     shift
-    [ "$(eval "printf '%s\n' $told")" = "$(printf '%s\n' "$@")" ] || { echo "    $told" >&2; return 1; }
+    [ "$(eval "printf '%s\n' $shown_command")" = "$(printf '%s\n' "$@")" ] || { echo "    $shown_command" >&2; return 1; }
 }
 
 same() { cmp -s "$1" "$2"; }

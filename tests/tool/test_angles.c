@@ -68,9 +68,9 @@ static void quarters_of_a_turn_are_exact(void)
     }
 }
 
-/* A vector of the unit is turned as the direction demands: what it has of up is its product with eta, its length
- * stays, x with beta = 0 keeps its place, and the axes are not mirrored. */
-static void the_unit_turns_as_its_directions_tell(void)
+/* A vector of the unit is turned as the direction requires: its component along up is its product
+ * with eta, its length stays, x with beta = 0 stays in place, and the axes are not mirrored. */
+static void the_unit_turns_as_its_directions_say(void)
 {
     static const double axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
@@ -135,7 +135,7 @@ static void of_the_two_pairs_the_nearer_is_found(void)
             angles_direction(alpha, beta, up);
             const stand_angles a = angles_near(up, near);
             TEST_ASSERT_DOUBLE_WITHIN(1e-9, 0, angles_turn(alpha, a.alpha));
-            if (alpha % 180 != 0) { /* else beta turns nothing */
+            if (alpha % 180 != 0) { /* otherwise beta turns nothing */
                 TEST_ASSERT_DOUBLE_WITHIN(1e-9, 0, angles_turn(beta, a.beta));
             } else {
                 TEST_ASSERT_DOUBLE_WITHIN(1e-9, near.beta, a.beta);
@@ -160,7 +160,7 @@ static void a_turn_is_the_shorter_way_round(void)
 
 /* ---- in words ----------------------------------------------------------------------------------- */
 
-static void angles_are_told_without_needless_zeros(void)
+static void angles_are_printed_without_needless_zeros(void)
 {
     char text[ANGLES_TEXT_MAX];
 
@@ -179,13 +179,13 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(directions_are_those_of_the_angles);
-    RUN_TEST(the_unit_turns_as_its_directions_tell);
+    RUN_TEST(the_unit_turns_as_its_directions_say);
     RUN_TEST(directions_of_table_2_are_those_of_the_paper);
     RUN_TEST(quarters_of_a_turn_are_exact);
     RUN_TEST(angles_of_a_direction_lead_back_to_it);
     RUN_TEST(the_length_of_a_direction_is_free);
     RUN_TEST(of_the_two_pairs_the_nearer_is_found);
     RUN_TEST(a_turn_is_the_shorter_way_round);
-    RUN_TEST(angles_are_told_without_needless_zeros);
+    RUN_TEST(angles_are_printed_without_needless_zeros);
     return UNITY_END();
 }

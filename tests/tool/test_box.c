@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The pictogram of a device: a rotation, and up is up.
+ * The pictogram of a device: it is a rotation, and up is up.
  */
 #include <math.h>
 
@@ -57,7 +57,7 @@ static void on_its_side_it_turns_the_shortest_way(void)
 {
     double turn[3][3];
 
-    box_turn((const double[]){1, 0, 0}, turn); /* x goes up, y stays where it is */
+    box_turn((const double[]){1, 0, 0}, turn); /* x turns up, y stays in place */
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, 1, turn[1][1]);
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, -1, turn[0][2]);
 }

@@ -48,7 +48,7 @@ static void test_dates(void)
     is(-86400, "1969-12-31 00:00:00");
 }
 
-/* The clock as it is shown. */
+/* The clock as shown. */
 static void test_zones(void)
 {
     is(1795523696, "2026-11-24T12:34:56Z");

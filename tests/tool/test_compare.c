@@ -90,7 +90,7 @@ static void nine_are_lengths_and_angles_of_the_axes(void)
     double g[3][3];
 
     set_axes(length, gamma, g);
-    for (int k = 0; k < 5; k++) { /* whichever way the result is turned */
+    for (int k = 0; k < 5; k++) { /* however the result is turned */
         const invcal_calibration c = calibration_of(g, 0.1 * k);
         compare_nine(&file, &c, &before);
         expect_nine(length, gamma);
@@ -123,7 +123,7 @@ static void an_axis_may_be_turned_round(void)
     invcal_calibration c = calibration_of(g, 0);
     compare_nine(&file, &c, &before);
     expect_nine(length, seen);
-    strcpy(file.frame, "stand"); /* where its sign says nothing */
+    strcpy(file.frame, "stand"); /* where its sign means nothing */
     compare_nine(&file, &c, &before);
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1200, before.x[INVCAL_DK_Y]);
     TEST_ASSERT_DOUBLE_WITHIN(1e-13, -0.01, before.x[INVCAL_GAMMA_XY]);
@@ -230,7 +230,7 @@ static void what_is_beyond_chance_has_changed(void)
     }
 }
 
-static void without_sigma_nothing_is_told(void)
+static void without_sigma_nothing_is_reported(void)
 {
     now.sigma[INVCAL_DELTA_X] = (double)NAN;
     now.x[INVCAL_DELTA_X] += 1e6;
@@ -252,8 +252,8 @@ static double chi_square(random_source *random, unsigned dof)
     return sum;
 }
 
-/* Nine that have not changed, with sigma as residuals tell it: 5 % of cases or a little less. */
-static void drift_is_seldom_told_by_chance(void)
+/* Nine unchanged parameters, with sigma from residuals: 5 % of cases or slightly less. */
+static void drift_is_seldom_reported_by_chance(void)
 {
     random_source random = random_start(1);
     unsigned alarms = 0;
@@ -275,7 +275,7 @@ static void drift_is_seldom_told_by_chance(void)
 
 /* ---- fleet ------------------------------------------------------------------------------------- */
 
-/* Rosner's 54 figures; at 5 % three of them are outside, though the first is not by itself. */
+/* Rosner's 54 figures; at 5 % three are outliers, though the first alone is not. */
 static void rosners_example_has_three(void)
 {
     static const double x[54] = {-0.25, 0.68, 0.94, 1.15, 1.20, 1.26, 1.26, 1.34, 1.38, 1.43, 1.49,
@@ -292,7 +292,7 @@ static void rosners_example_has_three(void)
     TEST_ASSERT_EQUAL_UINT(0, compare_outside(x, 54, 0.01, who));
 }
 
-static void what_is_all_the_same_has_none_outside(void)
+static void equal_values_have_no_outlier(void)
 {
     double x[20] = {0};
     unsigned who[20];
@@ -304,7 +304,7 @@ static void what_is_all_the_same_has_none_outside(void)
     TEST_ASSERT_EQUAL_UINT(0, compare_outside(x, 2, 0.05, who));
 }
 
-static void devices_are_seldom_outside_by_chance(void)
+static void devices_are_seldom_outliers_by_chance(void)
 {
     static const unsigned sizes[] = {3, 8, 12, 20, 60};
     random_source random = random_start(2);
@@ -359,12 +359,12 @@ static void median_and_spread_are_closed_forms(void)
     free(fleet.fleet.outside);
 }
 
-static void one_that_is_off_is_outside(void)
+static void one_that_is_off_is_an_outlier(void)
 {
     make_fleet();
     item[13].x[INVCAL_DK_Y] += 60;
     item[4].x[INVCAL_GAMMA_ZY] -= 60;
-    item[9].x[INVCAL_DELTA_X] += 60; /* and is known so badly that this says nothing */
+    item[9].x[INVCAL_DELTA_X] += 60; /* and is known so poorly that this means nothing */
     item[9].sigma[INVCAL_DELTA_X] = 40;
     TEST_ASSERT_TRUE(compare_fleet_find(&fleet));
     for (unsigned k = 0; k < FLEET; k++) {
@@ -388,12 +388,12 @@ int main(void)
     RUN_TEST(sigma_are_those_of_the_parameters);
     RUN_TEST(chance_is_that_of_students_table);
     RUN_TEST(what_is_beyond_chance_has_changed);
-    RUN_TEST(without_sigma_nothing_is_told);
-    RUN_TEST(drift_is_seldom_told_by_chance);
+    RUN_TEST(without_sigma_nothing_is_reported);
+    RUN_TEST(drift_is_seldom_reported_by_chance);
     RUN_TEST(rosners_example_has_three);
-    RUN_TEST(what_is_all_the_same_has_none_outside);
-    RUN_TEST(devices_are_seldom_outside_by_chance);
+    RUN_TEST(equal_values_have_no_outlier);
+    RUN_TEST(devices_are_seldom_outliers_by_chance);
     RUN_TEST(median_and_spread_are_closed_forms);
-    RUN_TEST(one_that_is_off_is_outside);
+    RUN_TEST(one_that_is_off_is_an_outlier);
     return UNITY_END();
 }

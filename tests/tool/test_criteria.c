@@ -78,7 +78,7 @@ static void assert_near(double relative, double expected, double actual)
     TEST_ASSERT_DOUBLE_WITHIN(relative * fabs(expected), expected, actual);
 }
 
-/* The five figures, to the precision promised for the programs. */
+/* The five figures, to the precision that is promised for the programs. */
 static void assert_criteria(const double expected[5], const criteria *c)
 {
     assert_near(close, expected[0], c->sigma_delta);
@@ -88,7 +88,7 @@ static void assert_criteria(const double expected[5], const criteria *c)
     assert_near(close, expected[4], c->log_det);
 }
 
-/* A design that cannot be judged: nothing is touched. */
+/* A design that cannot be evaluated: nothing is touched. */
 static void assert_undetermined(const invcal_sums *design)
 {
     const invcal_sums design_before = *design;
@@ -102,7 +102,7 @@ static void assert_undetermined(const invcal_sums *design)
     TEST_ASSERT_EQUAL_MEMORY(&design_before, design, sizeof design_before);
 }
 
-/* A set that cannot be judged, and the parameters that it leaves open. */
+/* A set that cannot be evaluated, and the parameters that it leaves open. */
 static unsigned open_in(const double v[][3], unsigned count)
 {
     const invcal_sums design = design_of(v, count);
@@ -351,7 +351,7 @@ static void no_random_set_passes_the_bound(void)
             random_direction(&random, v);
             criteria_add(&design, v);
         }
-        if (criteria_judge(&design, &c)) { /* nine may be hopeless */
+        if (criteria_judge(&design, &c)) { /* nine may be singular */
             const double margin = bound_of_log_det(count) - c.log_det;
             TEST_ASSERT_TRUE(margin > 0);
             nearest = fmin(nearest, margin);
@@ -359,7 +359,7 @@ static void no_random_set_passes_the_bound(void)
         }
     }
     TEST_ASSERT_TRUE(judged >= 990);
-    TEST_ASSERT_TRUE(nearest < 0.8); /* the bound is near enough to be passed by a mistake */
+    TEST_ASSERT_TRUE(nearest < 0.8); /* the bound is so near that a mistake would exceed it */
 }
 
 /* ---- what leaves parameters open ---- */
@@ -386,7 +386,7 @@ static void groups_of_four_along_the_axes_leave_the_angles_open(void)
     TEST_ASSERT_EQUAL_HEX16(ANGLES, open_in(axis[0], 12));
 }
 
-/* In the plane z = 0 nothing is seen of z. */
+/* The plane z = 0 shows nothing of z. */
 static void one_plane_leaves_all_that_z_takes_part_in_open(void)
 {
     static const unsigned z[3] = {
@@ -424,7 +424,7 @@ static void two_circles_leave_the_scale_errors_open(void)
     }
 }
 
-/* When they are turned no pivot need be small: the condition tells. */
+/* If they are turned, no pivot need be small: the condition shows it. */
 static void turned_circles_are_refused_too(void)
 {
     random_source random = random_start(5);
@@ -484,7 +484,7 @@ static void up_to_eight_positions_are_refused(void)
     }
 }
 
-static void sums_that_are_no_numbers_are_refused(void)
+static void sums_that_are_not_numbers_are_refused(void)
 {
     static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     const invcal_sums good = design_of(expected_icosahedron, 12);
@@ -637,10 +637,10 @@ static void a_turn_keeps_log_det_and_moves_the_sigmas_with_k(void)
         smallest = fmin(smallest, c.sigma_gamma);
         largest = fmax(largest, c.sigma_gamma);
     }
-    TEST_ASSERT_TRUE(largest > 1.1 * smallest); /* they did move */
+    TEST_ASSERT_TRUE(largest > 1.1 * smallest); /* they moved */
 }
 
-/* Every axis in turn is the worst one: the largest of each three is found. */
+/* Each axis in turn is the worst: the largest of each three is found. */
 static void the_worst_axis_decides_whichever_it_is(void)
 {
     const double *expected = expected_set_criteria[4]; /* tilted24 */
@@ -717,7 +717,7 @@ static void weights_whose_sigma_fits_no_number_are_refused(void)
     invcal_sums design = design_of_plan(&plan);
 
     for (unsigned i = 0; i < INVCAL_PACKED_SIZE(INVCAL_PARAMETERS); i++) {
-        design.sum[i] = design.sum[i] / DBL_MAX / 64; /* K(r,r) is beyond it */
+        design.sum[i] = design.sum[i] / DBL_MAX / 64; /* K(r,r) overflows */
     }
     assert_undetermined(&design);
 }
@@ -748,7 +748,7 @@ static void judging_does_not_change_the_design(void)
 
 /* ---- what a direction adds ---- */
 
-/* A set of directions is a set of rows h(eta) that have measured nothing. */
+/* A set of directions is a set of rows h(eta) without measurements. */
 static void a_direction_adds_its_row_and_no_measurement(void)
 {
     invcal_sums design;
@@ -819,7 +819,7 @@ static void assert_promise_is_kept(const double v[][3], unsigned count, const do
 static void assert_promise_of_a_program_is_kept(unsigned per_group)
 {
     const double n = per_group;
-    const double root_k[3] = {sqrt(1 / n), sqrt(7 / (5 * n)), sqrt(8 / n)}; /* each of its block */
+    const double root_k[3] = {sqrt(1 / n), sqrt(7 / (5 * n)), sqrt(8 / n)}; /* of each block */
     invcal_plan plan;
     double v[18][3];
 
@@ -871,7 +871,7 @@ int main(void)
     RUN_TEST(turned_faces_are_refused_too);
     RUN_TEST(turned_planes_are_refused_too);
     RUN_TEST(up_to_eight_positions_are_refused);
-    RUN_TEST(sums_that_are_no_numbers_are_refused);
+    RUN_TEST(sums_that_are_not_numbers_are_refused);
     RUN_TEST(a_flat_set_is_refused_by_its_condition);
     RUN_TEST(order_does_not_matter);
     RUN_TEST(directions_and_their_opposites_are_worth_the_same);

@@ -25,7 +25,7 @@ static void the_tail_is_that_of_the_reference(void)
 }
 
 /* P(F > f) of m and dof is P(1/F < 1/f) of dof and m; with m = 2 it is a power. */
-static void the_tails_of_f_and_of_its_inverse_make_one(void)
+static void the_tails_of_f_and_of_its_inverse_add_up_to_one(void)
 {
     static const unsigned dof[] = {1, 2, 3, 9, 50, 1000, 60001};
 
@@ -51,7 +51,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(the_tail_is_that_of_the_reference);
-    RUN_TEST(the_tails_of_f_and_of_its_inverse_make_one);
+    RUN_TEST(the_tails_of_f_and_of_its_inverse_add_up_to_one);
     RUN_TEST(outside_of_0_and_1_it_is_certain_or_impossible);
     return UNITY_END() != 0;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What angles that are held do to lengths, and to intervals.
+ * How angles that are held affect lengths and intervals.
  */
 #include <math.h>
 #include <string.h>
@@ -51,8 +51,8 @@ static void one_angle_costs_most_on_its_edge(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-7, NORMAL * 0.01 / 2, e.max);
 }
 
-/* On a corner an offset is seen by 1/sqrt(3), an angle by 1/3. */
-static void an_interval_widens_what_is_estimated_only(void)
+/* In a corner an offset counts by 1/sqrt(3), an angle by 1/3. */
+static void an_interval_widens_only_what_is_estimated(void)
 {
     const double offset = 3e-3;
     const double angle = 1e-2;
@@ -73,7 +73,7 @@ static void an_interval_widens_what_is_estimated_only(void)
                               uncertainty_half_width(&u, corner, T4, 0x1FF));
 }
 
-/* Parameters that belong together take their covariance with them. */
+/* Correlated parameters count with their covariance. */
 static void what_is_held_together_counts_together(void)
 {
     uncertainty u = {.unit = 1};
@@ -86,7 +86,7 @@ static void what_is_held_together_counts_together(void)
                               uncertainty_half_width(&u, corner, T4, 0x0C0));
 }
 
-static void of_each_parameter_its_own_interval(void)
+static void each_parameter_has_its_own_interval(void)
 {
     const fit_quality q = {.coverage = T4, .from_prior = 1u << INVCAL_GAMMA_XY | 1u << INVCAL_DK_Y};
 
@@ -101,8 +101,8 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(three_angles_cost_most_on_a_corner);
     RUN_TEST(one_angle_costs_most_on_its_edge);
-    RUN_TEST(an_interval_widens_what_is_estimated_only);
+    RUN_TEST(an_interval_widens_only_what_is_estimated);
     RUN_TEST(what_is_held_together_counts_together);
-    RUN_TEST(of_each_parameter_its_own_interval);
+    RUN_TEST(each_parameter_has_its_own_interval);
     return UNITY_END();
 }

@@ -76,7 +76,8 @@ static void without_noise_it_is_exact(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-12, COUNT - 12, q.dof);
 }
 
-/* Of every parameter and of the drift: the spread is that told, and 95 % of intervals hold the truth. */
+/* For every parameter and the drift: the spread is as stated, and 95 % of intervals hold the
+ * truth. */
 static void sigma_is_honest(void)
 {
     random_source random = random_start(2);

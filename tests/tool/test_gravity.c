@@ -25,7 +25,7 @@ static void equator_45_degrees_and_poles_are_those_of_wgs84(void)
     TEST_ASSERT_DOUBLE_WITHIN(0, gravity_at(33, 0), gravity_at(-33, 0));
 }
 
-/* The reference takes the gradient of the potential of the rotating ellipsoid itself. */
+/* The reference differentiates the potential of the rotating ellipsoid. */
 static void latitudes_and_heights_agree_with_the_field_of_the_ellipsoid(void)
 {
     const unsigned count = sizeof expected_gravity / sizeof *expected_gravity;
@@ -42,7 +42,7 @@ static void a_metre_of_height_takes_3_micro(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 3.086e-6, (gravity_at(45, -500) - gravity_at(45, 500)) / 1000);
 }
 
-static void what_is_no_place_on_earth_has_no_gravity(void)
+static void what_is_not_a_place_on_earth_has_no_gravity(void)
 {
     static const double bad[][2] = {{90.01, 0},     {-90.01, 0},     {NOT_A_NUMBER, 0},
                                     {INFINITE, 0},  {45, -501},      {45, 10001},
@@ -60,6 +60,6 @@ int main(void)
     RUN_TEST(equator_45_degrees_and_poles_are_those_of_wgs84);
     RUN_TEST(latitudes_and_heights_agree_with_the_field_of_the_ellipsoid);
     RUN_TEST(a_metre_of_height_takes_3_micro);
-    RUN_TEST(what_is_no_place_on_earth_has_no_gravity);
+    RUN_TEST(what_is_not_a_place_on_earth_has_no_gravity);
     return UNITY_END();
 }

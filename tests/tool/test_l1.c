@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The l1 estimate: optimal by its own conditions, and not drawn along by a wrong position.
+ * The l1 estimate: optimal by its own conditions, and not pulled by a wrong position.
  */
 #include "fit/l1.h"
 
@@ -69,8 +69,8 @@ static double sum_at(const double x[9])
     return sum;
 }
 
-/* It is the least: no other nine parameters, near or far, have a smaller sum by a thousandth of it; most of as
- * many residuals as there are parameters are nothing. */
+/* It is the minimum: no other nine parameters, near or far, have a sum that is smaller by a
+ * thousandth; at least nearly as many residuals as there are parameters are zero. */
 static void no_other_parameters_leave_less(void)
 {
     random_source random = random_start(1);
@@ -92,10 +92,10 @@ static void no_other_parameters_leave_less(void)
     for (unsigned i = 0; i < COUNT; i++) {
         zero += fabs(residual_at(x, &raw[3 * (size_t)i])) < 1e-6;
     }
-    TEST_ASSERT_TRUE(zero >= 7); /* nine in the end, which weights reach slowly */
+    TEST_ASSERT_TRUE(zero >= 7); /* nine in the limit, which the weights reach slowly */
 }
 
-static void a_wrong_position_does_not_draw_it_along(void)
+static void a_wrong_position_does_not_pull_it(void)
 {
     random_source random = random_start(2);
 
@@ -112,7 +112,7 @@ static void a_wrong_position_does_not_draw_it_along(void)
     }
 }
 
-/* Of normal noise it is no better than least squares, and the difference stays small. */
+/* For normal noise it is no better than least squares, and the difference stays small. */
 static void its_spread_is_somewhat_larger_than_that_of_least_squares(void)
 {
     random_source random = random_start(3);
@@ -144,7 +144,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(no_other_parameters_leave_less);
-    RUN_TEST(a_wrong_position_does_not_draw_it_along);
+    RUN_TEST(a_wrong_position_does_not_pull_it);
     RUN_TEST(its_spread_is_somewhat_larger_than_that_of_least_squares);
     RUN_TEST(too_few_are_refused);
     return UNITY_END();

@@ -25,7 +25,7 @@ static void read(const double (*up)[3], unsigned count, double *raw)
     }
 }
 
-/* No box around these has its middle at the zero. */
+/* The centre of their box is not the zero. */
 static void four_positions_show_the_sphere(void)
 {
     static const double up[4][3] = {{0, 0, 1}, {1, 0, 0}, {0.6, 0.8, 0}, {-0.48, 0.6, -0.64}};

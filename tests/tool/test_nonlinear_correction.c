@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What quadratic and cubic errors read too much is taken off: the truth is simulated, by its
- * definition.
+ * Quadratic and cubic errors are corrected: the truth is simulated, by its definition.
  */
 #include "apply/nonlinear_correction.h"
 
@@ -26,7 +25,7 @@ static const double TERM[2][3] = {{0.01, -0.02, 0.015}, {-0.012, 0.02, 0.01}};
 static const double ZERO[3] = {33000, 32700, 32900};
 static const double NOMINAL[3][3] = {{6e-4, 0, 0}, {1e-6, 5.9e-4, 0}, {0, -2e-6, 6.1e-4}};
 
-static calibration_file file; /* what tells of the sensor */
+static calibration_file file; /* its description */
 static nonlinear_correction correction;
 static triad_truth sensor;
 
@@ -50,8 +49,7 @@ static void read_raw(const double eta[3], double raw[3])
     }
 }
 
-/* The calibration that this sensor has, turned by `turn` about z: R (I + S)^-1 N, and the zero of
- * u. */
+/* The calibration of this sensor, turned by `turn` about z: R (I + S)^-1 N, and the zero of u. */
 static void know(double turn)
 {
     const double r[3][3] = {{cos(turn), -sin(turn), 0}, {sin(turn), cos(turn), 0}, {0, 0, 1}};
@@ -91,7 +89,7 @@ static void know(double turn)
     memcpy(file.nonlinear.term, TERM, sizeof TERM);
 }
 
-/* What it makes of readings at TIMES the field, over the field: the largest error. */
+/* The largest error after correction, over the field, of readings at TIMES the field. */
 static double worst(double times, double turn)
 {
     random_source random = random_start(3);
@@ -115,12 +113,12 @@ static double worst(double times, double turn)
     return most;
 }
 
-static void errors_are_taken_off_to_rounding_in_any_frame(void)
+static void errors_are_corrected_to_rounding_in_any_frame(void)
 {
     random_source random = random_start(1);
 
     for (int n = 0; n < 10; n++) {
-        const double turn = n * 0.7; /* as a mounting may be */
+        const double turn = n * 0.7; /* as a mounting might be */
         sensor = triad_random(&random, 0.05);
         know(turn);
         TEST_ASSERT_EQUAL_INT(EXIT_GOOD, nonlinear_correction_begin(&correction, &file, "test"));
@@ -156,7 +154,7 @@ static void without_terms_a_reading_stays(void)
     TEST_ASSERT_EQUAL_DOUBLE(3, raw[2]);
 }
 
-static void terms_that_are_no_small_errors_are_refused(void)
+static void terms_that_are_not_small_errors_are_refused(void)
 {
     know(0);
     file.nonlinear.term[0][1] = 0.3;
@@ -168,9 +166,9 @@ static void terms_that_are_no_small_errors_are_refused(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(errors_are_taken_off_to_rounding_in_any_frame);
+    RUN_TEST(errors_are_corrected_to_rounding_in_any_frame);
     RUN_TEST(beyond_the_edge_the_error_is_that_of_the_edge);
     RUN_TEST(without_terms_a_reading_stays);
-    RUN_TEST(terms_that_are_no_small_errors_are_refused);
+    RUN_TEST(terms_that_are_not_small_errors_are_refused);
     return UNITY_END();
 }

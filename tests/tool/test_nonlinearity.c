@@ -36,7 +36,7 @@ static fit_settings settings_of(double noise)
     return s;
 }
 
-/* What a triad reads in N positions a group whose axes have these errors too. */
+/* The readings of a triad with these errors, too, in N positions per group. */
 static unsigned measure(random_source *random, const triad_truth *truth, unsigned per_group,
                         unsigned degree, double noise)
 {
@@ -57,7 +57,7 @@ static unsigned measure(random_source *random, const triad_truth *truth, unsigne
     return 3 * per_group;
 }
 
-static void programs_are_worth_what_the_reference_says(void)
+static void programs_have_the_figures_of_the_reference(void)
 {
     static const struct {
         unsigned per_group;
@@ -117,7 +117,7 @@ static void without_noise_it_is_exact(void)
     }
 }
 
-/* Of all parameters: the spread is that told. */
+/* For all parameters: the spread is as stated. */
 static void sigma_is_honest(void)
 {
     const fit_settings settings = settings_of(SIGMA);
@@ -125,7 +125,7 @@ static void sigma_is_honest(void)
     for (unsigned degree = 2; degree <= 3; degree++) {
         random_source random = random_start(degree);
         double squares[2] = {0, 0};
-        double told = 0;
+        double reported = 0;
         for (int d = 0; d < DRAWS; d++) {
             const triad_truth truth = triad_random(&random, 0.01);
             const unsigned count = measure(&random, &truth, degree == 2 ? 6 : 8, degree, SIGMA);
@@ -142,15 +142,15 @@ static void sigma_is_honest(void)
                 squares[1] +=
                     (s.x[r] - truth.x[r]) * (s.x[r] - truth.x[r]) / (q.sigma[r] * q.sigma[r]);
             }
-            told += sigma[0] / (double)DRAWS;
+            reported += sigma[0] / (double)DRAWS;
         }
         TEST_ASSERT_DOUBLE_WITHIN(0.1, 1, sqrt(squares[0] / (3.0 * (degree - 1) * (double)DRAWS)));
         TEST_ASSERT_DOUBLE_WITHIN(0.1, 1, sqrt(squares[1] / (9.0 * (double)DRAWS)));
-        TEST_ASSERT_DOUBLE_WITHIN(0.1e-4, degree == 2 ? 1.63299e-4 : 1.41421e-4, told);
+        TEST_ASSERT_DOUBLE_WITHIN(0.1e-4, degree == 2 ? 1.63299e-4 : 1.41421e-4, reported);
     }
 }
 
-static void what_the_positions_do_not_tell_is_refused_by_name(void)
+static void what_the_positions_do_not_determine_is_refused_by_name(void)
 {
     random_source random = random_start(5);
     const triad_truth none = {{0}};
@@ -170,8 +170,7 @@ static void what_the_positions_do_not_tell_is_refused_by_name(void)
                           nonlinearity_fit(raw, 16, &settings, 3, &s, &q, out, sigma));
     TEST_ASSERT_DOUBLE_WITHIN(0, 7, out[0]);
     TEST_ASSERT_EQUAL_UINT(18, count);
-    for (unsigned i = 0; i < 20;
-         i++) { /* corners and edges: x takes three sizes, so x and x^3 are one */
+    for (unsigned i = 0; i < 20; i++) { /* corners and edges */
         const double f = i < 8 ? sqrt(1 / 3.0) : sqrt(0.5);
         const unsigned axis = (i - 8) / 4 % 3;
         for (unsigned a = 0; a < 3; a++) {
@@ -180,7 +179,7 @@ static void what_the_positions_do_not_tell_is_refused_by_name(void)
         }
     }
     TEST_ASSERT_TRUE(nonlinearity_judge((const double(*)[3])directions, NULL, 20, 2, &p, NULL));
-    for (unsigned i = 0; i < 20; i++) { /* z only up: z^3 and z are one */
+    for (unsigned i = 0; i < 20; i++) { /* z only up: z^2 and z are alike */
         directions[i][2] = 0.6;
         directions[i][0] = 0.8 * cos(i);
         directions[i][1] = 0.8 * sin(i);
@@ -193,9 +192,9 @@ static void what_the_positions_do_not_tell_is_refused_by_name(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(programs_are_worth_what_the_reference_says);
+    RUN_TEST(programs_have_the_figures_of_the_reference);
     RUN_TEST(without_noise_it_is_exact);
     RUN_TEST(sigma_is_honest);
-    RUN_TEST(what_the_positions_do_not_tell_is_refused_by_name);
+    RUN_TEST(what_the_positions_do_not_determine_is_refused_by_name);
     return UNITY_END();
 }

@@ -19,19 +19,19 @@ void tearDown(void)
 
 static double way_of(const double (*v)[3], unsigned count)
 {
-    double way = 0;
+    double path = 0;
 
     for (unsigned k = 1; k < count; k++) {
         const double dot = v[k][0] * v[k - 1][0] + v[k][1] * v[k - 1][1] + v[k][2] * v[k - 1][2];
-        way += acos(fmax(-1, fmin(1, dot)));
+        path += acos(fmax(-1, fmin(1, dot)));
     }
-    return way / (count - 1);
+    return path / (count - 1);
 }
 
 /* Six directions and their opposites, then all again: 24. In the second half of a round trip each is met
  * as long after the middle as before it, so nothing that is odd in time is made of the nine columns,
  * which are the same both times. */
-static void a_round_trip_shows_a_drift_as_well_as_can_be(void)
+static void a_round_trip_shows_a_drift_as_well_as_possible(void)
 {
     double v[24][3];
 
@@ -42,7 +42,7 @@ static void a_round_trip_shows_a_drift_as_well_as_can_be(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1, order_hides_drift((const double(*)[3])v, NULL, 24));
 }
 
-/* Nine equations are solved by nine parameters, whatever drifts. */
+/* Nine equations have a solution in nine parameters, whatever drifts. */
 static void nine_positions_hide_a_drift(void)
 {
     double v[9][3];
@@ -51,7 +51,7 @@ static void nine_positions_hide_a_drift(void)
     TEST_ASSERT_TRUE(isinf(order_hides_drift((const double(*)[3])v, NULL, 9)));
 }
 
-/* The figure of the judgement's design for the program as the paper prints it: 1.39. */
+/* The figure for the program as the paper prints it: 1.39. */
 static void the_program_of_the_paper_shows_it_to_1_39(void)
 {
     TEST_ASSERT_DOUBLE_WITHIN(0.005, 1.39, order_hides_drift(expected_plan18, NULL, 18));
@@ -78,7 +78,7 @@ static void order_as(const double (*given)[3], unsigned count, double most)
     TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(1.2, way_of((const double(*)[3])v, count)); /* 69 degrees */
 }
 
-static void an_order_is_found_in_which_it_shows_and_the_way_is_short(void)
+static void an_order_is_found_that_shows_it_with_short_turns(void)
 {
     static const unsigned counts[] = {18, 24, 36};
     double v[OPTIMAL_MAX][3];
@@ -103,10 +103,10 @@ static void one_and_two_positions_stay_as_they_are(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(a_round_trip_shows_a_drift_as_well_as_can_be);
+    RUN_TEST(a_round_trip_shows_a_drift_as_well_as_possible);
     RUN_TEST(nine_positions_hide_a_drift);
     RUN_TEST(the_program_of_the_paper_shows_it_to_1_39);
-    RUN_TEST(an_order_is_found_in_which_it_shows_and_the_way_is_short);
+    RUN_TEST(an_order_is_found_that_shows_it_with_short_turns);
     RUN_TEST(one_and_two_positions_stay_as_they_are);
     return UNITY_END();
 }

@@ -58,7 +58,7 @@ static void a_limit_holds_value_and_interval(void)
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0.6, p.used[r]);
     }
-    result.solution.x[4] = 8.1e-3; /* 8.1 and 2 are 10.1: perhaps within, but not surely */
+    result.solution.x[4] = 8.1e-3; /* 8.1 and 2 make 10.1: perhaps within, but not surely */
     p = pass_judge(&result);
     TEST_ASSERT_FALSE(p.is_passed);
     TEST_ASSERT_EQUAL_HEX16(1u << 4, p.failed);
@@ -75,7 +75,7 @@ static void a_limit_holds_value_and_interval(void)
     TEST_ASSERT_EQUAL_HEX16(0, pass_judge(&result).failed);
 }
 
-static void a_need_holds_what_lengths_and_the_field_are_wrong_by(void)
+static void a_need_covers_the_errors_of_lengths_and_of_the_field(void)
 {
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 0.5, pass_judge(&result).need_used);
     result.need = 0.4 * 9.80665e-3;
@@ -86,7 +86,7 @@ static void a_need_holds_what_lengths_and_the_field_are_wrong_by(void)
     TEST_ASSERT_TRUE(pass_judge(&result).is_passed);
 }
 
-static void what_is_not_known_or_not_good_passes_nothing(void)
+static void what_is_unknown_or_not_good_does_not_pass(void)
 {
     static const invcal_verdict others[] = {INVCAL_NO_REDUNDANCY, INVCAL_WEAK, INVCAL_ROUGH,
                                             INVCAL_DRIFTING, INVCAL_BENT};
@@ -101,7 +101,7 @@ static void what_is_not_known_or_not_good_passes_nothing(void)
     TEST_ASSERT_FALSE(pass_judge(&result).is_passed);
     result.rejected.suspected = 0;
     TEST_ASSERT_TRUE(pass_judge(&result).is_passed);
-    result.quality.noise = 1; /* nothing tells it */
+    result.quality.noise = 1; /* unknown */
     TEST_ASSERT_FALSE(pass_judge(&result).is_passed);
     TEST_ASSERT_EQUAL_HEX16(0x1FF, pass_judge(&result).failed);
     TEST_ASSERT_EQUAL_HEX16(0, pass_judge(&result).beyond);
@@ -114,7 +114,7 @@ static void what_is_not_known_or_not_good_passes_nothing(void)
     TEST_ASSERT_FALSE(pass_judge(&result).has_criteria || pass_judge(&result).is_passed);
 }
 
-static void the_line_tells_the_margins(void)
+static void the_line_has_the_margins(void)
 {
     TEST_ASSERT_EQUAL_STRING(
         "PASS: |a| within 0.50 of 1.0 mg; offset x up to 6.00 of 10.0 mg (95 %).",
@@ -134,7 +134,7 @@ static void the_line_tells_the_margins(void)
     result.solution.x[1] = 0.03;
     TEST_ASSERT_EQUAL_STRING("FAIL: offset y up to 32000 of 10000 µg (95 %).",
                              pass_text(&result, text));
-    result.need = 1e-6 * 9.80665; /* the field alone is wrong by more */
+    result.need = 1e-6 * 9.80665; /* the error of the field alone is larger */
     result.need_unit = (display_unit){1e6, "µg"};
     state(NULL);
     TEST_ASSERT_EQUAL_STRING("FAIL: |a| within 500 of 1.0 µg (95 %).", pass_text(&result, text));
@@ -173,7 +173,7 @@ static void needs_are_stated_in_units(void)
         double field;
         need_ending ending;
         size_t digits;
-        double scale; /* of a part of the field */
+        double scale; /* a fraction of the field */
     } cases[] = {
         {"1mg", 9.81, NEED_UNIT, 1, 1e3},     {"1.5 mg", 9.81, NEED_UNIT, 3, 1e3},
         {"100ug", 9.81, NEED_UNIT, 3, 1e6},   {"100µg", 9.81, NEED_UNIT, 3, 1e6},
@@ -203,9 +203,9 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(a_limit_holds_value_and_interval);
-    RUN_TEST(a_need_holds_what_lengths_and_the_field_are_wrong_by);
-    RUN_TEST(what_is_not_known_or_not_good_passes_nothing);
-    RUN_TEST(the_line_tells_the_margins);
+    RUN_TEST(a_need_covers_the_errors_of_lengths_and_of_the_field);
+    RUN_TEST(what_is_unknown_or_not_good_does_not_pass);
+    RUN_TEST(the_line_has_the_margins);
     RUN_TEST(a_strict_exit_names_the_verdict);
     RUN_TEST(needs_are_stated_in_units);
     return UNITY_END();

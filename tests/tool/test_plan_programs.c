@@ -34,7 +34,7 @@ static void make(const char *word)
 
 /* ---- programs ---- */
 
-static void programs_are_worth_what_the_reference_says(void)
+static void programs_have_the_figures_of_the_reference(void)
 {
     static const char *const words[] = {"per-group:5", "per-group:6", "stand-24",
                                         "edges",       "stand-12",    "icosahedron"};
@@ -79,8 +79,8 @@ static void no_position_of_stand_12_is_on_an_axis(void)
 
 /* ---- bounds ---- */
 
-/* The errors that a bound is for: of each position, E times the sign of its element of H+. Least squares
- * of them, by elimination, are wrong by the bound. */
+/* The errors that attain a bound: in each position, E times the sign of its element of H+. Least
+ * squares with them, by elimination, are wrong by the bound. */
 static void a_bound_is_reached_by_the_errors_that_it_is_for(void)
 {
     double bound[NINE];
@@ -202,7 +202,7 @@ static void angles_on_a_grid_are_multiples_of_its_step(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(programs_are_worth_what_the_reference_says);
+    RUN_TEST(programs_have_the_figures_of_the_reference);
     RUN_TEST(twenty_four_positions_are_eighteen_directions);
     RUN_TEST(no_position_of_stand_12_is_on_an_axis);
     RUN_TEST(a_bound_is_reached_by_the_errors_that_it_is_for);

@@ -28,7 +28,7 @@ static void begin(const char *word)
 
 /* ---- which position it is ----------------------------------------------------------------------- */
 
-static void each_position_is_found_by_its_direction_though_seven_degrees_beside(void)
+static void each_position_is_found_by_its_direction_even_seven_degrees_off(void)
 {
     const char *const sets[] = {"per-group:6", "per-group:9", "edges", "icosahedron", "optimal:20"};
 
@@ -53,7 +53,7 @@ static void another_position_is_found_whatever_is_asked_for(void)
     }
 }
 
-static void what_is_near_none_is_nowhere(void)
+static void what_is_near_no_position_is_nowhere(void)
 {
     const double corner[3] = {1, 1, 1};
     const double nothing[3] = {0, 0, 0};
@@ -65,7 +65,7 @@ static void what_is_near_none_is_nowhere(void)
     (void)program_find(&followed, nothing); /* no direction: any answer, but no harm */
 }
 
-/* Steps of 2.5 degrees are less than a stand and unknown offsets may turn a direction by. */
+/* Steps of 2.5 degrees are smaller than the rotation that a stand and unknown offsets may cause. */
 static void the_one_asked_for_is_preferred_within_three_degrees(void)
 {
     begin("per-group:144");
@@ -73,7 +73,7 @@ static void the_one_asked_for_is_preferred_within_three_degrees(void)
     TEST_ASSERT_EQUAL_UINT(2, program_find(&followed, set.position[2].vertical));
 }
 
-static void of_positions_of_one_direction_the_one_that_is_wanting_is_found(void)
+static void of_positions_with_one_direction_the_missing_one_is_found(void)
 {
     begin("per-group:8"); /* 24 positions, 18 directions: number 3 and 13 are +z */
     program_visit(&followed, 2, set.position[2].vertical);
@@ -88,8 +88,7 @@ static void a_position_that_follows_in_the_same_direction_is_not_needed(void)
     TEST_ASSERT_EQUAL_UINT(1, followed.visited[8]);
     TEST_ASSERT_EQUAL_UINT(0, followed.visited[9]);
     TEST_ASSERT_EQUAL_INT(0, followed.is_again);
-    TEST_ASSERT_EQUAL_UINT(8,
-                           program_find(&followed, down)); /* if the user goes there all the same */
+    TEST_ASSERT_EQUAL_UINT(8, program_find(&followed, down)); /* if the user goes there anyway */
     program_visit(&followed, 8, down);
     TEST_ASSERT_EQUAL_INT(1, followed.is_again);
     program_visit(&followed, 8, down);
@@ -113,7 +112,7 @@ static void what_was_visited_out_of_turn_is_not_asked_for_again(void)
 
 /* ---- zero and scale ----------------------------------------------------------------------------- */
 
-static void three_positions_tell_zero_and_scale(void)
+static void three_positions_determine_zero_and_scale(void)
 {
     const double zero[3] = {33000, 32800, 32500};
     double mean[9];
@@ -156,14 +155,14 @@ static void units_of_navigation_differ_by_exact_factors(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(each_position_is_found_by_its_direction_though_seven_degrees_beside);
+    RUN_TEST(each_position_is_found_by_its_direction_even_seven_degrees_off);
     RUN_TEST(another_position_is_found_whatever_is_asked_for);
-    RUN_TEST(what_is_near_none_is_nowhere);
+    RUN_TEST(what_is_near_no_position_is_nowhere);
     RUN_TEST(the_one_asked_for_is_preferred_within_three_degrees);
-    RUN_TEST(of_positions_of_one_direction_the_one_that_is_wanting_is_found);
+    RUN_TEST(of_positions_with_one_direction_the_missing_one_is_found);
     RUN_TEST(a_position_that_follows_in_the_same_direction_is_not_needed);
     RUN_TEST(what_was_visited_out_of_turn_is_not_asked_for_again);
-    RUN_TEST(three_positions_tell_zero_and_scale);
+    RUN_TEST(three_positions_determine_zero_and_scale);
     RUN_TEST(units_of_navigation_differ_by_exact_factors);
     return UNITY_END();
 }

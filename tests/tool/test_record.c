@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What calibrations are filed under: texts, dates, the line for headings.
+ * The records of calibrations: texts, dates, the line for headings.
  */
 #include "result/record.h"
 
@@ -25,7 +25,7 @@ static int takes(record_text which, const char *text)
     const record before = r;
     const char *problem = record_set(&r, which, text);
 
-    /* either it is there, or nothing has changed */
+    /* either it was added, or nothing has changed */
     TEST_ASSERT_TRUE(problem ? memcmp(&r, &before, sizeof r) == 0
                              : strcmp(r.text[which], text) == 0);
     return problem == NULL;
@@ -58,7 +58,7 @@ static void texts_are_plain(void)
     }
 }
 
-static void texts_are_as_long_as_there_is_room(void)
+static void texts_are_as_long_as_the_space(void)
 {
     char text[RECORD_MAX + 1];
 
@@ -91,7 +91,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(dates_are_days_of_the_calendar);
     RUN_TEST(texts_are_plain);
-    RUN_TEST(texts_are_as_long_as_there_is_room);
+    RUN_TEST(texts_are_as_long_as_the_space);
     RUN_TEST(a_line_has_what_there_is);
     return UNITY_END();
 }

@@ -38,7 +38,7 @@ static void add_reading(double x, double y, double z, double scale, double offse
     v[2] = offset + scale * z / length;
 }
 
-/* As settle.h does where nothing is stated. */
+/* Like settle.h if nothing is stated. */
 static void take_nominal_from_range(void)
 {
     double zero[3];
@@ -63,7 +63,7 @@ static void assert_up(double within, double x, double y, double z, unsigned posi
     TEST_ASSERT_DOUBLE_WITHIN(within, z / length, up[2]);
 }
 
-/* The range of a cap tells no zero: by the middle of it positions would lie all around. */
+/* The range of a cap gives no zero: around its middle, positions would seem to lie on all sides. */
 static void a_cap_is_seen_as_its_readings_are(void)
 {
     invcal_calibration view;
@@ -78,7 +78,7 @@ static void a_cap_is_seen_as_its_readings_are(void)
     assert_up(1e-12, -0.3, -0.3, 1, 3);
 }
 
-/* Readings that are never negative: zero lies in the middle. */
+/* Readings that are never negative: their middle is the zero. */
 static void faces_of_unsigned_counts_are_seen_from_the_middle_of_the_range(void)
 {
     invcal_calibration view;
@@ -120,7 +120,7 @@ static void what_has_no_length_is_not_seen(void)
     TEST_ASSERT_EQUAL_INT(REFUSAL_NO_VIEW, refusal_find_view(&result, &view));
 }
 
-/* Unit vectors, none within 26 degrees of another or of what is there. */
+/* Unit vectors, none within 26 degrees of another or of a position. */
 static void assert_apart(unsigned count)
 {
     for (unsigned i = 0; i < count; i++) {
@@ -148,14 +148,14 @@ static void twelve_are_asked_for_in_all(void)
     faces_of_unsigned_counts_are_seen_from_the_middle_of_the_range();
     TEST_ASSERT_EQUAL_UINT(6, refusal_additions(&result, more));
     assert_apart(6);
-    result.refused.is_of_position = 1; /* the first is wrong: it is to be taken again */
+    result.refused.is_of_position = 1; /* the first is wrong: it must be taken again */
     TEST_ASSERT_EQUAL_UINT(7, refusal_additions(&result, more));
     result.refused.wants_positions = 0;
     TEST_ASSERT_EQUAL_UINT(0, refusal_additions(&result, more));
 }
 
-/* A circle of twenty, however many, says nothing of its axis. */
-static void a_circle_wants_positions_across(void)
+/* A circle, of however many positions, says nothing about its axis. */
+static void a_circle_needs_positions_across_it(void)
 {
     const unsigned planes = 20;
     double highest = 0;
@@ -182,6 +182,6 @@ int main(void)
     RUN_TEST(a_nominal_that_is_stated_is_taken);
     RUN_TEST(what_has_no_length_is_not_seen);
     RUN_TEST(twelve_are_asked_for_in_all);
-    RUN_TEST(a_circle_wants_positions_across);
+    RUN_TEST(a_circle_needs_positions_across_it);
     return UNITY_END();
 }

@@ -29,8 +29,8 @@ static fit_settings settings_of_one(void)
     return s;
 }
 
-/* What a sensor without errors reads in the directions of a spiral (golden angle), which cover the sphere
- * evenly; lengths differ by 1e-4, in an order that has nothing to do with the directions. */
+/* The readings of a sensor without errors in the directions of a spiral (golden angle), which cover
+ * the sphere evenly; lengths differ by 1e-4, in an order that is unrelated to the directions. */
 static positions spiral(unsigned count)
 {
     memset(origin, 0, sizeof origin);
@@ -69,7 +69,7 @@ static unsigned left_out_of(unsigned count, unsigned wrong)
     return left_out;
 }
 
-/* Eleven others must be there to tell, and seven times as many. */
+/* There must be eleven others, and seven times as many. */
 static void one_in_eight_may_be_impossible(void)
 {
     TEST_ASSERT_EQUAL_UINT(1, left_out_of(12, 1));
@@ -107,8 +107,8 @@ static void the_numbers_of_those_that_are_kept_are_found_again(void)
     rejection_free(&r);
 }
 
-/* An impossible one that comes after those that were found must not hide them from the last look, nor one
- * that drifted: 200 are four turns. */
+/* An impossible one that comes after those that were found must not hide them from the last look,
+ * and neither must one that drifted: 200 are four turns. */
 static void what_contradicts_all_the_others_is_left_out(void)
 {
     const fit_settings settings = settings_of_one();

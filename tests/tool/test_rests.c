@@ -16,11 +16,11 @@ static recording log_read; /* large */
 enum { SIZE = 100 };
 static const double UNIT = 0.01;
 
-/* A rest that was disturbed in between: of 500 samples 400 are summed. */
+/* A rest that was disturbed: 400 of 500 samples are summed. */
 static const invcal_rest disturbed = {
     .sum = {40000, 0, 0}, .count = 400, .begin = 0, .end = 500, .variance = 16};
 
-/* Nobody remembers its blocks: the variance of its mean is that of a sample over how many there are. */
+/* Without its blocks, the variance of its mean is that of a sample over their number. */
 static void without_blocks_the_noise_is_that_of_the_samples_summed(void)
 {
     positions p = {.name = "log"};
@@ -36,8 +36,9 @@ static void without_blocks_the_noise_is_that_of_the_samples_summed(void)
     positions_free(&p);
 }
 
-/* Means of 1, 2, 4, 7 and 11 counts: 5 on average, squares of 66 from it; over 5 times 4. */
-static void with_blocks_it_is_as_their_means_scatter(void)
+/* Means of 1, 2, 4, 7 and 11 counts: the average is 5, the squares of the deviations sum to 66;
+ * over 5 times 4. */
+static void with_blocks_it_is_the_scatter_of_their_means(void)
 {
     static const double block_mean[] = {1, 2, 4, 7, 11};
     positions p = {.name = "log"};
@@ -58,6 +59,6 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(without_blocks_the_noise_is_that_of_the_samples_summed);
-    RUN_TEST(with_blocks_it_is_as_their_means_scatter);
+    RUN_TEST(with_blocks_it_is_the_scatter_of_their_means);
     return UNITY_END();
 }

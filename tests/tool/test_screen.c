@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The picture of a live calibration: marks against the closed form of Lambert's projection, covered areas against
- * those of spherical caps, bars against logarithms, words, and that no line is ever too wide.
+ * The picture of a live calibration: marks against the closed form of Lambert's projection, covered
+ * areas against those of spherical caps, bars against logarithms, words, and no line that is too
+ * wide.
  */
 #include "watch/frame.h"
 
@@ -21,7 +22,7 @@
 static FILE *file; /* no terminal: no colours */
 static watch_state now;
 static char frame[CANVAS_BYTES];
-static char cell[LINES][COLUMNS + 1][5]; /* a character each */
+static char cell[LINES][COLUMNS + 1][5]; /* one character each */
 static unsigned width[LINES];
 static unsigned lines;
 
@@ -109,7 +110,7 @@ static void lambert(const double v[3], unsigned *line, unsigned *at)
     *line = 6 + (unsigned)fmin(10, floor((1 - y) / 2 * 11));
 }
 
-static void marks_stand_where_the_projection_puts_them(void)
+static void marks_are_where_the_projection_puts_them(void)
 {
     random_source source = random_start(20);
     unsigned line;
@@ -144,7 +145,7 @@ static void axes_are_named_on_the_side_where_they_are(void)
 {
     const struct {
         double up[3];
-        unsigned line, column; /* of the name, beside which the mark is */
+        unsigned line, column; /* of the name, next to which the mark is */
         const char *name;
         int beside;
     } axis[] = {{{1, 0, 0}, 11, 26, "+x", -2},
@@ -281,7 +282,7 @@ static void each_phase_has_its_order(void)
     TEST_ASSERT_TRUE(says("ENDED "));
 }
 
-static void words_tell_now_and_next(void)
+static void words_show_now_and_next(void)
 {
     now.has_up = now.has_target = 1;
     now.up[0] = now.up[2] = sqrt(0.5);
@@ -315,7 +316,7 @@ static void the_title_has_time_and_positions(void)
 
 /* ---- how well ----------------------------------------------------------------------------------- */
 
-/* All three of a kind; the second is the worst. */
+/* All three of one kind; the second is the worst. */
 static void know(double offsets, double scales, double angles)
 {
     const double sigma[3] = {offsets / NORMAL, scales / NORMAL, angles / NORMAL};
@@ -369,7 +370,7 @@ static void without_degrees_of_freedom_nothing_is_known(void)
     TEST_ASSERT_EQUAL_STRING("███████████████████", panel(7));
 }
 
-static void what_is_wanted_is_marked_on_the_bar(void)
+static void the_target_is_marked_on_the_bar(void)
 {
     know(1e-2, 1e-4, 1e-3);
     now.target_sigma[0] = 1e-3 / NORMAL;     /* 9.5 of 19 columns */
@@ -386,7 +387,7 @@ static void what_is_wanted_is_marked_on_the_bar(void)
 
 /* ---- the verdict -------------------------------------------------------------------------------- */
 
-static void the_verdict_so_far_is_told(void)
+static void the_verdict_so_far_is_shown(void)
 {
     const struct {
         unsigned verdict;
@@ -419,7 +420,7 @@ static void the_verdict_so_far_is_told(void)
     }
 }
 
-static void when_it_is_good_one_may_stop(void)
+static void when_it_is_good_you_may_stop(void)
 {
     know(1e-4, 1e-4, 1e-4);
     now.is_good = 1;
@@ -479,7 +480,8 @@ static void no_text_is_too_long_or_does_harm(void)
     is_sound();
 }
 
-/* A magnetometer: the white part of the map is what is left, cells cover 30 degrees around, and words are its own. */
+/* A magnetometer: the white part of the map is still open, a cell covers 30 degrees around it, and
+ * there are different words. */
 static void a_magnetometer_turns_through_the_white_part(void)
 {
     now.is_magnetometer = 1;
@@ -525,20 +527,20 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(a_magnetometer_turns_through_the_white_part);
-    RUN_TEST(marks_stand_where_the_projection_puts_them);
+    RUN_TEST(marks_are_where_the_projection_puts_them);
     RUN_TEST(a_mark_is_in_one_half_and_in_both_only_near_the_equator);
     RUN_TEST(axes_are_named_on_the_side_where_they_are);
     RUN_TEST(what_is_covered_has_the_area_of_its_cap);
     RUN_TEST(all_directions_cover_all_of_it);
     RUN_TEST(degrees_to_go_are_the_angle_between);
     RUN_TEST(each_phase_has_its_order);
-    RUN_TEST(words_tell_now_and_next);
+    RUN_TEST(words_show_now_and_next);
     RUN_TEST(the_title_has_time_and_positions);
     RUN_TEST(bars_are_logarithms_of_the_worst_interval);
     RUN_TEST(without_degrees_of_freedom_nothing_is_known);
-    RUN_TEST(what_is_wanted_is_marked_on_the_bar);
-    RUN_TEST(the_verdict_so_far_is_told);
-    RUN_TEST(when_it_is_good_one_may_stop);
+    RUN_TEST(the_target_is_marked_on_the_bar);
+    RUN_TEST(the_verdict_so_far_is_shown);
+    RUN_TEST(when_it_is_good_you_may_stop);
     RUN_TEST(no_text_is_too_long_or_does_harm);
     return UNITY_END();
 }

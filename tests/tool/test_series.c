@@ -85,7 +85,7 @@ static void coefficients(const series *s, double c[3][TERMS])
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, series_coefficients(s, c));
 }
 
-/* The row of J1 or J2 of a position, u being read without noise. */
+/* The row of J1 or J2 for a position, u being read without noise. */
 enum { J1 = 1, J2 = 2 };
 static invcal_row row_of(int kind, const triad_truth *truth, const double eta[3])
 {
@@ -280,7 +280,7 @@ static void noisy_scalar_compositions_are_solved_as_by_the_9x9(void)
     assert_equal_to_the_solve(J2, 0.1, 0.02, 6);
 }
 
-/* J2 of the program of 18 is wrong by O(X^2), and by as much as the reference says. */
+/* J2 of the program of 18 has an error of O(X^2), of the size that the reference gives. */
 static void the_scalar_composition_holds_to_the_first_order(void)
 {
     static const double sign[NINE] = {1, -1, 1, 1, -1, 1, -1, 1, -1};
@@ -388,7 +388,7 @@ static void other_angles_have_a_smaller_determinant(void)
     TEST_ASSERT_TRUE(best > 0.3);
 }
 
-/* One of N positions turned away from its place: the further, the worse. */
+/* One of N positions moved from its place: the further, the worse. */
 static void efficiency_falls_as_a_position_leaves_its_place(void)
 {
     for (unsigned n = 5; n <= 12; n++) {
@@ -417,7 +417,7 @@ static void angles_that_leave_a_coefficient_open_have_no_efficiency(void)
         for (int draw = 0; draw < 50; draw++) {
             double angle[12];
             double packed[PACKED];
-            for (unsigned k = 0; k < 12; k++) { /* in equal steps, each some times */
+            for (unsigned k = 0; k < 12; k++) { /* in equal steps, each several times */
                 angle[k] = 0.01 * draw + TURN * (k % distinct) / distinct;
                 if (k < distinct && draw % 2) {
                     angle[k] = random_uniform(&random, 0, TURN);
@@ -501,7 +501,7 @@ static void one_position_too_many_is_refused(void)
     }
 }
 
-static void a_j_that_is_no_number_is_refused_and_may_be_given_again(void)
+static void a_j_that_is_not_a_number_is_refused_and_may_be_given_again(void)
 {
     static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     random_source random = random_start(12);
@@ -587,7 +587,7 @@ static void a_group_that_does_not_exist_is_refused(void)
     }
 }
 
-/* Begun again, a series has forgotten what was in it. */
+/* When it begins again, a series is empty. */
 static void a_series_may_be_begun_again(void)
 {
     const double start[3] = {1, 2, 3};
@@ -629,7 +629,7 @@ int main(void)
     RUN_TEST(no_information_has_no_efficiency);
     RUN_TEST(an_incomplete_program_is_refused_and_nothing_touched);
     RUN_TEST(one_position_too_many_is_refused);
-    RUN_TEST(a_j_that_is_no_number_is_refused_and_may_be_given_again);
+    RUN_TEST(a_j_that_is_not_a_number_is_refused_and_may_be_given_again);
     RUN_TEST(a_j_that_no_reading_can_give_is_refused);
     RUN_TEST(an_unusable_plan_is_refused_by_the_series);
     RUN_TEST(a_group_that_does_not_exist_is_refused);

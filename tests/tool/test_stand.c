@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What angles of a stand tell: the mounting, J1, series, positions that are misset. Truth is
- * simulated here, figures are closed forms.
+ * What the angles of a stand show: the mounting, J1, series, misset positions. The truth is
+ * simulated here, expected figures are closed forms.
  */
 #include "stand/stand.h"
 
@@ -32,7 +32,7 @@ static position_origin origin[COUNT];
 static positions data;
 static rejection all;
 
-/* Table 2: where the unit is set, in degrees. */
+/* Table 2: where the stand puts the unit, in degrees. */
 static void set_angles(unsigned k, double angle[2])
 {
     const double step = 60.0 * (k % 6);
@@ -54,8 +54,8 @@ static void turn_by(const double t[3], double r[3][3])
     }
 }
 
-/* What a unit reads in the program, and the angles that are stated. `off` is added to the true
- * alpha of position `wrong`. */
+/* The readings of a unit in the program, and the stated angles. `off` is added to the true alpha of
+ * position `wrong`. */
 static void measure(random_source *random, const triad_truth *truth, const double tilt[3],
                     double noise, unsigned wrong, double off)
 {
@@ -121,8 +121,8 @@ static void without_noise_mounting_j1_and_series_are_exact(void)
     stand_free(&s);
 }
 
-/* The same sums, solved by 9x9 rows h(eta) and by coefficients; the unit sits straight but for the
- * noise, so both frames are one to 1e-4 of the parameters. */
+/* The same sums, solved by 9x9 rows h(eta) and by coefficients; the unit sits straight except for
+ * the noise, so both frames agree to 1e-4 of the parameters. */
 static void series_and_j1_agree_on_noisy_readings(void)
 {
     random_source random = random_start(2);
@@ -172,9 +172,9 @@ static void sigma_are_those_of_the_closed_forms(void)
 
 #define MEDIAN_F_6_3 1.12894 /* of Fisher's F with 6 and 3 degrees of freedom */
 
-/* Of the mounting and of J1: the spread is that told; and of closures half are beyond the median of
- * F. Clean positions are called misset in one of a hundred programs, which is what the test allows
- * chance. */
+/* For the mounting and J1 the spread is as stated; and half of the closures are beyond the median
+ * of F. Clean positions are called misset in one of a hundred programs, which is what the test
+ * allows for chance. */
 static void sigma_are_honest(void)
 {
     random_source random = random_start(4);
@@ -207,7 +207,7 @@ static void sigma_are_honest(void)
     TEST_ASSERT_UINT_WITHIN(40, DRAWS / 2, large);
 }
 
-/* 10 mrad and 1 mrad, in 0.1 mrad of noise: the one position that it is, and how far. */
+/* 10 mrad and 1 mrad, in 0.1 mrad of noise: which position it is, and by how much. */
 static void a_misset_angle_is_named(void)
 {
     random_source random = random_start(5);
@@ -275,7 +275,7 @@ static void other_conventions_are_named(void)
     }
 }
 
-static void senses_and_zeros_are_taken_off(void)
+static void senses_and_zeros_are_corrected(void)
 {
     random_source random = random_start(7);
     const stand_options options = {.is_wanted = 1, .sense = {-1, -1}, .zero = {20, -7}};
@@ -323,7 +323,7 @@ int main(void)
     RUN_TEST(a_misset_angle_is_named);
     RUN_TEST(j1_sees_a_misset_angle_to_the_second_order);
     RUN_TEST(other_conventions_are_named);
-    RUN_TEST(senses_and_zeros_are_taken_off);
+    RUN_TEST(senses_and_zeros_are_corrected);
     RUN_TEST(of_eight_positions_none_seems_misset_by_chance);
     return UNITY_END();
 }

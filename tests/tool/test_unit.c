@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Tests of port/host/text/unit.c: when a size tells a unit, and when it is sure; names. Readings are made here:
- * positions of a sensor with known zero and scale.
+ * Tests of port/host/text/unit.c: when a size gives a unit, and when that is sure; names. The
+ * readings are made here: positions of a sensor with known zero and scale.
  */
 #include "text/unit.h"
 #include "unity.h"
@@ -82,7 +82,7 @@ static void test_mg_is_never_sure(void)
     TEST_ASSERT_EQUAL_INT(0, unit_is_sure(UNIT_MG, reading, POSITIONS));
 }
 
-/* Ratios of an analog sensor at half of its supply: lengths about sqrt(3)/2, all one way. */
+/* Ratios of an analog sensor at half of its supply: lengths about sqrt(3)/2, all on one side. */
 static void test_zero_far_off(void)
 {
     read_all(0.55, 0.09);
@@ -90,7 +90,7 @@ static void test_zero_far_off(void)
     TEST_ASSERT_EQUAL_INT(0, unit_is_sure(UNIT_G, reading, POSITIONS));
 }
 
-/* One wrong position of 18 may be; three are too many. */
+/* One wrong position of 18 is allowed; three are too many. */
 static void test_wrong_ones(void)
 {
     read_all(0, 9.80665);
@@ -112,7 +112,8 @@ static void test_scale(void)
     TEST_ASSERT_DOUBLE_WITHIN(0, 0, unit_scale(UNIT_COUNTS, 9.80665));
 }
 
-/* G is gauss in the heading of a magnetometer, g in that of an accelerometer; a name comes back. */
+/* G is gauss in the heading of a magnetometer, g in that of an accelerometer; names are read
+ * back. */
 static void test_magnetic(void)
 {
     static const struct {

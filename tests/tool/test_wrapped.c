@@ -29,7 +29,7 @@ void tearDown(void)
     fclose(file);
 }
 
-/* All that has been printed, and forgets it. */
+/* Returns everything printed so far, and forgets it. */
 static const char *said(void)
 {
     rewind(file);
@@ -46,9 +46,9 @@ static void columns_are_those_of_a_terminal(void)
     TEST_ASSERT_EQUAL_UINT(9, utf8_columns("± µg m/s²"));
     TEST_ASSERT_EQUAL_UINT(4, utf8_columns("日本"));
     TEST_ASSERT_EQUAL_UINT(1, utf8_columns("e\xCC\x81")); /* a combining acute */
-    TEST_ASSERT_EQUAL_UINT(2, utf8_columns("\xFF\xFE"));  /* no UTF-8: each byte is shown as one */
+    TEST_ASSERT_EQUAL_UINT(2, utf8_columns("\xFF\xFE"));  /* not UTF-8: one column per byte */
     TEST_ASSERT_EQUAL_UINT(5, utf8_columns("\033[1;32mGood:\033[0m"));
-    TEST_ASSERT_EQUAL_UINT(4, utf8_columns("\033[2J")); /* clears the screen: no colour */
+    TEST_ASSERT_EQUAL_UINT(4, utf8_columns("\033[2J")); /* clears the screen: not a colour */
     TEST_ASSERT_EQUAL_UINT(1, utf8_columns_of("±12", 2));
 }
 
@@ -81,7 +81,7 @@ static void a_text_breaks_between_words(void)
 
 static void what_belongs_together_stays(void)
 {
-    /* 55 columns, and then what would fit without what belongs to it. */
+    /* 55 columns, and then a word that would fit, but not with what must stay with it. */
     static const char before[] = "0123456789 0123456789 0123456789 0123456789 0123456789 ";
     static const struct {
         const char *text;
@@ -113,7 +113,7 @@ static void a_word_that_is_too_long_stays_whole(void)
     TEST_ASSERT_EQUAL_STRING_LEN("Saved in\n/", printed, 10);
 }
 
-static void a_command_is_whole_or_goes_on_behind_a_backslash(void)
+static void a_command_is_whole_or_continues_after_a_backslash(void)
 {
     wrapped_command(file, 5, 2, "invcal apply cal.json LOG");
     TEST_ASSERT_EQUAL_STRING(" invcal apply cal.json LOG\n", said());
@@ -148,7 +148,7 @@ static void a_table_is_as_wide_as_its_cells(void)
                              said());
 }
 
-/* 20 columns, and 12, 12, 11 and 12 beside them; the third row has nothing in the last. */
+/* 20 columns, then 12, 12, 11 and 12; the third row has nothing in the last. */
 static void a_table_that_is_too_wide_is_two(void)
 {
     tabular_begin(file, "lrrlr");
@@ -203,7 +203,7 @@ static void no_row_of_a_long_table_is_lost(void)
     TEST_ASSERT_EQUAL_UINT((3000 + 126) / 127, headings);
 }
 
-static void a_heading_alone_is_no_table(void)
+static void a_heading_alone_is_not_a_table(void)
 {
     tabular_begin(file, "rr");
     tabular_heading("a|b");
@@ -211,7 +211,7 @@ static void a_heading_alone_is_no_table(void)
     TEST_ASSERT_EQUAL_STRING("", said());
 }
 
-static void a_help_is_laid_out_anew(void)
+static void a_help_is_laid_out_again(void)
 {
     static const char *const help[] = {
         "usage: invcal polish LOG [options]\n"
@@ -264,11 +264,11 @@ int main(void)
     RUN_TEST(a_text_breaks_between_words);
     RUN_TEST(what_belongs_together_stays);
     RUN_TEST(a_word_that_is_too_long_stays_whole);
-    RUN_TEST(a_command_is_whole_or_goes_on_behind_a_backslash);
+    RUN_TEST(a_command_is_whole_or_continues_after_a_backslash);
     RUN_TEST(a_table_is_as_wide_as_its_cells);
     RUN_TEST(a_table_that_is_too_wide_is_two);
     RUN_TEST(no_row_of_a_long_table_is_lost);
-    RUN_TEST(a_heading_alone_is_no_table);
-    RUN_TEST(a_help_is_laid_out_anew);
+    RUN_TEST(a_heading_alone_is_not_a_table);
+    RUN_TEST(a_help_is_laid_out_again);
     return UNITY_END();
 }

@@ -4,13 +4,13 @@
 #
 #   awk -v what=positions -v stations=-20,25,70 -v seed=S -v sigma=S -f thermal.awk expected.h
 #       position means in g with a column temperature: the program of 18 at each station; the
-#       positions `wrong` (5,23), from 1, read 0.05 too much
+#       positions `wrong` (such as 5,23, from 1) read 0.05 too much
 #   awk -v what=grid -f thermal.awk expected.h
 #       the same without noise in the directions and at the temperatures of the bound
 #   awk -v what=NAME -f thermal.awk expected.h
 #       the numbers of expected_NAME
 #
-# Random numbers are of its own: the same with every awk.
+# It has its own random numbers, the same with every awk.
 function uniform() {
     state = (16807 * state) % 2147483647
     return state / 2147483647

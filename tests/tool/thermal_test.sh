@@ -16,7 +16,7 @@ sensor() { # sensor STATIONS SEED [WRONG]: position means, noise 1e-4 g
         -f "$here/thermal.awk" "$reference"
 }
 
-# Zero and scale as they are: what is found is what the sensor has.
+# Zero 0 and scale 1, so that the results are the sensor's errors.
 fit() { # fit FILE ARGUMENTS ...
     file=$1
     shift
@@ -74,11 +74,11 @@ spread=$(awk -v truth="$truth" 'BEGIN { split(truth, t, " ") } {
     } END { print sqrt(s / n) }' "$work/slopes")
 check "slopes differ from the truth by their sigma, times $spread" near 0.12 "$spread" 1
 fit "$work/positions.csv" --thermal 1
-check "the table tells the slopes" prints '^scale x +\+[45][0-9.]+ ± [0-9.]+ +ppm/K'
-check "and the nine parameters beside them" prints \
+check "the table has the slopes" prints '^scale x +\+[45][0-9.]+ ± [0-9.]+ +ppm/K'
+check "and the nine parameters with them" prints \
     'Nine parameters without temperature leave an rms of [34]\.[0-9]+ % of the field .* [3-5][0-9][0-9] times'
 fit "$work/positions.csv" --thermal 2 --json
-check "parabolas are fitted where they are asked for" near 0 "$(inside "$work/stdout" thermal degree)" 2
+check "parabolas are fitted on request" near 0 "$(inside "$work/stdout" thermal degree)" 2
 check "with three rows of coefficients" near 0 "$(grep -c '^        "gamma"' "$work/stdout")" 3
 
 # ---- what contradicts ---------------------------------------------------------------------------
@@ -92,15 +92,15 @@ done
 sensor -20,25,70 9 4,5,40 > "$work/three.csv"
 fit "$work/three.csv" --thermal 1 --json
 check "three that are wrong do not hide one another" near 0 "$(json "$work/stdout" rejected)" 4,5,40
-# All by the same length: its error is told beside the good ones, not beside the other two.
+# All by the same length: the error of each is relative to the good ones, not to the other two.
 fit "$work/three.csv" --thermal 1
-check "and how wrong each is, is told" near 0.05 \
+check "and the error of each is reported" near 0.05 \
     "$(sed -n 's/^Left out: .*off by \([0-9.-]*\) % of the field$/\1/p' "$work/stdout" | tr '\n' ' ')" \
     5,5,5
 fit "$work/wrong.csv" --thermal 1 --keep-all --json
 check "--keep-all keeps it" lacks "$work/stdout" '"rejected": \[.+\]'
 
-# ---- what tells no slopes -----------------------------------------------------------------------
+# ---- without slopes -----------------------------------------------------------------------------
 
 falls_back() { # STATIONS REASON
     sensor "$1" 7 > "$work/few.csv"
@@ -109,23 +109,23 @@ falls_back() { # STATIONS REASON
         near 0 "$(inside "$work/few.json" thermal degree)" 0 &&
         matches "$work/few.json" "\"fallback\": \"$2" || complain
 }
-check "at one temperature there are none, and it says why" falls_back 25,25,25 'too narrow a range'
+check "at one temperature there are no slopes, and it says why" falls_back 25,25,25 'too narrow a range'
 check "nor at two half a kelvin apart" falls_back 25,25.5 'too narrow a range'
 sensor 20,40 7 | awk 'NR <= 9 || (NR > 28 && NR <= 37)' > "$work/seventeen.csv"
 fit "$work/seventeen.csv" --thermal 1
-check "nor of seventeen positions" prints 'No slopes instead of straight lines: too few positions'
+check "nor from seventeen positions" prints 'No slopes instead of straight lines: too few positions'
 sensor 20,40 7 > "$work/two.csv"
 fit "$work/two.csv" --thermal 2
-check "two temperatures tell no parabola, but straight lines" prints \
+check "two temperatures determine straight lines, but no parabola" prints \
     'Straight lines instead of parabolas: positions and temperatures leave slopes open'
 sensor 0,40 7 | awk -F, 'NR <= 19 || NR > 35' > "$work/open.csv"
 fit "$work/open.csv" --thermal 1
-check "slopes that are wanting limit the accuracy" prints '^limited by    temperature: the slopes are not fitted'
+check "missing slopes limit the accuracy" prints '^limited by    temperature: the slopes are not fitted'
 check "without slopes over a range the result is weak, and it says what helps" prints \
     '^Next: measure nine positions or more at each of two temperatures'
 sensor 25,25 7 > "$work/one.csv"
 fit "$work/one.csv" --thermal 1 --noise 0.0001 --slope 0.001,0.0005,0.0001 --json
-check "a prior on slopes is what is known of them" near 5e-5 0.001,0.001,0.001 \
+check "a prior on slopes gives their sigma" near 5e-5 0.001,0.001,0.001 \
     "$(sed -n '/"slope_sigma"/,$s/^      "delta": \(.*[^,]\),*$/\1/p' "$work/stdout")"
 
 # ---- apply --------------------------------------------------------------------------------------
@@ -138,7 +138,7 @@ accepts "the edge of the range is in it" apply "$work/thermal.json" "$work/at.cs
 sed 's/,70$//' "$work/stdout" > "$work/edge.csv"
 at 150
 run apply "$work/thermal.json" "$work/at.csv"
-check "80 K outside is told in one line" warns '1 of 1 readings are up to 80 K outside -20 ... 70 °C'
+check "80 K outside is reported in one line" warns '1 of 1 readings are up to 80 K outside -20 ... 70 °C'
 sed 's/,150$//' "$work/stdout" > "$work/outside.csv"
 check "and corrected as at the edge" same "$work/edge.csv" "$work/outside.csv"
 at -21.5
@@ -146,10 +146,10 @@ run apply "$work/thermal.json" "$work/at.csv"
 check "colder, too" warns 'up to 1.5 K outside'
 at 70.8
 accepts "within 1 % of the range beyond its edge there is no warning" apply "$work/thermal.json" "$work/at.csv"
-check "and what holds at the edge" same "$work/edge.csv" "$(sed 's/,70\.8$//' "$work/stdout" > "$work/outside.csv"; echo "$work/outside.csv")"
+check "and corrected as at the edge" same "$work/edge.csv" "$(sed 's/,70\.8$//' "$work/stdout" > "$work/outside.csv"; echo "$work/outside.csv")"
 at 71
 run apply "$work/thermal.json" "$work/at.csv"
-check "beyond that there is one" warns '1 of 1 readings are up to 1 K outside'
+check "beyond that there is a warning" warns '1 of 1 readings are up to 1 K outside'
 # Two logs of rests at two temperatures, and a thermometer with a noise of 0.03 K.
 for degrees in 20 40; do
     "$tool" simulate --plan optimal:18 --seed $degrees --temperature $degrees,$degrees --drift 0.0005
@@ -158,7 +158,7 @@ done | awk -F, -v OFS=, '
     { n = (n * 16807 + 1) % 2147483647; $5 = sprintf("%.3f", $5 + 0.104 * (n / 2147483647 - 0.5))
       last = base + $1 + 0.01; $1 = sprintf("%.2f", base + $1); print }' > "$work/own.csv"
 run calibrate "$work/own.csv" --thermal 1 --out "$work/own.json"
-check "a log at two temperatures tells slopes" matches "$work/own.json" '"degree": 1'
+check "a log at two temperatures determines slopes" matches "$work/own.json" '"degree": 1'
 accepts "applied to itself it gives no warning" apply "$work/own.json" "$work/own.csv"
 printf 'x,y,z\n0.1,-0.2,0.9\n' > "$work/bare.csv"
 refuses "a log without temperature is refused" 3 'needs a column of temperature.*--temperature' \
@@ -167,7 +167,7 @@ refuses "a log without temperature is refused" 3 'needs a column of temperature.
 for unit in '(K) 343.15' '[°F] 158' '(m°C) 70000' '(degC) 70'; do
     printf 'x,y,z,temperature %s\n0.1,-0.2,0.9,%s\n' "${unit% *}" "${unit#* }" > "$work/unit.csv"
     accepts "a temperature in ${unit% *}" apply "$work/thermal.json" "$work/unit.csv"
-    check "is one in °C" near 1e-9 "$(tail -n 1 "$work/edge.csv"),70" "$(tail -n 1 "$work/stdout")"
+    check "is converted to °C" near 1e-9 "$(tail -n 1 "$work/edge.csv"),70" "$(tail -n 1 "$work/stdout")"
 done
 for unit in temperature_raw 'temperature (counts)'; do
     printf 'x,y,z,%s\n0.1,-0.2,0.9,70\n' "$unit" > "$work/unit.csv"
@@ -179,10 +179,10 @@ refuses "of a row that is wrong, too, one thing is said" 3 'torn.csv:2: 2 column
     apply "$work/thermal.json" "$work/torn.csv"
 accepts "unless one is stated" apply "$work/thermal.json" "$work/bare.csv" --temperature 70
 sed 's/,temperature$//; s/,70$//' "$work/edge.csv" > "$work/expected.csv"
-check "which does what the column does" same "$work/expected.csv" "$work/stdout"
+check "which does the same as the column" same "$work/expected.csv" "$work/stdout"
 refuses "a calibration without slopes has no use for one" 2 '--temperature: .*--thermal' \
     apply "$work/nine.json" "$work/bare.csv" --temperature 70
-# Between two temperatures: a log of which each line has its own.
+# Between two temperatures: a log in which each line has its own.
 sed -n '1p; 2,55{p;}' "$work/positions.csv" | awk -F, 'NR == 1 { print; next }
     { line[++n] = $0 } END { for (i = 0; i < n; i++) print line[1 + 19 * i % n] }' > "$work/mixed.csv"
 run apply "$work/thermal.json" "$work/mixed.csv"
@@ -195,10 +195,10 @@ for damage in 's/"span": [0-9.]*/"span": 0/' '/"least"/d' 's/"degree": 1/"degree
         apply "$work/damaged.json" "$work/at.csv"
 done
 
-# ---- other commands take the file, too ----------------------------------------------------------
+# ---- other commands read the file, too ----------------------------------------------------------
 
 run export "$work/thermal.json" --format c-arrays
-check "export tells at which temperature it holds" warns 'terms are not exported; .* 25 °C'
+check "export says at which temperature it holds" warns 'terms are not exported; .* 25 °C'
 run calibrate "$work/positions.csv" --positions --gravity 1 --nominal "$work/thermal.json"
 check "it may be the nominal" succeeded
 
@@ -224,22 +224,22 @@ awk -F, -v OFS=, 'NR == 1 { print $0, "temperature"; next } {
     }' "$work/log.csv" > "$work/steps.csv"
 run calibrate "$work/steps.csv" --thermal 1 --out "$work/steps.json"
 check "one rest in which it drifts is left out and named" prints '^ +position 5 \(line [0-9]+\), by 0.[89]'
-check "noise of the thermometer is no drift" near 0 "$(json "$work/steps.json" rejected)" 5
+check "noise of the thermometer is not drift" near 0 "$(json "$work/steps.json" rejected)" 5
 run watch "$work/steps.csv" --thermal 1 --json
 check "watch finds the same" same "$work/stdout" "$work/steps.json"
 
-# ---- what it says where --thermal was not asked -------------------------------------------------
+# ---- what it says without --thermal -------------------------------------------------------------
 
 fit "$work/positions.csv"
-check "residuals that depend on temperature are told" prints \
+check "residuals that depend on temperature are reported" prints \
     'The residuals depend on temperature .*offset . drifts by'
 check "and limit the accuracy" prints '^limited by    temperature, which --thermal'
 sensor 25,25,25 3 | awk -F, -v OFS=, 'NR == 1 { print; next } { print $1, $2, $3, 20 + 10 * int((NR - 2) / 18) }' \
     > "$work/calm.csv"
 fit "$work/calm.csv"
-check "those that do not, too" prints 'do not depend on temperature.*--thermal'
+check "and so are those that do not" prints 'do not depend on temperature.*--thermal'
 fit "$work/one.csv"
-check "and where it cannot be told" prints 'cannot be tested: too narrow a range'
+check "and if it cannot be tested" prints 'cannot be tested: too narrow a range'
 
 # ---- what limits the accuracy -------------------------------------------------------------------
 
@@ -280,7 +280,7 @@ check "gravity at 45 degrees" gravity_at 45 0 9.8061977694 1e-10
 check "gravity at a pole" gravity_at -90 0 9.8321849379 1e-10
 check "gravity 3000 m above it, by the potential" gravity_at 90 3000 9.8229412899722 1e-6
 run calibrate "$data/mpu9150_0_positions.csv" --positions --latitude 48 --height 500
-check "an error of g scales all alike" prints 'normal gravity at 48 degrees, 500 m, ±0.0005; its error'
+check "an error of g affects all scales equally" prints 'normal gravity at 48 degrees, 500 m, ±0.0005; its error'
 positions_file=$data/mpu9150_0_positions.csv
 refuses "a latitude and a field are too much" 2 '--latitude: .*--gravity' \
     calibrate "$positions_file" --positions --latitude 48 --gravity 9.81
@@ -306,12 +306,12 @@ refuses "no slope is negative" 2 '--slope: ' calibrate "$work/steps.csv" --therm
 
 fit "$work/wrong.csv" --thermal 1 --report "$work/thermal.html"
 check "the report is a page" is_page "$work/thermal.html"
-check "it tells the slopes" matches "$work/thermal.html" '[45][0-9.]+ ± [0-9.]+ ppm/K'
-check "and what they are good for" matches "$work/thermal.html" \
+check "it has the slopes" matches "$work/thermal.html" '[45][0-9.]+ ± [0-9.]+ ppm/K'
+check "and what they achieve" matches "$work/thermal.html" \
     'Nine parameters without temperature leave an rms error of [0-9.]+ ‰ of the field'
 fit "$work/positions.csv" --report "$work/plain.html"
 check "without --thermal the residuals are shown against temperature" matches "$work/plain.html" \
     '<title>Residuals over temperature</title>'
-check "and what it would bring" matches "$work/plain.html" '\-\-thermal 1 reduces their rms from'
+check "and what it would achieve" matches "$work/plain.html" '\-\-thermal 1 reduces their rms from'
 
 finish

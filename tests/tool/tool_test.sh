@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of calibrate and apply from outside: tool_test.sh path/to/invcal builddir
+# Tests of calibrate and apply by the command line: tool_test.sh path/to/invcal builddir
 # Needs a POSIX shell, coreutils, awk and sed. Prints a line for each check.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
@@ -14,14 +14,14 @@ cut -d, -f1-3 "$data/xsens_mti_positions.csv" | tail -n +2 > "$work/xsens.csv"
 
 good=$work/good.csv
 accepts "--version succeeds" --version
-check "--version tells the version of invcal.h" [ "$(cat "$work/stdout")" = "invcal $(awk '
+check "--version prints the version of invcal.h" [ "$(cat "$work/stdout")" = "invcal $(awk '
     /^#define INVCAL_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $3; dot = "." } END { print v }' \
     "$here/../../include/invcal/invcal.h")" ]
 "$tool" calibrate --help all > "$work/help"
 for o in positions gravity frame zero lsb nominal nominal-name noise prior out json quiet; do
     check "calibrate --help all explains --$o" matches "$work/help" "^  --$o "
 done
-check "calibrate --help all tells the unit of a magnetometer" matches "$work/help" '48\.5 or 48\.5uT'
+check "calibrate --help all has the unit of a magnetometer" matches "$work/help" '48\.5 or 48\.5uT'
 
 see='see invcal calibrate --help'
 refuses "no command is refused" 2 'COMMAND is missing; see invcal --help'
@@ -81,7 +81,7 @@ refuses_value --nominal-name a-very-long-heading 'at most 14'
 refuses_value --prior 0.1,0.1,0.1 '--zero and --lsb, or --nominal'
 refuses_file "a prior with --zero alone is refused" 2 '--prior: .*--lsb' \
     "$good" --zero 0,0,0 --noise 0.01 --prior 0.1,0.1,0.1
-refuses_file "a prior without noise is refused and tells why" 2 '--prior: .*--noise, or columns' \
+refuses_file "a prior without noise is refused with the reason" 2 '--prior: .*--noise, or columns' \
     "$good" --zero 0,0,0 --lsb 1 --prior 0.1,0.1,0.1
 refuses_file "a negative prior is refused" 2 '--prior: a standard deviation must not be negative' \
     "$good" --zero 0,0,0 --lsb 1 --noise 0.01 --prior 0.1,-0.1,0.1
@@ -126,7 +126,7 @@ reference() {
         'grep -A3 "\"matrix\"" "$1" | awk "NR == 3 && \$1 != \"[0,\" || NR == 4 &&
             (\$1 != \"[0,\" || \$2 != \"0,\") { exit 1 }"' sh "$work/stdout"
 }
-# As tests/reference/reference.py has it; those in m/s^2 with zero 0 and scale 1 in place of its nominal().
+# From tests/reference/reference.py; those in m/s^2 with zero 0 and scale 1 in place of its nominal().
 reference xsens_mti 9.81744 '33123.83073 33275.15503 32364.49374' 0.000006 \
     99.857e-6 0.0006e-6 214.43e-6 0.006e-6 rough
 reference mpu9150_0 9.81 '0.1024225 0.0969186 0.3443504' 0.00000006 \
@@ -142,7 +142,7 @@ check "t265: the table says that it is weak, and in what" \
     matches "$work/stdout" '^Weak: angle xy, angle xz, angle zy are poorly determined'
 check "t265: the table says which positions to add" \
     matches "$work/stdout" '^Next: add positions with the field midway between x and y, x and z'
-check "no standard output but the table" lacks "$work/stdout" '^invcal:'
+check "nothing on standard output but the table" lacks "$work/stdout" '^invcal:'
 
 # ---- the table ---------------------------------------------------------------------------------
 
@@ -170,11 +170,11 @@ check "the table has noise and degrees of freedom" matches "$work/demo" \
     '^noise .*7 degrees of freedom \(of samples: '
 check "the table has a verdict" matches "$work/demo" '^Rough: the positions disagree by 3\.6 times the noise of the samples'
 check "the table has a next step" matches "$work/demo" '^Next: look for a disturbance'
-check "the columns of the table stand below each other" awk '
+check "the columns of the table are aligned" awk '
     /^(offset|scale|angle)/ { at = index($0, " + "); if (first && at != first) exit 1; first = at }
     END { if (!first) exit 1 }' "$work/demo"
 run calibrate "$work/xsens.csv" --positions --gravity 48.5
-check "a field that is no gravity is not called m/s^2" lacks "$work/stdout" 'm/s|mg'
+check "a field that is not gravity is not in m/s^2" lacks "$work/stdout" 'm/s|mg'
 run calibrate "$data/xsens_mti_positions.csv" --positions --lsb 0.0024
 check "--lsb alone leaves the zero open" matches "$work/stdout" \
     '^nominal: zero not stated, scale given'
@@ -187,7 +187,7 @@ check "nine positions: the table says that nothing checks them" matches "$work/s
     '^No redundancy: '
 check "nine positions: the table says what to do" matches "$work/stdout" \
     '^Next: add 3 or more positions'
-check "nine positions: the noise is not known" matches "$work/stdout" '^noise +unknown'
+check "nine positions: the noise is unknown" matches "$work/stdout" '^noise +unknown'
 
 # ---- JSON --------------------------------------------------------------------------------------
 
@@ -202,7 +202,7 @@ done
 check "the JSON has no source without a prior" lacks "$work/cal.json" '"source"'
 check "the JSON has no NaN or infinity" sh -c '! grep -Eiq "nan|inf[^o]" "$1"' sh \
     "$(sed '/"invcal"/d' "$work/cal.json" > "$work/numbers"; echo "$work/numbers")"
-# of 38 hand-held positions 16 are further than 5 degrees from all before them
+# of 38 hand-held positions 16 are more than 5 degrees from all previous ones
 check "degrees of freedom are directions less nine" \
     [ "$(json "$work/cal.json" degrees_of_freedom)" = 7 ]
 check "residual_worst counts from one" sh -c '
@@ -217,15 +217,15 @@ accepts "--out writes a file" calibrate "$data/xsens_mti_positions.csv" --positi
 check "--out writes the same as --json" same "$work/saved.json" "$work/cal.json"
 check "the table says where it was saved" grep -Fq "Saved in $work/saved.json" \
     "$work/stdout"
-# In its folder, as the path to there may have a blank or a quote itself.
+# In its folder, as the path to it may contain a blank or a quote.
 saves() { # NAME: prints the command behind `Next:`
     (cd "$work" && "$tool" calibrate xsens.csv --positions --out "$1" --report odd.html) |
         sed -n 's/^Next: correct readings with: invcal //p'
 }
-check "and how to use it" [ "$(saves saved.json)" = 'apply saved.json LOG' ]
+check "and the next command" [ "$(saves saved.json)" = 'apply saved.json LOG' ]
 check "a path with a blank and a quote in it is quoted" \
     [ "$(saves "it's saved.json")" = "apply 'it'\\''s saved.json' LOG" ]
-check "a shell takes it for one" sh -c 'cd "$1" && eval "\"\$2\" $3" > odd && test -s odd' sh \
+check "a shell takes it as one" sh -c 'cd "$1" && eval "\"\$2\" $3" > odd && test -s odd' sh \
     "$work" "$tool" "apply 'it'\\''s saved.json' xsens.csv"
 check "the report quotes it, too" grep -q "apply [^ ]*it[^ ]*\\\\[^ ]*s saved.json[^ ]* LOG" "$work/odd.html"
 accepts "--out and --json go together" calibrate "$data/xsens_mti_positions.csv" --positions \
@@ -234,14 +234,14 @@ check "both hold the same" same "$work/saved.json" "$work/stdout"
 run calibrate "$work/xsens.csv" --positions --gravity 9.81744 --json
 check "without std and n the same parameters come out" near 0 "$(json "$work/stdout" offset)" \
     "$(json "$work/cal.json" offset)"
-# rms over positions and axes of std lsb / sqrt(n), by hand
+# rms over positions and axes of std lsb / sqrt(n), computed here
 by_hand=$(awk -F, 'NR > 1 { for (i = 4; i <= 6; i++) { s += ($i * 0.0024) ^ 2 / $7 / 3 } }
     END { printf "%.3g", sqrt(s / (NR - 1)) }' "$data/xsens_mti_positions.csv")
 run calibrate "$data/xsens_mti_positions.csv" --positions --gravity 9.81744 --lsb 0.0024
-check "the noise from std and n is that by hand" matches "$work/stdout" "\(of samples: $by_hand\)"
+check "the noise from std and n is as computed by hand" matches "$work/stdout" "\(of samples: $by_hand\)"
 run calibrate "$work/xsens.csv" --positions --gravity 9.81744 --json
 observed=$(json "$work/stdout" noise)
-# As four residuals beside 29; but what is ten times of what they show is not believed.
+# It counts as four residuals with 29 others; but one that is ten times what they show is not believed.
 noise_of() { # TIMES EXPECTED: times what is observed
     run calibrate "$work/xsens.csv" --positions --gravity 9.81744 --json \
         --noise "$(awk -v n="$observed" "BEGIN { print $1 * n }")"
@@ -259,7 +259,7 @@ run calibrate "$work/nine.csv" --positions --gravity 1 --json --noise 0.01
 check "with stated noise nine positions have a sigma" lacks "$work/stdout" null
 
 run calibrate "$good" --positions --zero 0.30000000000000004,0.1,-1e-7 --lsb 1 --json
-check "numbers are as short as can be, and read back" matches "$work/stdout" \
+check "numbers are as short as possible, and read back exactly" matches "$work/stdout" \
     '^    "zero": \[0\.30000000000000004, 0\.1, -1e-07\],$'
 
 # ---- an earlier calibration, priors ------------------------------------------------------------
@@ -289,11 +289,11 @@ refuses_file "an earlier calibration without a matrix is refused" 3 \
 head -n 3 "$good" > "$work/three.csv"
 prior="--zero 0,0,0 --lsb 1 --noise 0.002 --prior 0.05,0.05,0.02"
 accepts "with a prior three positions will do" calibrate "$work/three.csv" --positions $prior --json
-check "source tells what the data told" [ "$(grep -Ec '^    "(delta|dk|gamma)_.*": "(data|prior)"' \
+check "source names what the data determined" [ "$(grep -Ec '^    "(delta|dk|gamma)_.*": "(data|prior)"' \
     "$work/stdout")" -eq 9 ]
 check "source says prior for some" matches "$work/stdout" '"gamma_..": "prior"'
-accepts "with a prior the table tells what it told" calibrate "$work/three.csv" --positions $prior
-check "known from the prior" matches "$work/stdout" '^Determined by the prior rather than'
+accepts "with a prior the table shows what it determined" calibrate "$work/three.csv" --positions $prior
+check "the table names what the prior determined" matches "$work/stdout" '^Determined by the prior rather than'
 head -n 7 "$good" > "$work/seven.csv"
 run calibrate "$work/seven.csv" --positions --zero 0,0,0 --lsb 1 --noise 0.002 --prior 1e-6,0,0 --json
 check "a narrow prior on offsets: they come from it, scales and angles from the data" \
@@ -334,7 +334,7 @@ printf %s "$(cat "$work/xsens.csv")" > "$f"; same_result "the last line may lack
 awk -F, '{ printf "%.4fe1,+%.5fE+0,%d.\n", $1 / 10, $2, $3 }' "$work/xsens.csv" > "$f"
 accepts "numbers may have signs and exponents" calibrate "$f" --positions
 in=$work/xsens.csv
-same_result "- reads the standard input" -
+same_result "- reads standard input" -
 in=/dev/null
 for h in x,y,z X,Y,Z ax,ay,az acc_x,acc_y,acc_z Accel_X,Accel_Y,Accel_Z mx,my,mz \
     mag_x,mag_y,mag_z mean_x,mean_y,mean_z '"x", " y" ,z '; do
@@ -373,8 +373,8 @@ check "five columns are x y z std n" [ "$(cat "$work/expected")" = "$(awk -F, '
 stated "one std may stand for all axes" "$work/f2"
 { echo 'x,y,z,std_x,n'; cat "$f"; } > "$work/f2"
 run calibrate "$work/f2" --positions
-check "std_x alone tells no noise" lacks "$work/stdout" stated:
-# x, y and z have a noise of their own scale
+check "std_x alone gives no noise" lacks "$work/stdout" stated:
+# x, y and z have noise in proportion to their own scales
 run calibrate "$n7" --positions --lsb 0.0048,0.0012,0.0024
 check "the noise of each axis counts with its scale" matches "$work/stdout" "of samples: $(awk -F, '
     NR > 1 { s += (($4 * 0.0048) ^ 2 + ($5 * 0.0012) ^ 2 + ($6 * 0.0024) ^ 2) / $7 / 3 }
@@ -768,15 +768,15 @@ bad_json() { # bad_json SENTENCE TEXT PATTERN
 m='"matrix": [[2, 0, 0], [0, 2, 0], [0, 0, 2]]'
 o='"offset": [1, 2, 3]'
 bad_json "empty" '' '2: is empty: name a file that invcal wrote with --out'
-bad_json "no object" '[1, 2]' '1: is not a JSON object: name a file that invcal wrote'
-bad_json "no text in JSON" 'offset: 1' '1: is not a JSON object'
+bad_json "not an object" '[1, 2]' '1: is not a JSON object: name a file that invcal wrote'
+bad_json "not JSON" 'offset: 1' '1: is not a JSON object'
 bad_json "without offset" "{$m}" '.: no member "offset"'
 bad_json "without matrix" "{$o}" '.: no member "matrix"'
 bad_json "without members" '{}' '.: no member "offset"'
 bad_json "offset twice" "{$o, $o, $m}" '1: "offset" or "matrix" is there twice'
 bad_json "an offset of two" "{\"offset\": [1, 2], $m}" '1: a list of 3 expected'
 bad_json "an offset of four" "{\"offset\": [1, 2, 3, 4], $m}" '1: a list of 3 expected'
-bad_json "an offset that is no list" "{\"offset\": 1, $m}" '1: a JSON list'
+bad_json "an offset that is not a list" "{\"offset\": 1, $m}" '1: a JSON list'
 bad_json "a word in the offset" "{\"offset\": [1, two, 3], $m}" "1: 'two' is not a decimal number"
 bad_json "a text in the offset" "{\"offset\": [1, \"2\", 3], $m}" '1: a number expected'
 bad_json "null in the offset" "{\"offset\": [1, null, 3], $m}" "1: 'null' is not a decimal"
@@ -792,7 +792,7 @@ bad_json "a comma missing" "{$o $m}" "1: ',' or '}' is expected"
 bad_json "a comma too many" "{$o, $m,}" '1: a name or text in double quotes expected'
 bad_json "a comma too many in a list" "{\"a\": [1,], $o, $m}" '1: a value expected'
 bad_json "a colon missing" "{\"offset\" [1, 2, 3], $m}" "1: ':' expected"
-bad_json "something behind it" "{$o, $m} x" '1: nothing may follow'
+bad_json "something after it" "{$o, $m} x" '1: nothing may follow'
 bad_json "a second object" "{$o, $m}{}" '1: nothing may follow'
 bad_json "a name without quotes" "{offset: [1, 2, 3], $m}" '1: a name or text in double quotes'
 bad_json "single quotes" "{'offset': [1, 2, 3], $m}" '1: a name or text in double quotes'

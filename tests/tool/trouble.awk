@@ -2,18 +2,18 @@
 #
 # 24 positions of a sensor in trouble: awk -v trouble=T -v seed=S -f trouble.awk
 # Rows are x,y,z in m/s^2 of a sensor with errors of some percent, in a field of 9.80665, with a noise of
-# 0.1 mg: directions at random, in the order in which they were visited.
+# 0.1 mg: random directions, in the order of the visits.
 #
 #   none
 #   drift       the offsets grow by 3, -4, 0 mg from the first position to the last
 #   step        the offset of y steps by 10 mg after the eleventh
 #   quadratic   y reads 5 mg (y^2 - 1/3) too much
 #   cubic       x reads 20 mg (x^3 - 3/5 x) too much
-#   hysteresis  z reads 2 mg more where it was turned upwards, 2 mg less where downwards
+#   hysteresis  z reads 2 mg more after it was turned upwards, 2 mg less after downwards
 #   repeated    nine directions, again and again
 #   noisy       5 times the noise
 #   wrong       the fourth and the twentieth position read 20 mg too much
-#   spoilt      seven positions do
+#   spoilt      seven positions read 20 mg too much
 function normal() {
     return sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand())
 }

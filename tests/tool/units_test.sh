@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of `--units ins`: figures in micro-g, ppm and arcsec are those of the JSON, of the default units by
-# exact factors, of closed forms: units_test.sh path/to/invcal builddir
+# Tests of `--units ins`: figures in micro-g, ppm and arcsec agree with the JSON, with the default units by
+# exact factors, and with closed forms: units_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
@@ -21,19 +21,19 @@ number() { # number FIELD INDEX FACTOR SIGMA
         index($0, field) && inside == sigma { sub(/.*\[/, ""); sub(/\].*/, ""); split($0, v, /, */)
             printf "%.9f\n", factor * v[n]; exit }' "$work/result.json"
 }
-# So many digits as are told are right: half a unit of the last place.
+# All digits that are printed are right: to half a unit of the last place.
 agrees() { # agrees TOLD TRUE
-    awk -v told="$1" -v true="$2" 'BEGIN {
-        places = match(told, /\./) ? length(told) - RSTART : 0
-        d = told - true
-        exit !(told != "" && true != "" && (d < 0 ? -d : d) <= 0.5000001 * 10 ^ -places)
+    awk -v printed="$1" -v true="$2" 'BEGIN {
+        places = match(printed, /\./) ? length(printed) - RSTART : 0
+        d = printed - true
+        exit !(printed != "" && true != "" && (d < 0 ? -d : d) <= 0.5000001 * 10 ^ -places)
     }'
 }
 both_agree() { # both_agree LABEL FIELD INDEX FACTOR
     agrees "$(figure "$1" "$work/ins" | cut -d ' ' -f 1)" "$(number "$2" "$3" "$4" 0)" &&
         agrees "$(figure "$1" "$work/ins" | cut -d ' ' -f 2)" "$(number "$2" "$3" "$4" 1)"
 }
-# A figure in the default units times a factor, to the digits that those have.
+# A figure in the default units times a factor, to the digits of both.
 factor() { # factor LABEL FACTOR
     awk -v a="$(figure "$1" "$work/everyday" | cut -d ' ' -f 1)" -v f="$2" \
         -v b="$(figure "$1" "$work/ins" | cut -d ' ' -f 1)" 'BEGIN {
@@ -50,7 +50,7 @@ factor() { # factor LABEL FACTOR
     run calibrate $xsens
     cp "$work/stdout" "$work/everyday"
     run calibrate $xsens --units everyday
-    check "everyday is the default" same "$work/everyday" "$work/stdout"
+    check "everyday units are the default" same "$work/everyday" "$work/stdout"
     run calibrate $xsens --units ins
     cp "$work/stdout" "$work/ins"
     run calibrate $xsens --units ins --json
@@ -71,13 +71,13 @@ for pair in xy xz zy; do
     check "angle $pair in arcsec" both_agree "angle $pair" gamma $n 206264.80624709636
     check "angle $pair: 3600 times that in degrees" factor "angle $pair" 3600
 done
-told() { awk -v label="$1" 'index($0, label) { sub(label, ""); print $1, $2; exit }' "$2"; }
+labelled() { awk -v label="$1" 'index($0, label) { sub(label, ""); print $1, $2; exit }' "$2"; }
 rms=$(awk -F '[:,]' '/"residual_rms"/ { printf "%.6f", 1e6 * $2 }' "$work/result.json")
-check "residual in micro-g" agrees "$(told 'residual rms' "$work/ins" | cut -d ' ' -f 1)" "$rms"
-check "and its unit" test "$(told 'residual rms' "$work/ins" | cut -d ' ' -f 2)" = µg
-check "residual: 1000 times that in mg" agrees "$(told 'residual rms' "$work/everyday" | cut -d ' ' -f 1)" \
+check "residual in micro-g" agrees "$(labelled 'residual rms' "$work/ins" | cut -d ' ' -f 1)" "$rms"
+check "and its unit" test "$(labelled 'residual rms' "$work/ins" | cut -d ' ' -f 2)" = µg
+check "residual: 1000 times that in mg" agrees "$(labelled 'residual rms' "$work/everyday" | cut -d ' ' -f 1)" \
     "$(awk -v r="$rms" 'BEGIN { printf "%.9f", r / 1000 }')"
-check "the same lines otherwise" test "$(grep -c . "$work/ins")" -eq $(($(grep -c . "$work/everyday") + 3))
+check "the other lines are the same" test "$(grep -c . "$work/ins")" -eq $(($(grep -c . "$work/everyday") + 3))
 check "no milli-g, percent or degree is left in the table" lacks "$work/ins" ' (mg|degrees off square|% in the)'
 
 # ---- the page ----------------------------------------------------------------------------------
@@ -93,7 +93,7 @@ ninety_five() { awk -v s="$(number "$1" "$2" "$3" 1)" -v k="$(json "$work/result
 check "page: scale in ppm" matches "$work/ins.text" "scale y -2176 ± $(ninety_five dk 2 1000000) ppm"
 check "page: angle in arcsec" matches "$work/ins.text" "angle zy \\+4397 ± $(ninety_five gamma 3 206264.80624709636) arcsec"
 check "page: no milli-g" lacks "$work/ins.text" '[0-9] mg|, mg'
-check "page: no degrees but of directions" lacks "$work/ins.text" '[0-9] °'
+check "page: no degrees except for directions" lacks "$work/ins.text" '[0-9] °'
 # The residuals of all positions: the last cells of their rows.
 residuals() { awk '$NF ~ /^[-+][0-9.]+$/ && $(NF - 1) ~ /^[-+][0-9.]+$/ { print $(NF - 1), $NF }' "$1"; }
 residuals "$work/ins.text" > "$work/a"
@@ -120,7 +120,7 @@ third() { awk -v name="$1" 'index($0, "  " name) == 1 { sub("  " name, ""); prin
     run plan $plan
     cp "$work/stdout" "$work/everyday"
     run plan $plan --units everyday
-    check "plan: everyday is the default" same "$work/everyday" "$work/stdout"
+    check "plan: everyday units are the default" same "$work/everyday" "$work/stdout"
     accepts "plan: a page" plan $plan --units ins --report "$work/plan.html"
 }
 check "plan: the noise" matches "$work/stdout" ', which is 50 µg$'
@@ -133,7 +133,7 @@ done
 check "plan: quadratic, 50 times the root of 8/3" matches "$work/stdout" '^  quadratic .* 81\.65 µg per g² '
 check "plan: bounds, 200 times 1.244, 1.5333 and 0.4763" test "$(
     sed -n 's/.*at most \([0-9.]* [^ ]*\)$/\1/p' "$work/stdout" | tr '\n' ' ')" = '248.8 µg 306.7 ppm 95.27 arcsec '
-check "plan: no milli-g, percent or degree but of the stand" lacks "$work/stdout" ' mg| %|(angles|at most) .*degrees'
+check "plan: no milli-g, percent or degree except for the stand" lacks "$work/stdout" ' mg| %|(angles|at most) .*degrees'
 text "$work/plan.html" > "$work/plan.text"
 check "plan: page: no milli-g" lacks "$work/plan.text" '[0-9] mg|, mg|in mg'
 check "plan: page: nor percent" lacks "$work/plan.text" '[0-9.] %'

@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# What the tool calls a calibration, file by file: verdict_test.sh path/to/invcal builddir. Ten
-# files of each trouble; the verdict, its cause, and what becomes of the parameters.
+# The tool's verdicts, file by file: verdict_test.sh path/to/invcal builddir. Ten files of each trouble;
+# the verdict, its cause, and the parameters.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# files TROUBLE: $work/TROUBLE.1 ... and what is said of each, .said and .json
+# files TROUBLE: $work/TROUBLE.1 ... and the output for each, .said and .json
 files() {
     for seed in 1 2 3 4 5 6 7 8 9 10; do
         file=$work/$1.$seed
@@ -44,18 +44,18 @@ are_right() { # TROUBLE [FIRST PARAMETER: delta, dk or gamma]
 }
 
 files none
-check "verdict: what is in order is good, nine times of ten" called none '^Good: ' '"good"' 9
+check "verdict: without trouble it is good, nine times of ten" called none '^Good: ' '"good"' 9
 check "verdict: and right" are_right none
 
 files drift
 check "verdict: a drift is named" called drift '^Drifting: the offsets drift, by ' '"drifting"'
-check "verdict: it is fitted: the calibration is that of the middle" are_right drift
+check "verdict: it is fitted: the calibration holds for the middle" are_right drift
 has_drift() {
     for json in "$work"/drift.*.json; do
         near 0.0005 "$(sed -n 's/^ *"drift": \[\(.*\)\],$/\1/p' "$json" | tr -d ,)" '0.003 -0.004 0' || return 1
     done
 }
-check "verdict: and the drift is told" has_drift
+check "verdict: and the drift is reported" has_drift
 
 files step
 check "verdict: a step is not called good" called step '^(Rough|Drifting|Bent): ' '"(rough|drifting|bent)"'
@@ -75,12 +75,12 @@ files repeated
 check "verdict: nine directions again and again have no redundancy" called repeated \
     '^(No redundancy|Weak): ' '"degrees_of_freedom": 0'
 files noisy
-check "verdict: noise beyond what is stated is told" called noisy \
+check "verdict: noise above the stated one is reported" called noisy \
     '^Rough: the positions disagree by [3-7](\.[0-9])? times the noise stated' '"rough"'
 files wrong
 check "verdict: two wrong positions are left out" called wrong '^Left out: position 20 ' \
     '"rejected": \[4, 20\]'
-check "verdict: and do no harm" are_right wrong
+check "verdict: and cause no error" are_right wrong
 files spoilt
 check "verdict: seven of 24 are too many" called spoilt '^(Rough|Bent|Drifting|Contradictory): ' \
     '"(rough|bent|drifting)"'
@@ -101,7 +101,7 @@ fits() { # TROUBLE OPTION PATTERN [OPTIONS]: what is said of all ten, which are 
     done
     [ "$good" -ge 9 ]
 }
-check "nonlinearity: a quadratic is fitted and told, and the rest is good" fits quadratic --quadratic \
+check "nonlinearity: a quadratic is fitted and reported, and the rest is good" fits quadratic --quadratic \
     'quadratic y  +(4\.[0-9]+|5\.[0-9]+) ± 0\.[1-4][0-9]* +mg per g²'
 check "nonlinearity: a cubic, too" fits cubic --cubic 'cubic x  +(1[89]|2[01])\.?[0-9]* ± [0-9.]+ +mg per g³'
 check "l1: it agrees where nothing is wrong" fits none --robust 'l1 .* it +agrees\.'
@@ -110,7 +110,7 @@ run calibrate "$work/wrong.1" --positions --zero 0,0,0 --lsb 1 --noise 0.0009806
 check "l1: not where they were kept" matches "$work/stdout" 'it contradicts'
 run calibrate "$work/wrong.1" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --robust --keep-all --json
 check "l1: nor in JSON" matches "$work/stdout" '"answer": "contradicts"'
-# Of offsets 10 mg, which the two wrong ones pull elsewhere, the l1 estimate is near the truth.
+# The two wrong ones pull offsets by 10 mg, but the l1 estimate stays near the truth.
 l1_of() { sed -n '/^  "robust"/,/^  }/s/.*"delta": \[\(.*\)\].*/\1/p' "$work/stdout" | tr -d ,; }
 check "l1: and is right itself" near 0.001 '0.03 -0.02 0.01' "$(l1_of)"
 run calibrate "$work/none.1" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665 --robust --json
@@ -122,7 +122,7 @@ check "nonlinearity: its sigma" near 0.0003 '0.0002 0.0002 0.0002' "$(member qua
 head -n 13 "$work/none.1" > "$work/thirteen"
 run calibrate "$work/thirteen" --positions --zero 0,0,0 --lsb 1 --quadratic --json
 check "nonlinearity: JSON of a refusal" matches "$work/stdout" '"error": "too few"'
-check "nonlinearity: which is one" test "$code" -eq 1
+check "nonlinearity: and its exit code" test "$code" -eq 1
 refuses "nonlinearity: 13 positions are too few" 1 '--quadratic: 13 positions are too few: 14' \
     calibrate "$work/thirteen" --positions --zero 0,0,0 --lsb 1 --quadratic
 "$tool" plan --icosahedron --json | sed -n 's/^ *"vertical": \[\(.*\)\],*$/\1/p' > "$work/twelve"
@@ -136,10 +136,10 @@ refuses "nonlinearity: not over temperature" 2 '--quadratic: cannot be combined 
 refuses "l1: nine parameters only" 2 '--robust: needs nine free parameters: leave out --cubic;' \
     calibrate "$work/none.1" --positions --robust --cubic
 
-# ---- nonlinearity, taken off -----------------------------------------------------------------------------
+# ---- nonlinearity, corrected -----------------------------------------------------------------------------
 
-# What a sensor of known errors reads where it feels x y z, in counts: zero + 16384 ((I + S) eta + delta +
-# q eta^2 + c eta^3); and what it feels, m/s^2.
+# The readings of a sensor with known errors in a field x y z, in counts: zero + 16384 ((I + S) eta + delta +
+# q eta^2 + c eta^3); and the field, m/s^2.
 bent() { # bent FILE TIMES
     awk -v times="$2" 'BEGIN { split("0.03 -0.02 0.01 0.02 -0.03 0.01 0.008 0.004 -0.02", X)
             split("0.01 -0.02 0.015", q); split("-0.012 0.02 0.01", c) }
@@ -155,8 +155,8 @@ verticals() { "$tool" plan "$@" --json | sed -n 's/^ *"vertical": \[\(.*\)\],*$/
 verticals --per-group 8 > "$work/program"
 verticals --optimal 40 > "$work/unseen"
 bent program 1 > "$work/bent.csv"
-# The largest error of what apply makes of readings at TIMES the field, of directions or, with a 1, of lengths
-# only; over the field.
+# The largest error after apply, over the field, of readings at TIMES the field: of vectors or, with a 1, only of
+# lengths.
 worst() { # worst CAL TIMES [LENGTHS]
     bent unseen "$2" > "$work/readings.csv"
     run apply "$1" "$work/readings.csv"
@@ -178,17 +178,17 @@ known="--zero 32768,32768,32768 --lsb 0.000598550415"
     run calibrate "$work/bent.csv" --positions --cubic --out "$work/free.json" --quiet
 }
 check "nonlinearity: without it readings are 1 % wrong" below 0.01 "$(worst "$work/linear.json" 1)"
-# What is left is what the fit leaves (it is right to 1e-6); that apply adds nothing test_nonlinear_correction tells.
+# The fit is right to 1e-6; test_nonlinear_correction shows that apply adds nothing to that.
 for at in 1 0.5; do
-    check "nonlinearity: apply takes it off, at $at of the field" below "$(worst "$work/symmetric.json" $at)" 2e-6
+    check "nonlinearity: apply corrects it, at $at of the field" below "$(worst "$work/symmetric.json" $at)" 2e-6
     check "nonlinearity: in the frame of the stand, too, at $at" below "$(worst "$work/stand.json" $at)" 2e-6
     check "nonlinearity: triangular: lengths, at $at" below "$(worst "$work/triangular.json" $at 1)" 2e-6
 done
-check "nonlinearity: triangular: turned" below 0.001 "$(worst "$work/triangular.json" 1)"
+check "nonlinearity: triangular: rotated" below 0.001 "$(worst "$work/triangular.json" 1)"
 check "nonlinearity: nothing is beyond the edge" test ! -s "$work/stderr"
-check "nonlinearity: a nominal that was found: lengths" below "$(worst "$work/free.json" 1 1)" 1e-3
+check "nonlinearity: an estimated nominal: lengths" below "$(worst "$work/free.json" 1 1)" 1e-3
 worst "$work/symmetric.json" 3 > "$work/far"
-check "nonlinearity: beyond the edge it is held, and told" matches "$work/stderr" \
+check "nonlinearity: beyond the edge it is held, which is reported" matches "$work/stderr" \
     'warning: .*readings\.csv: 40 of 40 readings are beyond 1\.1 times the field on an axis, up to 3\.'
 # At 3 eta the model is off by what q 9 eta^2 + c 27 eta^3 is more than at the edge: 0.6 of the field at most.
 check "nonlinearity: and bounded" below "$(cat "$work/far")" 0.8
@@ -203,7 +203,7 @@ done
 
 # ---- good enough? ------------------------------------------------------------------------------------
 
-# What lengths are right within, from the sigma in the file; those of dk hold the field's already.
+# The accuracy of lengths, from the sigma in the file; that of dk includes the field's already.
 accuracy() {
     awk -F'[][,:]' '/"sigma"/ { on = 1 } /"interval95"/ { wide = $2 } /"gravity":/ { g = $2 } /"gravity_sigma"/ { f = $2 }
         on && /"(delta|dk|gamma)"/ { for (i = 3; i <= 5; i++) square[$1] += $i * $i }
@@ -224,25 +224,25 @@ needs() { # MISSING SENTENCE TROUBLE NEED GRAVITY
 }
 exact='9.80665+-0'
 needs nothing . none 1 $exact
-check "need: lengths are right within what sigma says" near 1e-6 "$(json "$work/stdout" accuracy95)" \
+check "need: lengths are right to within sigma" near 1e-6 "$(json "$work/stdout" accuracy95)" \
     "$(accuracy "$work/stdout")"
 needs nothing . none 1 '9.80665+-0.01'
-check "need: and what the field says" near 1e-6 "$(json "$work/stdout" accuracy95)" "$(accuracy "$work/stdout")"
+check "need: and the sigma of the field" near 1e-6 "$(json "$work/stdout" accuracy95)" "$(accuracy "$work/stdout")"
 check "need: it is met" needs nothing '^PASS: \|a\| within 0\.001[0-9]+ of 0\.0020 m/s² \(95 %\)\.$' \
     none 0.002 $exact
-check "need: another g is missing" needs gravity '^FAIL: \|a\| within 0\.05[0-9]* of 0\.010 m/s² \(95 %\)\. Missing: the length' none 0.01 \
+check "need: a known g is missing" needs gravity '^FAIL: \|a\| within 0\.05[0-9]* of 0\.010 m/s² \(95 %\)\. Missing: the length' none 0.01 \
     '9.80665+-0.027'
-check "need: more positions are" needs positions \
+check "need: more positions are missing" needs positions \
     '^FAIL: \|a\| within 0\.001[0-9]* of 0\.0010 m/s² \(95 %\)\. Missing: about [45][0-9]' none 0.001 $exact
-check "need: longer rests are" needs 'longer rests' '2[0-9] times as long' none 0.0003 $exact
-check "need: a warm sensor is" needs warm-up '^FAIL: the verdict is drifting; .* of 1\.0 m/s² \(95 %\)\. Missing: a warm sensor' drift 1 $exact
-check "need: a linear one is" needs linearity 'Missing: a linear sensor' cubic 1 $exact
-check "need: steadier positions are" needs steadiness 'Missing: steadier positions' noisy 1 $exact
-check "need: other directions are" needs directions '^FAIL: the verdict is no redundancy; .* Missing: positions' repeated 1 $exact
+check "need: longer rests are missing" needs 'longer rests' '2[0-9] times as long' none 0.0003 $exact
+check "need: a warm sensor is missing" needs warm-up '^FAIL: the verdict is drifting; .* of 1\.0 m/s² \(95 %\)\. Missing: a warm sensor' drift 1 $exact
+check "need: a linear sensor is missing" needs linearity 'Missing: a linear sensor' cubic 1 $exact
+check "need: steadier positions are missing" needs steadiness 'Missing: steadier positions' noisy 1 $exact
+check "need: other directions are missing" needs directions '^FAIL: the verdict is no redundancy; .* Missing: positions' repeated 1 $exact
 run calibrate "$work/none.1" --positions --need 0
-check "need: has to be above 0" [ "$code" -eq 2 ]
+check "need: must be above 0" [ "$code" -eq 2 ]
 run calibrate "$work/none.1" --positions --need 0.06 --report "$work/need.html"
-check "need: the report tells it" grep -q 'PASS: |a| within 0.05[0-9] of 0.060 m/s²' "$work/need.html"
+check "need: the report has it" grep -q 'PASS: |a| within 0.05[0-9] of 0.060 m/s²' "$work/need.html"
 
 # ---- the noise of a rest ---------------------------------------------------------------------------
 
@@ -267,7 +267,7 @@ log() { # LARGEST ARGUMENTS...
     done
 }
 check "verdict: a hand's tremor is in the noise of its rests" log 4 --tremor 0.003
-# One step is 4 mg, the noise 0.3 mg: no mean of a rest is better than about a quarter of a step.
+# One step is 4 mg, the noise 0.3 mg: the mean of a rest is no better than about a quarter of a step.
 LSB=0.04
 check "verdict: and so are the steps of a coarse sensor" log 0.2 --lsb 0.04 --noise 0.0003
 finish

@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests of following a program by `watch --plan`, with logs in which positions are exchanged, left out,
-# repeated or turned elsewhere: watch_test.sh path/to/invcal builddir
+# Tests of following a program with `watch --plan`, with logs in which positions are exchanged, left out,
+# repeated or elsewhere: watch_test.sh path/to/invcal builddir
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
 . "$here/support.sh"
 
-# The positions of a set as x y z, in lines.
+# The positions of a set, a line x y z each.
 "$tool" plan > "$work/table"
 awk '$2 ~ /^[123]$/ && NF == 7 { print $5, $6, $7 }' "$work/table" > "$work/all"
 check "the program has 18" test "$(wc -l < "$work/all")" -eq 18
@@ -25,7 +25,7 @@ follow() { # follow SET FILE OPTIONS
 line() { sed -n "$1" "$work/stdout"; }
 asked() { sed -n 's/^next: position \([0-9]*\) of .*/\1/p' "$work/stdout" | tr '\n' ' '; }
 
-# ---- as it is asked for ------------------------------------------------------------------------
+# ---- as instructed -----------------------------------------------------------------------------
 
 follow per-group:6 "$work/all"
 check "each position is asked for in turn" test "$(asked)" = "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 "
@@ -51,7 +51,7 @@ for set in per-group:5:10,20,30 per-group:8 edges icosahedron optimal:14 per-gro
     check "$set: it is followed to its end" matches "$work/stdout" '^finished: the program is complete'
     check "$set: nothing is wrong" lacks "$work/stdout" 'wrong'
 done
-check "start angles of its own are asked for" "$tool" simulate --plan per-group:5:10,20,30 --dwell 3 \
+check "start angles: simulate accepts them" "$tool" simulate --plan per-group:5:10,20,30 --dwell 3 \
     --move 1 --seed 2 > /dev/null
 "$tool" simulate --plan per-group:5:10,20,30 --dwell 3 --move 1 > "$work/log.csv"
 in=$work/log.csv
@@ -65,21 +65,21 @@ in=/dev/null
 
 awk 'NR == 4 { held = $0; next } { print } NR == 5 { print held }' "$work/all" > "$work/exchanged"
 follow per-group:6 "$work/exchanged"
-check "exchanged: the one that was taken is named" matches "$work/stdout" \
+check "exchanged: the position that was taken is named" matches "$work/stdout" \
     '^wrong position: that is position 5 \(alpha -90, beta 0°\), not 4\. It is used anyway$'
-check "exchanged: it is said while the device is still there" matches "$work/stdout" \
+check "exchanged: it is reported while the device is still there" matches "$work/stdout" \
     '^good, but not position 4: move on to alpha -150, beta 0°$'
 check "exchanged: the way back" matches "$work/stdout" \
     '^next: position 4 of 18: alpha -150, beta 0°; turn alpha -60°; '
 check "exchanged: what has been taken is not asked for again" test "$(asked)" = \
     "1 2 3 4 4 6 7 8 9 10 11 12 13 14 15 16 17 18 "
 check "exchanged: one is wrong" test "$(grep -c '^wrong position' "$work/stdout")" -eq 1
-check "exchanged: it is finished all the same" matches "$work/stdout" '^finished'
-check "exchanged: nobody is told of exchanged axes for that" lacks "$work/stdout" 'in a row'
+check "exchanged: it is finished anyway" matches "$work/stdout" '^finished'
+check "exchanged: that does not suggest exchanged axes" lacks "$work/stdout" 'in a row'
 
 sed 7d "$work/all" > "$work/left_out"
 follow per-group:6 "$work/left_out"
-check "left out: what is missing is told at the end" matches "$work/stdout" '^positions of the program not visited: 7$'
+check "left out: what is missing is reported at the end" matches "$work/stdout" '^positions of the program not visited: 7$'
 check "left out: it is not finished" lacks "$work/stdout" '^finished'
 
 head -n 3 "$work/all" > "$work/three"
@@ -95,12 +95,12 @@ check "repeated: it is finished" matches "$work/stdout" '^finished'
 
 awk 'NR == 3 { print 0.577, -0.577, 0.577 } { print }' "$work/all" > "$work/elsewhere"
 follow per-group:6 "$work/elsewhere"
-check "elsewhere: before anything tells the zero it is taken for the one asked for" test \
+check "elsewhere: while the zero is unknown, it is taken for the expected one" test \
     "$(grep -c '^wrong position' "$work/stdout")" -le 1
 in=$work/log.csv
 run watch - --plan per-group:6 --zero 0,0,0
 in=/dev/null
-check "elsewhere: with the zero stated its angles are told" matches "$work/stdout" \
+check "elsewhere: with a stated zero its angles are reported" matches "$work/stdout" \
     '^wrong position: that is alpha 12[0-9.]+, beta [34][0-9.]+°, not a position of the program; go to 3\.'
 check "elsewhere: and the turn from there" matches "$work/stdout" \
     '^next: position 3 of 18: alpha 150, beta 0°; turn alpha \+2[0-9.]+, beta -[34][0-9.]+°; '
@@ -112,13 +112,13 @@ angles() { # angles EXPRESSION_OF_X Y Z in a and b, radians
 }
 angles 'sin(b) * sin(a)' 'cos(b)' 'sin(b) * cos(a)' > "$work/swapped"
 follow per-group:6 "$work/swapped"
-check "alpha and beta exchanged: a word on it" matches "$work/stdout" \
+check "alpha and beta exchanged: it is suggested" matches "$work/stdout" \
     '^2 wrong in a row: check for alpha and beta exchanged'
 angles 'sin(-a) * sin(b)' 'cos(a)' 'sin(-a) * cos(b)' > "$work/reversed"
 follow per-group:6 "$work/reversed"
 check "alpha reversed: the first is position 6" matches "$work/stdout" \
     '^wrong position: that is position 6 \(alpha -30, beta 0°\), not 1\.'
-check "alpha reversed: a word on it" matches "$work/stdout" 'a reversed sense'
+check "alpha reversed: it is suggested" matches "$work/stdout" 'a reversed sense'
 
 # ---- sensors that are far from nominal ---------------------------------------------------------
 
@@ -140,7 +140,7 @@ check "steps of 10 degrees: it is finished" matches "$work/stdout" '^finished'
 in=$work/log.csv
 run watch - --plan faces --zero 0,0,0 --lsb 0.000598550415 --noise 0.001 --prior 0.05,0.03,0.02
 in=/dev/null
-check "faces with a prior for what they leave open" matches "$work/stdout" '^finished'
+check "faces with a prior for the angles" matches "$work/stdout" '^finished'
 
 # ---- turns for a gyroscope ----------------------------------------------------------------------
 
@@ -155,7 +155,7 @@ check "turns: they are asked for as planned" test "$(sed -n 's/^next: //p' "$wor
 check "turns: also while the device is still there" test \
     "$(sed -n 's/^good: move on to //p' "$work/stdout" | head -n 8)" = "$(cat "$work/turns")"
 check "turns: how many count" matches "$work/stdout" '^gyroscope: 8 of 8 moves; scale ± 0\.0'
-check "turns: all do" lacks "$work/stdout" 'move from .* refused'
+check "turns: all of them" lacks "$work/stdout" 'move from .* refused'
 run watch "$work/log.csv" --accelerometer-only
 check "--accelerometer-only: directions, no turns" lacks "$work/stdout" ' about [xyz]$'
 in=$work/log.csv

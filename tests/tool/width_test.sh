@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Tests that nothing the tool prints for people is wider than the terminal, and that a help is one
-# screen. width_test.sh path/to/invcal builddir
+# Tests that nothing that the tool prints for people is wider than the terminal, and that help fits on
+# one screen. width_test.sh path/to/invcal builddir
 # JSON, CSV and generated sources are not for people.
 here=$(dirname "$0")
 # shellcheck source=tests/tool/support.sh
@@ -51,7 +51,7 @@ has_same() { "$tool" "$@" | cmp -s - "$work/stdout"; }
 for c in $commands; do
     accepts "$c --help succeeds" "$c" --help
     check "$c --help is one screen" is_screen
-    check "$c --help is all, or names the rest" names_rest "$c"
+    check "$c --help is complete, or names the rest" names_rest "$c"
     check "help $c is the same" has_same help "$c"
     sed '1,/^examples*:$/d; /^$/,$d; s/^  //' "$work/stdout" > "$work/run"
     check "the example of $c --help works" sh -c '
@@ -128,7 +128,7 @@ for name in xsens_mti mpu9150_0 mpu9150_1 t265; do
     fits calibrate data/${name}_positions.csv --positions
     fits calibrate data/${name}_positions.csv --positions --units ins --keep-all --need 0.001
 done
-# A refusal prints nothing for people but its line on stderr.
+# A refusal prints for people only its line on stderr.
 run calibrate data/xsens_mti_positions.csv
 check "a refusal prints nothing on stdout" was_refused 1 'no rest'
 
@@ -170,7 +170,7 @@ fits watch edges.csv --plan edges --mean-sigma 0.001
 fits watch edges.csv --plan optimal:18
 fits watch stand.csv --allan noise.json --mean-sigma 0.001
 
-# A command to be copied is not cut in two, or with a backslash.
+# A command to be copied is not broken, or only with a backslash.
 run_in 60 calibrate edges.csv --out calibration_of_the_left_unit.json
 check "a command has a line of its own" matches "$work/stdout" \
     '^  invcal apply calibration_of_the_left_unit\.json LOG$'
@@ -194,9 +194,9 @@ is_as() { # COLUMNS FILE
 check "60 columns are not 80" sh -c '! cmp -s sixty eighty'
 check "fewer than 60 are 60" is_as 20 sixty
 for senseless in 0 -5 wide 80x 99999999999; do
-    check "COLUMNS=$senseless does not count" is_as $senseless eighty
+    check "COLUMNS=$senseless is ignored" is_as $senseless eighty
 done
-# A terminal tells its own width.
+# A terminal has its own width.
 # shellcheck disable=SC2016 # for the shell inside
 if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 < /dev/null; then
     export tool
@@ -205,7 +205,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     run_in 60 plan --programs
     check "a terminal of 60 columns" same typed "$work/stdout"
     run plan --programs
-    check "a file has 80 all the same" same plain "$work/stdout"
+    check "a file has 80 anyway" same plain "$work/stdout"
 else
     echo "tool: the width of a terminal is not tried: script is not installed"
 fi

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * What is lost by keeping segments in place of samples, and whether sigma is honest: simulated logs against
- * the batch solution, which integrates every sample, in double and by its own mathematics.
+ * The loss from keeping segments instead of samples, and whether sigma is honest: simulated logs
+ * against the batch solution, which integrates every sample, in double and with its own
+ * mathematics.
  */
 #ifndef GYRO_BATCH_H
 #define GYRO_BATCH_H
@@ -71,7 +72,7 @@ static void direction(int rest, double up[3])
     }
 }
 
-/* Rotation of the samples from..to - 1, and how errors of m turn it. */
+/* Rotation by the samples from..to - 1, and how errors of m rotate it. */
 static void integrate(const double m[3][3], const double bias[3], int from, int to, double c[3][3],
                       double s[3][9])
 {
@@ -198,7 +199,7 @@ static void run(const double (*program)[3], double rate, double error, double me
 
     world_begin(&w, rate, seed);
     w.log = samples;
-    w.room = SAMPLES;
+    w.capacity = SAMPLES;
     w.wobble = 0.25;
     w.mean_noise = mean_noise;
     world_draw(&w, error, 0);
@@ -244,7 +245,7 @@ static void compare(const double (*program)[3], double rate, double mean_noise, 
         for (int n = 0; n < runs; n++) {
             run(program, rate, sizes[k], mean_noise, 500u + (uint32_t)n, &t);
         }
-        /* of a single run, where there is not time for more, that is not much */
+        /* of a single run, if there is no time for more, which is not much */
         TEST_ASSERT_TRUE(sqrt(t.apart / t.count) < (TEST_SHORT > 1 ? 0.5 : 0.15));
         TEST_ASSERT_TRUE(sqrt(t.error / t.optimum) < (TEST_SHORT > 1 ? 1.5 : 1.1));
         all->error += t.error;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Moves and their solution with tables of another size, which a suite has stated: compiled into it, beside those of
- * the library.
+ * Moves and their solution with tables of another size, which the suite has chosen: compiled into
+ * it, in addition to those of the library.
  */
 #ifndef GYRO_TABLES_H
 #define GYRO_TABLES_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A gyroscope and an accelerometer in a hand: the truth in double, by its own mathematics, for the tests of
- * gyro.h.
+ * A gyroscope and an accelerometer in a hand: the truth in double, with its own mathematics, for
+ * the tests of gyro.h.
  */
 #ifndef GYRO_WORLD_H
 #define GYRO_WORLD_H
@@ -13,7 +13,7 @@
 #include "support.h"
 
 #define DEGREE (3.14159265358979324 / 180)
-#define COUNTS 1e5 /* of the gyroscope per rad/s: rounding is no matter */
+#define COUNTS 1e5 /* of the gyroscope per rad/s: rounding does not matter */
 
 enum { WORLD_BLOCK = 16, WORLD_RESTS = 40, WORLD_LATE = 64 };
 
@@ -36,7 +36,7 @@ static inline void world_turn(double c[3][3], const double a[3][3])
     }
 }
 
-/* What was up there, after the turn c. */
+/* What was up before the turn c, after it. */
 static inline void world_up(const double c[3][3], const double before[3], double after[3])
 {
     for (int j = 0; j < 3; j++) {
@@ -59,7 +59,7 @@ typedef struct {
     double wobble;      /* of the hand */
     int axes[3];        /* gyroscope axis i measures |axes[i]| - 1 */
     random_source random;
-    int late; /* samples by which the gyroscope's come late; negative: the accelerometer's */
+    int late; /* samples by which the gyroscope is late; negative: the accelerometer */
     /* the state */
     int32_t queue[WORLD_LATE][3];
     int resting[WORLD_LATE];
@@ -67,13 +67,13 @@ typedef struct {
     double flicker[4][3];
     double c[3][3]; /* of the move */
     invcal_moves moves;
-    invcal_rests rests; /* as the detector would have it */
+    invcal_rests rests; /* as the detector of rests would want it */
     int samples, hold, quiet;
     double mean[WORLD_RESTS][3];
     int count;
-    /* what is kept for others: room for so many samples, or null; and where each rest began */
+    /* kept for others: space for that many samples, or null; and where each rest began */
     int32_t (*log)[3];
-    int room;
+    int capacity;
     int begin[WORLD_RESTS];
 } world;
 
@@ -107,7 +107,7 @@ static inline void world_without_noise(world *w)
     w->density = w->instability = w->mean_noise = 0;
 }
 
-/* Scale errors of that size, misalignments of half of it; in both. */
+/* Scale errors of that size and misalignments of half of it, in both. */
 static inline void world_draw(world *w, double gyro, double accelerometer)
 {
     for (int i = 0; i < 9; i++) {
@@ -116,7 +116,7 @@ static inline void world_draw(world *w, double gyro, double accelerometer)
     w->triad = triad_random(&w->random, accelerometer);
 }
 
-/* What the detector of rests would have said of this block, and what it would look like. */
+/* What the detector of rests would say about this block, and its state then. */
 static inline void world_block(world *w, int is_quiet)
 {
     invcal_rests *r = &w->rests;
@@ -174,7 +174,7 @@ static inline void world_sample(world *w, const double omega[3], int is_quiet)
         const int of = w->axes[i] < 0 ? -w->axes[i] : w->axes[i];
         raw[i] = (int32_t)lround(COUNTS * (w->axes[i] < 0 ? -nominal[of - 1] : nominal[of - 1]));
     }
-    if (w->log && w->samples < w->room) {
+    if (w->log && w->samples < w->capacity) {
         memcpy(w->log[w->samples], raw, sizeof raw);
     }
     const int now = w->samples % WORLD_LATE;
@@ -189,7 +189,7 @@ static inline void world_sample(world *w, const double omega[3], int is_quiet)
     }
 }
 
-/* At rest for so many seconds; the accelerometer's mean. */
+/* At rest for that many seconds; the accelerometer's mean. */
 static inline void world_rest(world *w, double seconds)
 {
     static const double none[3] = {0, 0, 0};
@@ -219,7 +219,7 @@ static inline void world_rest(world *w, double seconds)
     w->count++;
 }
 
-/* Turns by a vector, and wobbles on the way; then rests. The truth in steps of a millisecond at most. */
+/* Turns by a vector, wobbling; then rests. The truth has steps of at most a millisecond. */
 static inline void world_move(world *w, const double vector[3], double seconds)
 {
     const int fine = w->rate < 250 ? (int)(1000 / w->rate) : 4;
@@ -286,7 +286,7 @@ static inline invcal_status world_solve(const world *w, const invcal_imu_setting
     return invcal_imu_solve(raw[0], (unsigned)w->count, &nominal, &w->moves, settings, out);
 }
 
-/* The shortest way to have that up. */
+/* The shortest turn that makes this direction up. */
 static inline void world_to(world *w, const double to[3])
 {
     double vector[3];

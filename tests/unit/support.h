@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the tests share: a random source, a simulated triad, sets of directions.
- * All of it computes in double, whatever the library is built for.
+ * Shared by the tests: a random source, a simulated triad, sets of directions. All of it computes
+ * in double, whatever the library is built for.
  */
 #ifndef SUPPORT_H
 #define SUPPORT_H
@@ -47,7 +47,7 @@ typedef struct {
 void read_positions(const triad_truth *truth, const double directions[][3], unsigned count,
                     double sigma, random_source *source, reading_set *out);
 
-/* The nominal calibration of readings that are over field already: the identity. */
+/* The nominal calibration of readings that are already over field: the identity. */
 invcal_calibration unit_nominal(void);
 
 /* Is element i of the packed H'H the same product of x, y and z as an earlier one, which is read for
@@ -71,8 +71,8 @@ double calibrated_length(const invcal_calibration *calibration, const triad_trut
 /* m^-1, by Cramer's rule. */
 void inverse3(const double m[3][3], double inverse[3][3]);
 
-/* The parameters that a symmetric calibration stands for: delta = N (offset - zero) and
- * I + S = N M^-1, M its matrix, N and zero those of the nominal calibration. */
+/* The parameters of a symmetric calibration: delta = N (offset - zero) and I + S = N M^-1, M its
+ * matrix, N and zero those of the nominal calibration. */
 triad_truth truth_of(const invcal_calibration *calibration, const invcal_calibration *nominal);
 
 /* Parameter r of a calibration of readings over field. */
@@ -80,16 +80,16 @@ double parameter(const invcal_calibration *calibration, unsigned r);
 
 double length3(const double v[3]);
 
-/* The larger of both, and NaN if either is: then no bound holds. (fmax() drops it.) */
+/* The larger one, and NaN if either is: then no bound holds. (fmax() drops it.) */
 double larger(double a, double b);
 
 /* CRC-32 (IEEE 802.3) from a table, unlike the library's. */
 uint32_t crc_by_table(const uint8_t *bytes, uint32_t count);
 
-/* Puts the CRC of the first count bytes behind them, the least significant byte first. */
+/* Puts the CRC of the first count bytes after them, the least significant byte first. */
 void seal_bytes(uint8_t *bytes, uint32_t count);
 
-/* NAN and INFINITY are floats, and some compilers call them promoted in a table of doubles. */
+/* NAN and INFINITY are floats, and some compilers warn of their promotion in a table of doubles. */
 #define NOT_A_NUMBER ((double)NAN)
 #define INFINITE ((double)INFINITY)
 
@@ -100,8 +100,7 @@ void seal_bytes(uint8_t *bytes, uint32_t count);
 #endif
 #define SOME(n) (((n) + TEST_SHORT - 1) / TEST_SHORT)
 
-/* and a test of very many draws or steps that are only worth something together is skipped, and
- * says why. */
+/* and a test of very many draws or steps that are useful only together is skipped, and says why. */
 #define RUN_LONG_TEST(test) RUN_AS(test, TEST_SHORT > 1 ? skip_long : (test))
 void skip_long(void);
 
@@ -111,7 +110,7 @@ void skip_slow(void);
 #define SLOW(elsewhere, there) (TEST_SHORT > 100 ? (there) : (elsewhere))
 
 /* A suite that is too large for a machine is built as TEST_PARTS images. Each runs the tests whose
- * line in main, divided by TEST_PARTS, leaves TEST_PART; the compiler drops the others. */
+ * line in main, modulo TEST_PARTS, is TEST_PART; the compiler drops the others. */
 #ifndef TEST_PARTS
 #define TEST_PARTS 1
 #define TEST_PART 0
@@ -122,14 +121,14 @@ void skip_slow(void);
          : (void)0)
 #define RUN_TEST(test) RUN_AS(test, test)
 
-/* Where there is little memory, TEST_RAM says how many bytes. */
+/* If memory is small, TEST_RAM is its size in bytes. */
 #ifndef TEST_RAM
 #define TEST_RAM 1000000
 #endif
 #define ROOM(plenty, little) (TEST_RAM < 65536 ? (little) : (plenty))
 void skip_large(void);
 
-/* Ends a test whose own arithmetic needs a double of 53 bits, where double is float. */
+/* Ends a test whose own arithmetic needs a double of 53 bits, if double is float. */
 void needs_53_bits(void);
 
 /* a in the float build, b in the double build. */

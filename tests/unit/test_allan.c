@@ -27,7 +27,7 @@ void tearDown(void)
 
 enum { TAUS = INVCAL_ALLAN_TAUS, OVERLAP = INVCAL_ALLAN_OVERLAP };
 
-/* ---- exact sums in another way: no totals, no rings, no products of 64 bits ------------------ */
+/* ---- exact sums by other means: no totals, no rings, no products of 64 bits ----------------- */
 
 /* 256 bits in 16 digits: any sum fits. */
 typedef struct {
@@ -152,7 +152,7 @@ static void feed(invcal_allan *a, stream s, uint32_t n)
     }
 }
 
-/* Whatever stood there before. */
+/* Whatever was there before. */
 static invcal_allan begun(const uint32_t *m, unsigned count)
 {
     static invcal_allan a;
@@ -178,7 +178,7 @@ static void check_sum(const invcal_allan *a, unsigned k, const wide *sum, uint32
     TEST_ASSERT_TRUE(wide_part(sum, 4) == a->tau[k].high);
 }
 
-/* ...and that of what is handed out. */
+/* ...and that of the output. */
 static void check_point(const invcal_allan *a, unsigned k, const wide *sum, uint32_t count)
 {
     invcal_allan_point p;
@@ -227,7 +227,7 @@ static void a_long_stream_is_exact(void)
     check_stream(noise_of_12_bits, LONG_RUN);
 }
 
-static void any_list_of_averaging_times_is_served(void)
+static void any_list_of_averaging_times_works(void)
 {
     static const uint32_t m[] = {1, 3, 4, 6, 8, 12, 16, 24, 64, 96};
     invcal_allan a = begun(m, 10);
@@ -239,7 +239,7 @@ static void any_list_of_averaging_times_is_served(void)
     }
 }
 
-/* Two averaging times of each stride, or no two: all are served. */
+/* Two averaging times for each stride, or all strides different: all work. */
 static void averaging_times_may_be_dense_or_sparse(void)
 {
     enum { MANY = TAUS < 17 ? TAUS : 17 }; /* 2^14 times 2^16 is the longest */
@@ -303,7 +303,7 @@ static void unusable_lists_are_refused(void)
     }
 }
 
-static void what_is_not_known_yet_is_not_told(void)
+static void what_is_not_known_yet_is_not_shown(void)
 {
     invcal_allan a = octaves();
     invcal_allan_point p = {.m = 77};
@@ -365,7 +365,8 @@ static void totals_may_pass_any_power_of_two(void)
     }
 }
 
-/* As if 2^32 - 4096 samples had come, all 0: their number passes 2^32, which acts as a gap. */
+/* As if there had been 2^32 - 4096 samples, all 0: their number passes 2^32, which acts as a
+ * gap. */
 static int32_t nothing_first(uint32_t i)
 {
     return i <= 1024 ? 0 : any_int32(i);
@@ -513,7 +514,7 @@ static source source_of(uint32_t seed, double white, double slow, double step)
     return s;
 }
 
-/* A process of a long correlation time takes a step every 1/16 of it. */
+/* A process with a long correlation time takes a step every 1/16 of it. */
 static double flicker(source *s)
 {
     double sum = 0;
@@ -653,7 +654,7 @@ static void flicker_noise_has_slope_0_and_its_coefficient(void)
 {
     static const uint32_t m[] = {64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384};
 
-    for (unsigned k = 0; k < 9; k++) { /* the plateau is one */
+    for (unsigned k = 0; k < 9; k++) { /* there is a plateau */
         TEST_ASSERT_DOUBLE_WITHIN(0.05, 2, plateau(1, m[k]));
     }
     for (uint32_t seed = 1; seed <= 5; seed++) {
@@ -666,7 +667,7 @@ static void flicker_noise_has_slope_0_and_its_coefficient(void)
     }
 }
 
-/* All three, each where it can be seen: they cross at 200 and at 1000 samples. */
+/* All three, each where it is visible: they cross at 200 and at 1000 samples. */
 static source mixed(uint32_t seed)
 {
     return source_of(seed, 2000, 100, sqrt(3 * 2e4 / 1000));
@@ -683,7 +684,7 @@ static void a_mixture_is_taken_apart(void)
     }
 }
 
-/* White noise of 1000 counts, and what must be told from it. */
+/* White noise of 1000 counts, and what must be distinguished from it. */
 static invcal_noise noise_with(double ramp, double wave, uint32_t averaged)
 {
     invcal_allan a = octaves();
@@ -700,7 +701,7 @@ static invcal_noise noise_with(double ramp, double wave, uint32_t averaged)
     return noise_of(&a);
 }
 
-static void misfit_tells_what_is_no_noise_of_these_kinds(void)
+static void misfit_shows_noise_of_other_kinds(void)
 {
     TEST_ASSERT_TRUE((double)noise_with(0, 0, 1).misfit < 1.5);
     TEST_ASSERT_TRUE((double)noise_with(0, 0, 2).misfit > 3);
@@ -709,7 +710,7 @@ static void misfit_tells_what_is_no_noise_of_these_kinds(void)
     TEST_ASSERT_TRUE((double)noise_with(0.1, 0, 1).misfit > 3);
 }
 
-/* ...and is seen by its last averaging time alone. */
+/* ...and shows only in its last averaging time. */
 static void a_slow_drift_counts_as_a_walk(void)
 {
     const invcal_noise noise = noise_with(0.004, 0, 1);
@@ -718,13 +719,14 @@ static void a_slow_drift_counts_as_a_walk(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.02 * 100, 100, (double)noise.coefficient[INVCAL_NOISE_WHITE]);
 }
 
-/* The scatter of coefficient `kind` over records of one source, over what each tells of it. */
+/* The scatter of coefficient `kind` over records of one source, over the sigma that each
+ * reports. */
 static double scatter(double white, double slow, double step, uint32_t samples, unsigned kind)
 {
     const unsigned records = 60;
     double sum = 0;
     double squares = 0;
-    double told = 0;
+    double reported = 0;
 
     for (uint32_t seed = 0; seed < records; seed++) {
         invcal_allan a = octaves();
@@ -738,13 +740,13 @@ static double scatter(double white, double slow, double step, uint32_t samples, 
         const double ratio = (double)noise.coefficient[kind] / expected[kind];
         sum += ratio / records;
         squares += ratio * ratio / records;
-        told += (double)noise.relative[kind] / records;
+        reported += (double)noise.relative[kind] / records;
     }
     TEST_ASSERT_DOUBLE_WITHIN(0.03, 1, sum);
-    return sqrt(squares - sum * sum) / told;
+    return sqrt(squares - sum * sum) / reported;
 }
 
-static void relative_is_the_scatter_and_nothing_is_seen_that_is_not_there(void)
+static void relative_is_the_scatter_and_nothing_spurious_is_seen(void)
 {
     TEST_ASSERT_DOUBLE_WITHIN(0.3, 1.0, scatter(500, 0, 0, 2000, INVCAL_NOISE_WHITE));
     TEST_ASSERT_DOUBLE_WITHIN(0.3, 0.5, scatter(500, 50, 0, 25000, INVCAL_NOISE_WHITE));
@@ -752,7 +754,7 @@ static void relative_is_the_scatter_and_nothing_is_seen_that_is_not_there(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.3, 1.0, scatter(500, 0, 10, 20000, INVCAL_NOISE_WALK));
 }
 
-/* Sums as 10^6 differences of exactly the model's variance leave them. */
+/* Sums like those of 10^6 differences with exactly the model's variance. */
 static invcal_allan exact_curve(double white, double instability, double walk)
 {
     invcal_allan a = octaves();
@@ -771,7 +773,7 @@ static invcal_allan exact_curve(double white, double instability, double walk)
     return a;
 }
 
-/* Whatever of the three there is comes out, and what is not there does not. */
+/* Whichever of the three there are come out, and no others. */
 static void an_exact_curve_has_the_coefficients_it_was_made_from(void)
 {
     static const double made_from[][INVCAL_NOISE_KINDS] = {
@@ -793,7 +795,8 @@ static void an_exact_curve_has_the_coefficients_it_was_made_from(void)
     }
 }
 
-/* Seen, not modelled: adev of 2^k samples falls until N^2 / tau and K^2 tau / 3 are alike, at 300. */
+/* Observed, not modelled: adev of 2^k samples falls until N^2 / tau and K^2 tau / 3 are equal, at
+ * 300. */
 static void the_minimum_is_the_lowest_deviation_seen(void)
 {
     const invcal_allan a = exact_curve(1e6, 0, sqrt(3) * 1e6 / 300);
@@ -858,7 +861,7 @@ static void a_few_samples_show_white_noise(void)
     TEST_ASSERT_TRUE(noise.coefficient[INVCAL_NOISE_WALK] == 0);
 }
 
-/* All that one averaging time tells: N = adev sqrt(tau). */
+/* All that one averaging time shows: N = adev sqrt(tau). */
 static void one_averaging_time_alone_passes_for_white_noise(void)
 {
     const uint32_t m = 4;
@@ -881,7 +884,7 @@ static void one_averaging_time_alone_passes_for_white_noise(void)
 
 /* From rail to rail with every sample, and hardly a count from pair to pair: the two deviations
  * are 3e9 and 0.05, and the fourth power of their ratio is no float. */
-static void a_curve_that_the_number_type_does_not_hold_tells_nothing(void)
+static void a_curve_beyond_the_number_type_gives_nothing(void)
 {
     const uint32_t m[] = {1, 2};
     invcal_allan a = begun(m, 2);
@@ -954,14 +957,14 @@ static void dwell_ends_at_the_minimum_if_nothing_is_enough(void)
     check_dwell(&noise, sqrt(1e-8), 10, sqrt(25e-8), INVCAL_DWELL_FLOOR);
     noise.coefficient[INVCAL_NOISE_WALK] = 0;
     check_dwell(&noise, sqrt(4e-8), 1e-6 / (5e-8 * 0.1025), 1.05 * sqrt(5e-8), INVCAL_DWELL_FLOOR);
-    /* walk alone: the first sample is the best, and may be too bad */
+    /* only a walk: the first sample is the best, and may be too bad */
     noise = data_sheet(0, 0, sqrt(3e-8));
     noise.shortest = 1;
     check_dwell(&noise, 2e-4, 1, 1e-4, INVCAL_DWELL_BEYOND);
     check_dwell(&noise, 0.5e-4, 1, 1e-4, INVCAL_DWELL_FLOOR);
 }
 
-static void no_dwell_comes_of_what_is_no_noise(void)
+static void no_dwell_comes_from_invalid_noise(void)
 {
     static const double bad[] = {-1, NOT_A_NUMBER, INFINITE};
     invcal_noise noise = data_sheet(1e-3, 1e-4, 1e-5);
@@ -1054,11 +1057,11 @@ int main(void)
     RUN_TEST(every_octave_is_exact);
     RUN_TEST(every_octave_is_exact_for_any_int32);
     RUN_LONG_TEST(a_long_stream_is_exact);
-    RUN_TEST(any_list_of_averaging_times_is_served);
+    RUN_TEST(any_list_of_averaging_times_works);
     RUN_TEST(averaging_times_may_be_dense_or_sparse);
     RUN_TEST(windows_apart_are_every_one_of_an_averaging_time);
     RUN_TEST(unusable_lists_are_refused);
-    RUN_TEST(what_is_not_known_yet_is_not_told);
+    RUN_TEST(what_is_not_known_yet_is_not_shown);
     RUN_TEST(no_difference_reaches_across_a_gap);
     RUN_TEST(totals_may_pass_any_power_of_two);
     RUN_TEST(the_number_of_samples_may_pass_32_bits);
@@ -1070,19 +1073,19 @@ int main(void)
     RUN_LONG_TEST(a_random_walk_has_slope_half_and_its_coefficient);
     RUN_LONG_TEST(flicker_noise_has_slope_0_and_its_coefficient);
     RUN_LONG_TEST(a_mixture_is_taken_apart);
-    RUN_LONG_TEST(misfit_tells_what_is_no_noise_of_these_kinds);
+    RUN_LONG_TEST(misfit_shows_noise_of_other_kinds);
     RUN_LONG_TEST(a_slow_drift_counts_as_a_walk);
-    RUN_LONG_TEST(relative_is_the_scatter_and_nothing_is_seen_that_is_not_there);
+    RUN_LONG_TEST(relative_is_the_scatter_and_nothing_spurious_is_seen);
     RUN_TEST(an_exact_curve_has_the_coefficients_it_was_made_from);
     RUN_TEST(the_minimum_is_the_lowest_deviation_seen);
     RUN_TEST(relative_is_that_of_weighted_least_squares);
     RUN_TEST(unusable_rates_are_refused);
     RUN_TEST(a_few_samples_show_white_noise);
     RUN_TEST(one_averaging_time_alone_passes_for_white_noise);
-    RUN_TEST(a_curve_that_the_number_type_does_not_hold_tells_nothing);
+    RUN_TEST(a_curve_beyond_the_number_type_gives_nothing);
     RUN_TEST(dwell_is_the_shortest_time_that_is_enough);
     RUN_TEST(dwell_ends_at_the_minimum_if_nothing_is_enough);
-    RUN_TEST(no_dwell_comes_of_what_is_no_noise);
+    RUN_TEST(no_dwell_comes_from_invalid_noise);
     RUN_LONG_TEST(means_are_as_good_as_dwell_says);
     RUN_LONG_TEST(slow_noise_does_more_over_a_session);
     return UNITY_END();

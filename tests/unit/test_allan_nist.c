@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The Allan deviation of more overlap than the library has by default: the same source, compiled once
- * more, under other names where the choice is not in the name.
+ * The Allan deviation with more overlap than the library's default: the same source, compiled
+ * again, under other names where the name does not contain the choice.
  */
 #define INVCAL_ALLAN_TAUS 8
 #define INVCAL_ALLAN_OVERLAP 128

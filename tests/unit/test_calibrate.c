@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Position means of real sensors, against an independent fit (tests/reference), and what belongs
- * to the one call as a whole.
+ * Position means of real sensors, against an independent fit (tests/reference), and the properties
+ * of the call as a whole.
  */
 #include <math.h>
 #include <string.h>
@@ -19,7 +19,7 @@ void tearDown(void)
 {
 }
 
-/* A data set and what the reference says of it. */
+/* A data set and its reference. */
 typedef struct {
     const double (*position)[3];
     unsigned count;
@@ -85,7 +85,7 @@ static void calibrate(const data_set *set, const invcal_calibration *nominal,
                           invcal_calibrate(raw, set->count, nominal, 0, calibration, quality));
 }
 
-/* A data set, calibrated with the nominal that the reference took. */
+/* A data set, calibrated with the reference's nominal. */
 typedef struct {
     data_set set;
     invcal_calibration nominal;
@@ -103,7 +103,7 @@ static calibrated_set calibrated(int i)
     return c;
 }
 
-/* Must reach: 0.1 %, float 0.5 %. It does better; the tighter bounds keep it so. */
+/* Required: 0.1 %, float 0.5 %. It does better; the tighter bounds keep it so. */
 static const double percent = FLOAT_OR_DOUBLE(0.005, 0.001);
 
 static const double sigma_bound = FLOAT_OR_DOUBLE(0.005, 1e-4);
@@ -214,8 +214,8 @@ static void no_position_at_all_is_too_few(void)
                           invcal_calibrate(raw, 0, &nominal, 0, &calibration, &quality));
 }
 
-/* Position 1 is in no sum, position 5 has the largest residual of the others: as if the rest had
- * been the only ones. */
+/* Position 1 is in no sum, position 5 has the largest residual of the others: as if there had been
+ * only the rest. */
 static void positions_that_are_left_out_do_not_count(void)
 {
     enum { COUNT = 18, OUT = 1, WORST = 5 };
@@ -251,8 +251,8 @@ static void positions_that_are_left_out_do_not_count(void)
     TEST_ASSERT_TRUE(of_expected.left_out == 0);
 }
 
-/* Beyond INVCAL_MAX_POSITIONS none can be left out, and 255 are as many as there may be. */
-static void many_positions_count_all(void)
+/* Beyond INVCAL_MAX_POSITIONS none can be left out, and the maximum is 255. */
+static void of_many_positions_all_count(void)
 {
     static invcal_real raw[256][3];
     const invcal_mask first = 1;
@@ -290,7 +290,7 @@ static void left_out_positions_may_leave_too_few(void)
                                                                    &calibration, &quality));
 }
 
-static void the_calibration_may_take_the_place_of_nominal(void)
+static void the_calibration_may_overwrite_nominal(void)
 {
     random_source random = random_start(8);
     const triad_truth truth = triad_random(&random, 0.1);
@@ -306,8 +306,8 @@ static void the_calibration_may_take_the_place_of_nominal(void)
     TEST_ASSERT_EQUAL_MEMORY(&calibration, &place, sizeof place);
 }
 
-/* With the calibration found as nominal p and J are nearly zero, and so is what is lost. */
-static void a_second_time_finds_next_to_nothing(void)
+/* With the calibration found as nominal, p and J are nearly zero, and so is the loss. */
+static void a_second_pass_finds_almost_nothing(void)
 {
     random_source random = random_start(9);
     const triad_truth truth = triad_random(&random, 0.1);
@@ -388,10 +388,10 @@ int main(void)
     RUN_TEST(a_wrong_nominal_offset_does_not_change_the_result);
     RUN_TEST(no_position_at_all_is_too_few);
     RUN_TEST(positions_that_are_left_out_do_not_count);
-    RUN_TEST(many_positions_count_all);
+    RUN_TEST(of_many_positions_all_count);
     RUN_TEST(left_out_positions_may_leave_too_few);
-    RUN_TEST(the_calibration_may_take_the_place_of_nominal);
-    RUN_TEST(a_second_time_finds_next_to_nothing);
+    RUN_TEST(the_calibration_may_overwrite_nominal);
+    RUN_TEST(a_second_pass_finds_almost_nothing);
     RUN_TEST(an_unusable_noise_is_refused);
     RUN_TEST(an_unusable_nominal_is_refused);
     return UNITY_END() != 0;

@@ -13,7 +13,7 @@ void tearDown(void)
 {
 }
 
-/* Small whole numbers, so that the expected figures are exact in float too. */
+/* Small whole numbers, so that the expected figures are exact in float, too. */
 static const invcal_calibration example = {{1, 2, 3}, {{2, 1, 0}, {0, 3, 1}, {1, 0, 4}}};
 
 static void apply_computes_matrix_times_raw_minus_offset(void)
@@ -35,7 +35,7 @@ static void apply_works_in_place(void)
     TEST_ASSERT_EQUAL_MEMORY(expected, v, sizeof v);
 }
 
-static void apply_hands_a_nan_on(void)
+static void apply_passes_a_nan_on(void)
 {
     const invcal_real raw[3] = {(invcal_real)NAN, 0, 0};
     invcal_real out[3];
@@ -67,7 +67,7 @@ static void a_unit_multiplies_the_matrix_and_no_offset(void)
     }
 }
 
-static void a_unit_that_is_no_length_is_refused(void)
+static void a_unit_that_is_not_a_length_is_refused(void)
 {
     static const double bad[] = {0, -9.8, NOT_A_NUMBER, INFINITE};
 
@@ -91,7 +91,7 @@ static void nominal_puts_the_inverse_of_the_counts_on_the_diagonal(void)
     TEST_ASSERT_EQUAL_MEMORY(&expected, &c, sizeof c);
 }
 
-static void nominal_refuses_what_is_no_scale_and_leaves_the_output_alone(void)
+static void nominal_refuses_what_is_not_a_scale_and_leaves_the_output_alone(void)
 {
     static const double bad[] = {0,     NOT_A_NUMBER, INFINITE, -INFINITE,
                                  1e-11, 0.95e-10,     1.05e10,  1e11};
@@ -134,7 +134,7 @@ static void nominal_takes_any_unit_within_reason(void)
     }
 }
 
-/* As an earlier calibration that is to be renewed: a session asks for it. */
+/* Like an earlier calibration that must be renewed: a session asks for it. */
 static invcal_status begin_with(const invcal_calibration *nominal)
 {
     static invcal_session session;
@@ -179,12 +179,12 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(apply_computes_matrix_times_raw_minus_offset);
     RUN_TEST(apply_works_in_place);
-    RUN_TEST(apply_hands_a_nan_on);
+    RUN_TEST(apply_passes_a_nan_on);
     RUN_TEST(samples_are_applied_as_their_numbers_are);
     RUN_TEST(a_unit_multiplies_the_matrix_and_no_offset);
-    RUN_TEST(a_unit_that_is_no_length_is_refused);
+    RUN_TEST(a_unit_that_is_not_a_length_is_refused);
     RUN_TEST(nominal_puts_the_inverse_of_the_counts_on_the_diagonal);
-    RUN_TEST(nominal_refuses_what_is_no_scale_and_leaves_the_output_alone);
+    RUN_TEST(nominal_refuses_what_is_not_a_scale_and_leaves_the_output_alone);
     RUN_TEST(nominal_refuses_a_zero_that_is_not_finite_or_absurd);
     RUN_TEST(nominal_takes_any_unit_within_reason);
     RUN_TEST(a_nominal_that_is_singular_or_unreal_is_refused);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The cells of a magnetometer in motion: they are as large as each other, and what they hold is exact.
+ * The cells of a magnetometer in motion: they have equal size, and their contents are exact.
  */
 #include <math.h>
 #include <string.h>
@@ -10,7 +10,7 @@
 #include "support.h"
 #include "unity.h"
 
-/* Early, late, and what lies behind them in memory, which nothing may read. */
+/* Early, late, and the memory after them, which nothing may read. */
 static invcal_cells table[3];
 static const invcal_cell_tables both = {&table[0], &table[1]};
 
@@ -47,7 +47,7 @@ static void each_cell_holds_its_own_direction(void)
 }
 
 /* Each an eighteenth of the sphere: within 5 standard deviations of a binomial. */
-static void cells_are_as_large_as_each_other(void)
+static void cells_have_equal_size(void)
 {
     const int draws = 18 * SOME(10000);
     random_source random = random_start(1);
@@ -78,7 +78,7 @@ static void fill(invcal_cells *cells, double shift, double scale)
             h[a] = (invcal_real)((d[a] - shift * (a + 1)) / scale);
         }
         invcal_row_of(h);
-        invcal_cells_add(cells, 3, h); /* wherever they point */
+        invcal_cells_add(cells, 3, h); /* in any direction */
     }
 }
 
@@ -148,7 +148,7 @@ static void expect_gap(double cosine, unsigned cell)
     TEST_ASSERT_EQUAL_UINT(cell, worst);
 }
 
-/* Of cells that are as bad the first. A single sample covers a cell. */
+/* Of equally bad cells, the first. A single sample covers a cell. */
 static void a_gap_is_that_of_the_farthest_cell(void)
 {
     expect_gap(-1, 0);
@@ -218,7 +218,8 @@ static void nine_cells_are_enough(void)
     expect_truth(&fit.triad);
 }
 
-/* It lies along the mean of its samples, and is as long as these are in the root mean square once calibrated. */
+/* It lies along the mean of its samples, and has the root mean square of their calibrated
+ * lengths. */
 static void a_cell_is_a_position_with_the_length_of_its_samples(void)
 {
     static const struct {
@@ -318,8 +319,9 @@ static void cells_that_scatter_much_more_count_alone(void)
     }
 }
 
-/* Nine cells leave nothing over, and cells that agree to the last bit tell no scatter: sigma stays as it was. */
-static void what_shows_no_scatter_is_not_weighed(void)
+/* Nine cells leave no redundancy, and cells that agree to the last bit show no scatter: sigma stays
+ * as it was. */
+static void what_shows_no_scatter_is_not_weighted(void)
 {
     static invcal_cells cells;
     invcal_cell_fit fit = {.tables = {&cells, &cells}};
@@ -366,9 +368,10 @@ static const invcal_cell_fit as_they_are = {
     .triad = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
 };
 
-/* An offset and a length are four unknowns: four cells tell them, wherever these are, three do not. Closed form: lengths
- * of +x and -x change by the shift of 0.1, those across by 0.005; 100 samples before and after weigh 50. */
-static void four_cells_tell_a_step(void)
+/* An offset and a length are four unknowns: four cells determine them, wherever these are, three do
+ * not. Closed form: lengths of +x and -x change by the shift of 0.1, those across by 0.005; 100
+ * samples before and after weigh 50. */
+static void four_cells_show_a_step(void)
 {
     static const double direction[6][3] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
                                            {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
@@ -381,7 +384,8 @@ static void four_cells_tell_a_step(void)
                 add_along(&table[0], direction[sets[n][i]], 0, 100);
                 add_along(&table[1], direction[sets[n][i]], 0.1, 100);
             }
-            /* 50 (0.105^2 + 0.095^2 + 2 0.005^2) = 1.005 is told: more than 28 times 0.035, less than of 0.037 */
+            /* 50 (0.105^2 + 0.095^2 + 2 0.005^2) = 1.005: more than 28 times 0.035, less than of
+             * 0.037 */
             TEST_ASSERT_EQUAL_INT(cells == 4, invcal_cells_step(&as_they_are, INVCAL_REAL(0.035)));
             TEST_ASSERT_EQUAL_INT(0, invcal_cells_step(&as_they_are, INVCAL_REAL(0.037)));
             TEST_ASSERT_EQUAL_INT(0, invcal_cells_step(&as_they_are, 0));
@@ -389,7 +393,7 @@ static void four_cells_tell_a_step(void)
     }
 }
 
-/* A sample in a cell before, and one after whose squared length is larger by 2 excess. */
+/* An early sample in a cell, and a late one whose squared length is larger by 2 excess. */
 static void add_longer(unsigned k, double excess)
 {
     for (unsigned n = 0; n < 2; n++) {
@@ -403,10 +407,11 @@ static void add_longer(unsigned k, double excess)
     }
 }
 
-/* Six faces are longer by b, four edges by b + e, b - e, b - e and b + e, which no offset or length explains. Single
- * samples weigh 1/2: 5 b^2 is told and 2 e^2 is left, of 6 degrees of freedom. F is above 40 if 6 5 b^2 > 160 2 e^2:
- * b > 3.266 e. A power of 1 has nothing to say, and what was only seen before, or only after, has no part in it. */
-static void ten_cells_tell_a_step_by_themselves(void)
+/* Six faces are longer by b, four edges by b + e, b - e, b - e and b + e, which no offset or length
+ * explains. Single samples weigh 1/2: 5 b^2 is explained and 2 e^2 remains, with 6 degrees of
+ * freedom. F is above 40 if 6 5 b^2 > 160 2 e^2: b > 3.266 e. A power of 1 shows nothing, and cells
+ * that were seen only before, or only after, do not count. */
+static void ten_cells_show_a_step_by_themselves(void)
 {
     static const unsigned edge[] = {14, 15, 16, 17};
 
@@ -432,17 +437,17 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(each_cell_holds_its_own_direction);
-    RUN_TEST(cells_are_as_large_as_each_other);
+    RUN_TEST(cells_have_equal_size);
     RUN_TEST(moved_rows_are_those_of_moved_readings);
     RUN_SLOW_TEST(a_full_cell_keeps_its_mean);
     RUN_TEST(a_cell_that_a_merge_fills_is_halved);
-    RUN_TEST(what_shows_no_scatter_is_not_weighed);
+    RUN_TEST(what_shows_no_scatter_is_not_weighted);
     RUN_TEST(nine_cells_are_enough);
     RUN_TEST(a_cell_is_a_position_with_the_length_of_its_samples);
     RUN_TEST(the_power_counts_as_24);
     RUN_TEST(cells_that_scatter_much_more_count_alone);
-    RUN_TEST(four_cells_tell_a_step);
-    RUN_TEST(ten_cells_tell_a_step_by_themselves);
+    RUN_TEST(four_cells_show_a_step);
+    RUN_TEST(ten_cells_show_a_step_by_themselves);
     RUN_TEST(a_gap_is_that_of_the_farthest_cell);
     return UNITY_END();
 }

@@ -18,7 +18,7 @@ void tearDown(void)
 }
 
 static const double RADIAN = 0.017453292519943295769;
-/* What circle.h says; libm rounds too, half a turn of radians to 2 DBL_EPSILON. */
+/* The bound of circle.h; libm rounds, too, half a turn of radians to 2 DBL_EPSILON. */
 static const double within = FLOAT_OR_DOUBLE(1.2e-7, 2.2e-16) + 2 * DBL_EPSILON;
 
 static void assert_agrees_with_libm(double degrees)
@@ -48,7 +48,7 @@ static void cosine_and_sine_agree_with_libm_over_the_whole_turn(void)
     }
 }
 
-/* At 45 and 135 degrees the quarter changes that the series is taken in. */
+/* At 45 and 135 degrees the series changes to another quarter. */
 static void both_sides_of_a_seam_agree_with_libm(void)
 {
     for (int seam = -720; seam <= 720; seam += 45) {
@@ -72,7 +72,7 @@ static void quarter_turns_are_exact(void)
     }
 }
 
-static void what_is_no_angle_has_no_sine(void)
+static void what_is_not_an_angle_has_no_sine(void)
 {
     invcal_real c = 7;
     invcal_real s = 7;
@@ -87,6 +87,6 @@ int main(void)
     RUN_TEST(cosine_and_sine_agree_with_libm_over_the_whole_turn);
     RUN_TEST(both_sides_of_a_seam_agree_with_libm);
     RUN_TEST(quarter_turns_are_exact);
-    RUN_TEST(what_is_no_angle_has_no_sine);
+    RUN_TEST(what_is_not_an_angle_has_no_sine);
     return UNITY_END();
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * What earlier releases wrote is read by this one: devices in the field keep their calibration when
- * their firmware is renewed. The bytes are in tests/reference/releases. They are never made again to
- * please this test, only added to with each release; what they mean was read from them by a script
- * that shares no code with the library.
+ * This release reads what earlier ones wrote: devices in the field keep their calibration when
+ * their firmware is updated. The bytes are in tests/reference/releases. They are never regenerated
+ * to please this test, only added to with each release; a script that shares no code with the
+ * library read from them what they mean.
  */
 #include <string.h>
 
@@ -63,7 +63,7 @@ typedef struct {
     } is;
 } stored_session;
 
-typedef stored_record stored_flash; /* of two slots; `is` is what is loaded */
+typedef stored_record stored_flash; /* of two slots; `is` is the expected one */
 
 #include "releases/values.h"
 
@@ -113,7 +113,7 @@ static void same_record(const invcal_record *expected, const invcal_record *actu
     TEST_ASSERT_EQUAL_UINT_MESSAGE(expected->from_prior, actual->from_prior, name);
 }
 
-/* Of the present version the same bytes are written. */
+/* For the present version the same bytes are written. */
 static void same_bytes(const uint8_t *expected, const uint8_t *actual, uint32_t size,
                        const char *name)
 {
@@ -214,11 +214,11 @@ static void records_of_both_sensors_of_every_release_are_read(void)
     }
 }
 
-/* The procedure of 0.1.0 was another one: its sessions are known, and refused. */
+/* The procedure of 0.1.0 was different: its sessions are recognized, and refused. */
 static void sessions_of_earlier_releases_are_refused_by_name(void)
 {
     for (unsigned i = 0; i < COUNT(sessions); i++) {
-        static invcal_session session; /* large for a stack */
+        static invcal_session session; /* too large for a stack */
         const stored_session *old = &sessions[i];
         const uint32_t size = old->size < INVCAL_SESSION_SIZE ? old->size : INVCAL_SESSION_SIZE;
 
@@ -228,7 +228,7 @@ static void sessions_of_earlier_releases_are_refused_by_name(void)
     }
 }
 
-/* The flash of a release, as it was found. */
+/* The flash of a release, as found. */
 static int read_flash(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
 {
     const stored_flash *flash = context;
@@ -268,7 +268,7 @@ static void the_latest_calibration_is_found_in_a_flash_of_every_release(void)
 
         memset(&now, 0, sizeof now);
         memset(&calibration, 0, sizeof calibration);
-        if (invcal_load(&store, &calibration) != INVCAL_OK) { /* as a device asks */
+        if (invcal_load(&store, &calibration) != INVCAL_OK) { /* as a device does */
             TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OK, invcal_load_v1(&store, &calibration), old.name);
         }
         same_calibration(&old.is.calibration, &calibration, old.name);

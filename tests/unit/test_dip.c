@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The rotation between magnetometer and accelerometer: a known one comes back, and sigma is what it scatters by.
+ * The rotation between magnetometer and accelerometer: a known one comes back, and sigma is its
+ * scatter.
  */
 #include <limits.h>
 #include <math.h>
@@ -30,7 +31,8 @@ static void rotate_by(double angle, random_source *random, double r[3][3])
     rotation_by(v, r);
 }
 
-/* Up and a field that dips by `dip` in any orientation, the field read in axes turned by R'. */
+/* Up, and a field that dips by `dip`, in any orientation; the field is read in axes turned by
+ * R'. */
 static void read_both(double dip, const double r[3][3], double noise, random_source *random,
                       invcal_real up[3], invcal_real field[3])
 {
@@ -77,9 +79,9 @@ static void a_rotation_of_up_to_90_degrees_comes_back(void)
     }
 }
 
-/* The angles of many draws scatter by sigma; what errs alike k times counts once. The heading error that is left
- * is sigma / cos dip. */
-static void sigma_is_what_the_angles_scatter_by(void)
+/* The angles of many draws scatter by sigma; errors that are alike k times count once. The heading
+ * error that remains is sigma / cos dip. */
+static void sigma_is_the_scatter_of_the_angles(void)
 {
     static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const int runs = 300;
@@ -207,7 +209,7 @@ static void what_leaves_an_angle_open_is_refused(void)
 
     invcal_dip_init(&dip);
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_dip_solve(&dip, 1, found, NULL));
-    for (int i = 0; i < 100; i++) { /* it lies flat, and is turned about the vertical */
+    for (int i = 0; i < 100; i++) { /* it lies flat, and turns about the vertical */
         const double t = i * 0.1;
         const invcal_real up[3] = {0, 0, 1};
         const invcal_real field[3] = {(invcal_real)cos(t), (invcal_real)sin(t), -1};
@@ -217,7 +219,7 @@ static void what_leaves_an_angle_open_is_refused(void)
     TEST_ASSERT_TRUE(found[0][0] == 7 && found[2][2] == 7);
 }
 
-/* Up and a field that have nothing to do with each other have no angle between them. */
+/* Up and an unrelated field have no constant angle between them. */
 static void what_is_not_of_one_instant_is_refused(void)
 {
     random_source random = random_start(3);
@@ -269,7 +271,7 @@ int main(void)
     RUN_TEST(a_rotation_of_up_to_90_degrees_comes_back);
     RUN_TEST(the_quality_is_that_of_closed_form);
     RUN_TEST(five_instants_are_enough);
-    RUN_LONG_TEST(sigma_is_what_the_angles_scatter_by);
+    RUN_LONG_TEST(sigma_is_the_scatter_of_the_angles);
     RUN_TEST(what_leaves_an_angle_open_is_refused);
     RUN_TEST(what_is_not_of_one_instant_is_refused);
     RUN_TEST(bad_input_leaves_the_sums_as_they_were);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Things that go wrong, one a row, and what the user of the library is told: of the sensor in a
- * session, and of the memory that keeps what it found. A fault that is not told must do no harm
- * that sigma does not tell.
+ * Things that go wrong, a row each, and what the library reports: about the sensor in a session,
+ * and about the memory that keeps its result. A fault that is not reported must cause no error
+ * beyond sigma.
  */
 #include <math.h>
 #include <string.h>
@@ -41,11 +41,11 @@ typedef enum {
     CLOCK_JUMPS
 } fault;
 
-/* One fault, and what is to come of it. */
+/* One fault, and what must come of it. */
 typedef struct {
     const char *name;
     fault what;
-    int from;             /* the position from which on */
+    int from;             /* the position from which it occurs */
     int rails;            /* stated? */
     unsigned taken;       /* positions; the others are refused, or never seen: */
     unsigned refused;     /* so often, all of them */
@@ -61,11 +61,11 @@ typedef struct {
 
 typedef struct {
     const sensor_fault *row;
-    invcal_background room; /* the session lives in it */
+    invcal_background background; /* contains the session */
     invcal_session *session;
     triad_truth truth;
     random_source random;
-    int32_t latest[3]; /* what a part that does not change goes on to read */
+    int32_t latest[3]; /* what a part that does not change keeps reading */
     unsigned long samples;
     int position;
     double up[3];
@@ -143,7 +143,7 @@ static int number(int n)
     return !has_begun() ? n : b.row->what == SLOWER ? n / 2 : b.row->what == FASTER ? 2 * n : n;
 }
 
-/* A second's turn, and 2.5 s of rest. */
+/* A turn of a second, and a rest of 2.5 s. */
 static void visit(const double to[3])
 {
     const double from[3] = {b.up[0], b.up[1], b.up[2]};
@@ -172,7 +172,7 @@ static void run_session(const sensor_fault *row)
 {
     memset(&b, 0, sizeof b);
     b.row = row;
-    b.session = &b.room.session;
+    b.session = &b.background.session;
     b.random = random_start(7);
     b.truth = triad_random(&b.random, 0.02);
     memcpy(b.up, expected_plan18[0], sizeof b.up);
@@ -187,7 +187,7 @@ static void run_session(const sensor_fault *row)
     note(invcal_session_finish(b.session));
 }
 
-/* A triad whose x and y axes are exchanged all the time is one with their errors exchanged. */
+/* A triad whose x and y axes are always exchanged is one with exchanged errors. */
 static void exchange_truth(void)
 {
     static const unsigned char pair[3][2] = {{INVCAL_DELTA_X, INVCAL_DELTA_Y},
@@ -253,9 +253,9 @@ static const sensor_fault sensor_faults[] = {
     {"clips at a rail that was stated", CLIPS, 0, 1, 0, 18, INVCAL_REST_CLIPPED, 0, INVCAL_TOO_FEW,
      0},
     {"clips at a rail that was not", CLIPS, 0, 0, 0, 18, INVCAL_REST_FROZEN, 0, INVCAL_TOO_FEW, 0},
-    /* Lengths do not tell a mirrored triad: it is calibrated as it reads. */
+    /* Lengths do not show a mirrored triad: it is calibrated as it reads. */
     {"two axes exchanged", SWAPS_AXES, 0, 0, 18, 0, INVCAL_OK, 1, INVCAL_OK, ANY_ERROR},
-    /* What disagrees is noise, 100 times as much as without, and changes as a drift does. */
+    /* The disagreement is noise, 100 times as large as without, and changes like a drift. */
     {"two axes exchanged half-way", SWAPS_AXES, HALF, 0, 18, 0, INVCAL_OK, 0, INVCAL_OK,
      100 * ANY_ERROR},
     {"one sample of 10,000 is wrong", GLITCHES, 0, 0, 18, 0, INVCAL_OK, 1, INVCAL_OK, ANY_ERROR},
@@ -265,15 +265,15 @@ static const sensor_fault sensor_faults[] = {
     {"the clock jumps in every rest", CLOCK_JUMPS, 0, 0, 18, 0, INVCAL_OK, 1, INVCAL_OK, ANY_ERROR},
 };
 
-static void each_fault_of_the_sensor_is_told_or_does_no_harm(void)
+static void each_fault_of_the_sensor_is_reported_or_does_no_harm(void)
 {
     for (unsigned i = 0; i < sizeof sensor_faults / sizeof sensor_faults[0]; i++) {
         check_sensor(&sensor_faults[i]);
     }
 }
 
-/* A calendar that jumps ahead by years lets the positions of the background go: there is no
- * calibration of them any more, but no wrong one either. */
+/* A calendar that jumps ahead by years drops the positions of the background: there is no
+ * calibration from them any more, but no wrong one, either. */
 static void a_calendar_that_jumps_ends_in_too_few_positions(void)
 {
     const sensor_fault row = {.name = "calendar"};
@@ -283,7 +283,7 @@ static void a_calendar_that_jumps_ends_in_too_few_positions(void)
     run_session(&row);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_solve(b.session, &calibration, &quality));
     for (int day = 0; day < 3650; day++) {
-        invcal_background_age(&b.room);
+        invcal_background_age(&b.background);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_session_solve(b.session, &calibration, &quality));
     TEST_ASSERT_EQUAL_UINT(0, b.session->count);
@@ -292,7 +292,7 @@ static void a_calendar_that_jumps_ends_in_too_few_positions(void)
 /* ---- a memory that fails --------------------------------------------------------------------- */
 
 enum { SLOT = 64, SIZE = 20, GRANULE = 4 };
-enum { OLDER = 'a', OLD = 'b', NEW = 'c' }; /* records: bytes that are all this */
+enum { OLDER = 'a', OLD = 'b', NEW = 'c' }; /* records: all bytes are this */
 
 typedef enum {
     SOUND,
@@ -314,7 +314,7 @@ typedef struct {
     const char *name;
     memory_failure what;
     invcal_status save; /* of the new record, */
-    invcal_status load; /* and what is loaded then */
+    invcal_status load; /* and what is then loaded */
     int record;
 } memory_fault;
 
@@ -343,7 +343,7 @@ static int nor_erase(void *context, unsigned slot)
     if (flash.is_off || flash.what == ERASE_FAILS) {
         return 1;
     }
-    if (flash.what == CUT_IN_ERASE) { /* done by half, bit by bit */
+    if (flash.what == CUT_IN_ERASE) { /* half done, bit by bit */
         for (unsigned i = 0; i < SLOT; i++) {
             flash.bytes[slot][i] |= (uint8_t)(i % 3 ? 0x5A : 0xFF);
         }
@@ -401,7 +401,7 @@ static void check_memory(const memory_fault *row)
     const int after = row->what >= BITS_ROT;
     flash.what = after ? SOUND : row->what;
     TEST_ASSERT_EQUAL_INT_MESSAGE(row->save, save(NEW), row->name);
-    flash.what = after ? row->what : SOUND; /* power is back, or time has gone by */
+    flash.what = after ? row->what : SOUND; /* power is back, or time has passed */
     flash.is_off = 0;
     if (row->what == BITS_ROT || row->what == BITS_ROT_IN_BOTH) {
         flash.bytes[newest_slot()][20] ^= 0x10;
@@ -433,7 +433,7 @@ static const memory_fault memory_faults[] = {
     {"neither can be read", BOTH_ARE_UNREADABLE, INVCAL_OK, INVCAL_IO, 0},
 };
 
-static void each_fault_of_the_memory_is_told_and_leaves_an_older_record(void)
+static void each_fault_of_the_memory_is_reported_and_leaves_an_older_record(void)
 {
     for (unsigned i = 0; i < sizeof memory_faults / sizeof memory_faults[0]; i++) {
         check_memory(&memory_faults[i]);
@@ -443,8 +443,8 @@ static void each_fault_of_the_memory_is_told_and_leaves_an_older_record(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_SLOW_TEST(each_fault_of_the_sensor_is_told_or_does_no_harm);
+    RUN_SLOW_TEST(each_fault_of_the_sensor_is_reported_or_does_no_harm);
     RUN_SLOW_TEST(a_calendar_that_jumps_ends_in_too_few_positions);
-    RUN_TEST(each_fault_of_the_memory_is_told_and_leaves_an_older_record);
+    RUN_TEST(each_fault_of_the_memory_is_reported_and_leaves_an_older_record);
     return UNITY_END();
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The frame of the case: a known rotation comes back, its sigma is that of closed form, and the tilt of a
- * table cancels in pairs.
+ * The frame of the case: a known rotation comes back, its sigma has a closed form, and the tilt of
+ * a table cancels in pairs.
  */
 #include <limits.h>
 #include <math.h>
@@ -22,7 +22,7 @@ void tearDown(void)
 static const double faces[6][3] = {{0, 0, 1},  {1, 0, 0},  {0, 1, 0},
                                    {0, 0, -1}, {-1, 0, 0}, {0, -1, 0}};
 
-/* The reading R' c of a calibrated sensor, c the way up of the case. */
+/* The reading R' c of a calibrated sensor, c the up direction in the case. */
 static void read_turned(const double r[3][3], const double c[3], invcal_real out[3])
 {
     for (int j = 0; j < 3; j++) {
@@ -98,7 +98,7 @@ static void sigma_is_that_of_closed_form(void)
 }
 
 /* The directions of many draws with noise s are off by s sigma. */
-static void sigma_is_what_the_angles_scatter_by(void)
+static void sigma_is_the_scatter_of_the_angles(void)
 {
     static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const double noise = 0.01;
@@ -223,7 +223,7 @@ static void bad_input_leaves_the_sums_as_they_were(void)
     TEST_ASSERT_TRUE(frame.count == UINT_MAX);
 }
 
-/* A trim turns the way up to where it should be, and nothing about it. */
+/* A trim turns the up direction to where it should be, and nothing about it. */
 static void a_single_face_is_levelled_the_shortest_way(void)
 {
     const double t = 0.3;
@@ -248,8 +248,9 @@ static void a_single_face_is_levelled_the_shortest_way(void)
     is_rotation(lean, (const invcal_real(*)[3])found, FLOAT_OR_DOUBLE(3e-7, 1e-15));
 }
 
-/* Also where it is no face: (2 1 2) / 3 is perpendicular to the axis (1 0 -1) of the turn, so that no other is shorter. */
-static void any_way_up_is_levelled_the_shortest_way(void)
+/* Also if that is not a face: (2 1 2) / 3 is perpendicular to the axis (1 0 -1) of the turn, so
+ * that no other turn is shorter. */
+static void any_orientation_is_levelled_the_shortest_way(void)
 {
     const double turn[3] = {0.3, 0, -0.3};
     static const double up[3] = {2.0 / 3, 1.0 / 3, 2.0 / 3};
@@ -265,7 +266,7 @@ static void any_way_up_is_levelled_the_shortest_way(void)
     is_rotation((const double(*)[3])r, (const invcal_real(*)[3])found,
                 FLOAT_OR_DOUBLE(5e-7, 1e-15));
     invcal_frame_init(&frame);
-    for (int k = 0; k < 3; k++) { /* by three faces, each as it lies along it */
+    for (int k = 0; k < 3; k++) { /* by three faces, each along its axis */
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&frame, (const double(*)[3])r, faces[k], faces[k]));
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_level(&frame, stated, found));
@@ -273,7 +274,7 @@ static void any_way_up_is_levelled_the_shortest_way(void)
                 FLOAT_OR_DOUBLE(5e-7, 1e-15));
 }
 
-/* Half and twice the field are the last that count. */
+/* Half and twice the field are the limits. */
 static void lengths_at_the_limit_count(void)
 {
     static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -303,13 +304,13 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(any_rotation_comes_back_from_two_faces_and_from_more);
     RUN_TEST(sigma_is_that_of_closed_form);
-    RUN_TEST(sigma_is_what_the_angles_scatter_by);
+    RUN_TEST(sigma_is_the_scatter_of_the_angles);
     RUN_TEST(the_tilt_of_a_table_cancels_in_pairs);
     RUN_TEST(one_way_up_is_refused_and_so_is_its_opposite_or_a_mirror);
     RUN_TEST(two_faces_may_be_26_degrees_apart);
     RUN_TEST(bad_input_leaves_the_sums_as_they_were);
     RUN_TEST(a_single_face_is_levelled_the_shortest_way);
-    RUN_TEST(any_way_up_is_levelled_the_shortest_way);
+    RUN_TEST(any_orientation_is_levelled_the_shortest_way);
     RUN_TEST(lengths_at_the_limit_count);
     RUN_TEST(a_calibration_is_turned_from_the_left);
     return UNITY_END();

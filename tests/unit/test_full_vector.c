@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Known directions: the full vector, and the rotation that lengths never show.
+ * Known directions: the full vector, and the rotation that lengths cannot show.
  */
 #include <limits.h>
 #include <math.h>
@@ -43,7 +43,7 @@ static invcal_status add(invcal_full_vector *full, const double u[3], const doub
     return invcal_full_vector_add(full, &nominal, raw, up);
 }
 
-/* The first `count` positions of the paper's program, for a unit that is mounted at R. */
+/* The first `count` positions of the paper's program, for a unit with the mounting R. */
 static invcal_full_vector mounted(const triad_truth *truth, const double r[3][3], int count)
 {
     invcal_full_vector full;
@@ -110,7 +110,7 @@ static void calibrated_readings_are_directions_of_the_stand(void)
     }
 }
 
-/* Raw counts, turned and skewed; and the new calibration takes the place of the one before. */
+/* Raw counts, turned and skewed; and the new calibration replaces the previous one. */
 static void any_regular_matrix_may_be_nominal_and_be_replaced(void)
 {
     static const double t[3][3] = {{80, 30, -20}, {-35, 60, 50}, {20, -40, 120}};
@@ -180,7 +180,7 @@ static void angles_of_mounting(int moved, double error, double angle[3])
     }
 }
 
-/* The squares of what each reading moves them by add up to 1/(2 N), N = 6 on each great circle. */
+/* The squares of the change by each reading add up to 1/(2 N), N = 6 on each great circle. */
 static void the_angles_of_the_mounting_have_the_sigma_that_the_header_states(void)
 {
     const double error = 0.01;
@@ -204,7 +204,7 @@ static void assert_solved(invcal_status status, invcal_full_vector full,
     invcal_calibration c = {{7, 7, 7}, {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
     const invcal_calibration was = c;
     invcal_real x[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7};
-    invcal_real r[4][3] = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}, {7, 7, 7}}; /* and a row behind it */
+    invcal_real r[4][3] = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}, {7, 7, 7}}; /* and a row after it */
 
     TEST_ASSERT_EQUAL_INT(status, invcal_full_vector_solve(&full, nominal, &c, x, r));
     TEST_ASSERT_EQUAL_INT(status != INVCAL_OK, memcmp(&was, &c, sizeof c) == 0);
@@ -220,7 +220,7 @@ static const double straight[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 static void too_few_flat_and_mirrored_directions_are_refused(void)
 {
     const triad_truth truth = {{0.01, 0, 0, 0.02, 0, 0, 0, 0.01, 0}};
-    const double mirror[3][3] = {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* beta counts the other way */
+    const double mirror[3][3] = {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; /* beta reversed */
     const invcal_calibration nominal = unit_nominal();
     const double s = sqrt(1.0 / 3);
     const double corner[4][3] = {{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}};
@@ -245,7 +245,7 @@ static void a_nominal_without_an_inverse_is_refused(void)
 }
 
 /* Readings are kept between 0.1 and 10, and so are semi-axes, about; offsets within 10. */
-static void semi_axes_and_offsets_beyond_their_limits_are_no_triads(void)
+static void semi_axes_and_offsets_beyond_their_limits_are_not_triads(void)
 {
     static const struct {
         int r;
@@ -282,8 +282,8 @@ static void semi_axes_and_offsets_beyond_their_limits_are_no_triads(void)
     }
 }
 
-/* Every element of the system and of its first right side, for a set that can be solved. */
-static void sums_that_are_no_numbers_are_refused(void)
+/* Every element of the system and of its first right-hand side, for a set that can be solved. */
+static void sums_that_are_not_numbers_are_refused(void)
 {
     static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     const triad_truth none = {{0}};
@@ -313,7 +313,7 @@ static void assert_not_added(const double u[3], const double eta[3], invcal_stat
     TEST_ASSERT_EQUAL_MEMORY(&before, &full, sizeof before);
 }
 
-static void what_is_no_reading_or_no_direction_is_not_added(void)
+static void what_is_not_a_reading_or_a_direction_is_not_added(void)
 {
     const double z[3] = {0, 0, 1};
     const double nan[3] = {0, NOT_A_NUMBER, 1};
@@ -353,9 +353,9 @@ int main(void)
     RUN_TEST(the_angles_of_the_mounting_have_the_sigma_that_the_header_states);
     RUN_TEST(too_few_flat_and_mirrored_directions_are_refused);
     RUN_TEST(a_nominal_without_an_inverse_is_refused);
-    RUN_TEST(semi_axes_and_offsets_beyond_their_limits_are_no_triads);
-    RUN_TEST(sums_that_are_no_numbers_are_refused);
-    RUN_TEST(what_is_no_reading_or_no_direction_is_not_added);
+    RUN_TEST(semi_axes_and_offsets_beyond_their_limits_are_not_triads);
+    RUN_TEST(sums_that_are_not_numbers_are_refused);
+    RUN_TEST(what_is_not_a_reading_or_a_direction_is_not_added);
     RUN_TEST(the_count_ends_at_the_largest_number);
     return UNITY_END() != 0;
 }

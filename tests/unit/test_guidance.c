@@ -37,7 +37,7 @@ static void row_of(const double v[3], double h[N])
     memcpy(h, row, sizeof row);
 }
 
-/* By Gauss and Jordan; positive definite, so the diagonal will do for pivots. */
+/* By Gauss-Jordan elimination; positive definite, so the diagonal supplies the pivots. */
 static inverse_matrix invert(double a[N][N])
 {
     inverse_matrix out = {{{0}}, 0};
@@ -63,7 +63,7 @@ static inverse_matrix invert(double a[N][N])
     return out;
 }
 
-/* Readings over field: what has been taken so far. */
+/* Readings over field: the positions taken so far. */
 typedef struct {
     invcal_real u[3 * MAX_POSITIONS];
     unsigned count;
@@ -134,7 +134,7 @@ static double bound(double n)
     return 4 * log(n / 3) + 2 * log(2 * n / 15) + 3 * log(n / 15);
 }
 
-/* The 26 directions: all of -1, 0, 1 but zero. */
+/* The 26 directions: all of -1, 0, 1 except zero. */
 static int direction_of(int code, double up[3])
 {
     const double v[3] = {code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
@@ -279,7 +279,7 @@ typedef struct {
 static progress follow(random_source *random, double errors, double degrees)
 {
     const triad_truth truth = triad_random(random, errors);
-    reading_list read = {{0}, 0};    /* which guides */
+    reading_list read = {{0}, 0};    /* the one that guides */
     reading_list visited = {{0}, 0}; /* the directions themselves */
     progress p = {0, 0, 0, 0, 0};
 
@@ -338,7 +338,7 @@ static void hands_that_miss_by_10_degrees_get_nearly_as_far(void)
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(1.25, p.worst18);
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.8, p.deficit18);
         deficit[i] = p.deficit18;
-        hidden += !(p.drift14 <= 1.5); /* then it would not be looked for */
+        hidden += !(p.drift14 <= 1.5); /* in which case it would not be tested */
     }
     TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.05, (double)hidden / HANDS);
     qsort(deficit, HANDS, sizeof *deficit, by_size);
@@ -378,8 +378,8 @@ static void the_first_positions_are_faces_then_corners(void)
 
 /* ---- the choice -------------------------------------------------------------------------------- */
 
-/* Does up tell most, but for a share of 1/64 by which a move right over counts less than none? Within
- * the rounding of float. */
+/* Is up the most informative, with a move right over counting 1/64 less than none? Within the
+ * rounding of float. */
 static void assert_choice(const reading_list *list, const double up[3])
 {
     const inverse_matrix k = covariance(list, RIDGE, NULL);
@@ -402,7 +402,7 @@ static void assert_choice(const reading_list *list, const double up[3])
     }
 }
 
-static void the_direction_asked_for_tells_most_and_is_not_far(void)
+static void the_next_direction_adds_most_and_is_not_far(void)
 {
     random_source random = random_start(3);
 
@@ -447,27 +447,27 @@ static void what_is_within_reach_of_the_last_position_is_not_asked_for(void)
     }
 }
 
-/* Not even where it tells most. */
+/* Not even if it is the most informative. */
 static void the_position_taken_last_is_never_asked_for_again(void)
 {
     reading_list list = {{0}, 0};
     double up[3];
 
-    for (int code = 0; code < 26; code++) { /* all but the corner + + + twice, that once */
+    for (int code = 0; code < 26; code++) { /* all but the corner + + + twice */
         for (int times = 0; times < 2 && direction_of(code, up); times++) {
             add_reading(&list, up);
         }
     }
     TEST_ASSERT_TRUE(direction_of(26, up));
     for (int i = 0; i < 3; i++) {
-        up[i] *= 0.2; /* a weak reading, that tells little */
+        up[i] *= 0.2; /* a weak reading, which tells little */
     }
     add_reading(&list, up);
     ask(&list, up);
     TEST_ASSERT_TRUE(sign_of(up[0]) < 1 || sign_of(up[1]) < 1 || sign_of(up[2]) < 1);
 }
 
-static void what_is_no_reading_is_passed_over(void)
+static void what_is_not_a_reading_is_skipped(void)
 {
     static const double bad[][3] = {
         {NOT_A_NUMBER, 0, 0},     {0, NOT_A_NUMBER, 1},
@@ -640,14 +640,14 @@ static void other_directions_have_words_to_five_degrees(void)
     }
 }
 
-/* The tilt is that of the nearest five degrees, but for a unit vector in parts of 640. */
+/* The tilt is rounded to five degrees, for a unit vector in parts of 640. */
 static void the_tilt_changes_between_two_fives(void)
 {
     for (unsigned i = 0; i < 10; i++) {
         for (int side = -1; side <= 1; side += 2) {
             const double degrees = 7.5 + 5 * i + side * (i == 0 ? 0.4 : 0.12);
             const double radians = degrees / 57.29577951308232;
-            /* above 45 degrees to both other axes */
+            /* more than 45 degrees from both other axes */
             const double across = i < 8 ? sin(radians) : sin(radians) / sqrt(2);
             const invcal_real up[3] = {(invcal_real)across, (invcal_real)(i < 8 ? 0 : across),
                                        (invcal_real)cos(radians)};
@@ -659,7 +659,7 @@ static void the_tilt_changes_between_two_fives(void)
     }
 }
 
-/* Whatever the numbers, no byte beyond the words is written, and they end. */
+/* Whatever the numbers, no byte is written beyond the words, and they are terminated. */
 static void words_for_no_direction_do_no_harm(void)
 {
     static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 0, 1e30, -1e30, 0.5};
@@ -680,11 +680,11 @@ int main(void)
     RUN_TEST(nine_positions_as_asked_determine_everything_and_eighteen_come_close_to_the_best);
     RUN_LONG_TEST(hands_that_miss_by_10_degrees_get_nearly_as_far);
     RUN_TEST(the_first_positions_are_faces_then_corners);
-    RUN_TEST(the_direction_asked_for_tells_most_and_is_not_far);
+    RUN_TEST(the_next_direction_adds_most_and_is_not_far);
     RUN_TEST(only_faces_edges_and_corners_are_asked_for);
     RUN_TEST(what_is_within_reach_of_the_last_position_is_not_asked_for);
     RUN_TEST(the_position_taken_last_is_never_asked_for_again);
-    RUN_SLOW_TEST(what_is_no_reading_is_passed_over);
+    RUN_SLOW_TEST(what_is_not_a_reading_is_skipped);
     RUN_SLOW_TEST(the_prospect_is_sigma_without_and_with_the_position);
     RUN_TEST(with_eighteen_positions_the_prospect_is_that_of_the_sums_alone);
     RUN_TEST(from_positions_on_a_plane_it_leads_out_of_the_plane);

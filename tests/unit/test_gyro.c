@@ -50,7 +50,7 @@ static void replay(const double m[3][3], const invcal_segment *segments, unsigne
     invcal_replay_move(&work, segments, count, bias, up, out);
 }
 
-/* exp and its left Jacobian. The segment lasts a second, so a bias takes its own angle off. */
+/* exp and its left Jacobian. The segment lasts a second, so a bias subtracts its own angle. */
 static void assert_closed_form(const double m[3][3], const invcal_real bias[3])
 {
     const invcal_segment segment = {{7000, -5000, 4000}, {0, 0, 0}, 200};
@@ -97,7 +97,7 @@ static void a_segment_of_a_steady_axis_is_that_of_closed_form(void)
     assert_closed_form(m, bias);
 }
 
-/* S against central differences, of a move that wobbles. */
+/* S against central differences, for a move that wobbles. */
 static void the_jacobian_is_that_of_differences(void)
 {
     const double vector[3] = {1.2, 0.6, -0.4};
@@ -135,7 +135,7 @@ static void the_jacobian_is_that_of_differences(void)
 
 /* ---- exact segments ----------------------------------------------------------------------------- */
 
-/* A move of equal segments about a steady axis, all whole numbers: its truth has no rounding. */
+/* A move of equal segments about a fixed axis, all whole numbers: its truth has no rounding. */
 static void add_exact(const double m[3][3], const int v[3], int segments)
 {
     double th[3], c[3][3], all[3][3], after[3];
@@ -172,7 +172,7 @@ static void begin_exact(const double up[3])
     w.count = w.moves.count = 1;
 }
 
-/* Quarter turns, each of the twelve edges once: about the axis, that way round. */
+/* Quarter turns, each of the twelve edges once: the axis and the sense. */
 static void tour_exact(const double m[3][3], int v)
 {
     static const char tour[] = "zxyZXyzXYZxYz";
@@ -220,7 +220,7 @@ static void expect_matrix(const double m[3][3], double within)
     }
 }
 
-/* Errors of the gyroscope, without noise; and of the accelerometer, or with it held. */
+/* Errors of the gyroscope, without noise; with errors of the accelerometer, or with it held. */
 static void errors_of_ten_percent_come_back_exactly(void)
 {
     static const double m[3][3] = {{1.1, 0.04, -0.03}, {-0.05, 0.92, 0.03}, {0.02, -0.06, 1.05}};
@@ -237,7 +237,7 @@ static void errors_of_ten_percent_come_back_exactly(void)
         }
         tour_exact(m, 10294);
         tour_exact(m, 10000);
-        if (held) { /* of a rest only the direction counts then */
+        if (held) { /* then only the direction of a rest counts */
             for (int k = 0; k < 3 * w.count; k++) {
                 w.mean[k / 3][k % 3] *= 1.25;
             }
@@ -267,9 +267,9 @@ static void errors_of_ten_percent_come_back_exactly(void)
     }
 }
 
-/* Scale errors are linear in turns about one axis, as far as the angle is 3 sin / (2 + cos): of 9 degrees to
- * 6e-7. So one pass tells them. */
-static void one_pass_tells_scale_errors(void)
+/* Turns about one axis are linear in scale errors, as far as the angle is 3 sin / (2 + cos): for 9
+ * degrees to 6e-7. So one pass determines them. */
+static void one_pass_determines_scale_errors(void)
 {
     static const double errors[3] = {0.1, -0.08, 0.05};
     const invcal_calibration nominal = unit_nominal();
@@ -297,7 +297,7 @@ static void one_pass_tells_scale_errors(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_begin(&work, raw[0], (unsigned)w.count, &nominal,
                                                       &w.moves, &settings, &imu));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_sum(&work));
-    for (unsigned i = 0; i < 9; i++) { /* half of the misalignments is not told */
+    for (unsigned i = 0; i < 9; i++) { /* half of the misalignments is not determined */
         work.pass.sum[INVCAL_PACKED(i, i)] += INVCAL_REAL(1e6) * (i % 4 != 0);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(work.pass.sum, 9, 10, INVCAL_FLOOR));
@@ -354,7 +354,7 @@ static void the_tour_determines_the_gyroscope_as_closed_form_says(void)
     }
 }
 
-/* Both, over the noise of a mean; moves have sqrt(2) of it. */
+/* Both, over the noise of a mean; moves have sqrt(2) times that. */
 static void the_tour_determines_both(void)
 {
     const invcal_calibration nominal = unit_nominal();
@@ -379,7 +379,7 @@ static void the_tour_determines_both(void)
     }
 }
 
-/* A turn about an axis tells three of nine. */
+/* Turns about one axis determine three of nine. */
 static void moves_about_one_axis_leave_six_open_and_about_two_three(void)
 {
     const int x[3] = {9000, 0, 0};
@@ -412,7 +412,7 @@ static void moves_about_one_axis_leave_six_open_and_about_two_three(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, world_solve(&w, &settings, &imu));
 }
 
-/* A prior closes what is open, and no more. */
+/* A prior determines what is open, and nothing else. */
 static void a_prior_holds_what_moves_leave_open(void)
 {
     static const double m[3][3] = {{1.02, 0.01, 0}, {0.01, 0.99, 0.02}, {0, 0.01, 1.01}};
@@ -443,7 +443,7 @@ static void a_prior_holds_what_moves_leave_open(void)
     }
 }
 
-/* Almost one axis: the pivots see it, and sigma says what it is worth. */
+/* Almost one axis: the pivots see it, and sigma is honest about it. */
 static void next_to_one_axis_nothing_is_determined(void)
 {
     invcal_imu_settings settings;
@@ -458,8 +458,8 @@ static void next_to_one_axis_nothing_is_determined(void)
     TEST_ASSERT_EQUAL_HEX32(0x1B6, imu.open & 0x1B6u);
 }
 
-/* Up in one plane does not tell how the bias depends on it. */
-static void a_bias_that_rests_do_not_tell_is_left_alone(void)
+/* Up in one plane does not show how the bias depends on it. */
+static void a_bias_that_rests_do_not_determine_is_left_alone(void)
 {
     const int x[3] = {9000, 0, 0};
     invcal_real prior[INVCAL_IMU_PARAMETERS];
@@ -481,7 +481,7 @@ static void a_bias_that_rests_do_not_tell_is_left_alone(void)
 }
 
 /* Three moves and three priors are nine equations. */
-static void without_redundancy_there_is_no_good(void)
+static void without_redundancy_nothing_is_good(void)
 {
     static const int turns[3][3] = {{9000, 0, 3000}, {0, 9000, 0}, {-3000, 0, 9000}};
     invcal_real prior[INVCAL_IMU_PARAMETERS] = {0};
@@ -560,8 +560,8 @@ static void the_noise_of_moves_is_that_of_residuals_and_statement(void)
     }
 }
 
-/* What only its prior tells has that as sigma: weak above 2.5 times the noise of a rest, which here is larger than that
- * of a move; undetermined above 1000. */
+/* A parameter that only its prior determines has that as sigma: weak above 2.5 times the noise of a
+ * rest, which here is larger than that of a move; undetermined above 1000. */
 static void weak_and_undetermined_begin_at_their_bounds(void)
 {
     static const double by[12] = {0};
@@ -602,7 +602,8 @@ static void a_move_is_apart_beyond_its_bound(void)
     }
 }
 
-/* The biases of 25 rests are G up + drift to a unit of 2^-18 rad/s; 12 rests tell them, 11 do not. */
+/* The biases of 25 rests are G up + drift to a unit of 2^-18 rad/s; 12 rests determine them, 11 do
+ * not. */
 static void slopes_of_the_bias_are_those_of_closed_form(void)
 {
     static const int g[3][4] = {{40, -80, 120, 960}, {200, 60, -20, 0}, {-90, 10, 30, -480}};
@@ -650,7 +651,7 @@ static invcal_status find_mounting(int8_t axes[3], invcal_real *scale)
 }
 
 /* Moves about the space diagonal look the same after the axes are exchanged in a circle. */
-static void moves_may_tell_no_way_from_another(void)
+static void moves_may_leave_the_mapping_of_axes_open(void)
 {
     const int v[3] = {5000, 5000, 5000};
     int8_t axes[3];
@@ -669,7 +670,7 @@ static void moves_may_tell_no_way_from_another(void)
 
 /* ---- a hand ------------------------------------------------------------------------------------- */
 
-/* What the accelerometer's calibration leaves of the truth: A (I + S) - 1 and A (delta - zero), over sigma. */
+/* The error of the accelerometer's calibration: A (I + S) - 1 and A (delta - zero), over sigma. */
 static void compare_accelerometer(double squares[4], double *chi)
 {
     const double *x = w.triad.x;
@@ -746,8 +747,8 @@ static void errors_are_those_that_sigma_says(void)
     TEST_ASSERT_TRUE(rms(squares[3], 3 * runs) < 2.0e-4);
 }
 
-/* A gyroscope ten times as unstable as stated beside rests three times as exact as usual: the moves are weighed
- * down, and the accelerometer is as exact as its lengths tell, and says so. */
+/* A gyroscope ten times as unstable as stated, with rests three times as exact as usual: the moves
+ * are given less weight, and the accelerometer is as exact as its lengths allow, and says so. */
 static void noisy_moves_spoil_no_accelerometer(void)
 {
     const int runs = SOME(20);
@@ -774,7 +775,7 @@ static void noisy_moves_spoil_no_accelerometer(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.25, 1, rms(chi, 9 * runs));
 }
 
-/* g-sensitivity of 0.1 degrees/s/g is found, and does no harm. */
+/* g-sensitivity of 0.1 degrees/s/g is found, and causes no error. */
 static void g_sensitivity_is_found_and_taken_out(void)
 {
     double squares = 0;
@@ -807,7 +808,7 @@ static void g_sensitivity_is_found_and_taken_out(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.02 * DEGREE, 0, rms(biases, 3 * runs));
 }
 
-/* Without it there is only an upper bound. */
+/* Without enough rests there is only an upper bound. */
 static void without_g_sensitivity_none_is_used(void)
 {
     int used = 0;
@@ -829,7 +830,7 @@ static void without_g_sensitivity_none_is_used(void)
 
 /* ---- what is wrong ------------------------------------------------------------------------------ */
 
-static void axes_exchanged_or_turned_round_are_named(void)
+static void exchanged_or_reversed_axes_are_named(void)
 {
     static const int ways[][3] = {{1, 2, 3},  {2, 1, 3},   {1, -2, 3},
                                   {-2, 3, 1}, {-1, -2, 3}, {3, 2, -1}};
@@ -852,8 +853,8 @@ static void axes_exchanged_or_turned_round_are_named(void)
     }
 }
 
-/* Seven turns of the tour are one more than the unknowns need, and leave some nearly open. */
-static void too_few_moves_are_no_wrong_mounting(void)
+/* Seven turns of the tour are one more than the unknowns need, but leave some nearly open. */
+static void too_few_moves_are_not_called_a_wrong_mounting(void)
 {
     for (unsigned seed = 7046; seed <= 7060; seed++) {
         world_begin(&w, 100, seed);
@@ -889,7 +890,7 @@ static void degrees_taken_for_radians_are_named(void)
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, find_mounting(axes, &scale));
             TEST_ASSERT_DOUBLE_WITHIN(1e-4, 57.29578, (double)scale);
             TEST_ASSERT_TRUE(axes[0] == 1 && axes[1] == 2 && axes[2] == 3);
-        } else { /* no move is of any use: more than seven turns each */
+        } else { /* no move is usable: more than seven turns each */
             TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, status);
             for (unsigned i = 1; i < w.moves.count; i++) {
                 TEST_ASSERT_TRUE(invcal_moves_reason(&w.moves, i) == INVCAL_MOUNTING ||
@@ -945,7 +946,7 @@ static void stuck_is_less_than_a_hundredth(void)
     }
 }
 
-static void a_single_segment_tells_what_is_stuck(void)
+static void a_single_segment_shows_what_is_stuck(void)
 {
     const int v[3] = {0, 9000, 0};
     int8_t axes[3];
@@ -958,9 +959,9 @@ static void a_single_segment_tells_what_is_stuck(void)
     TEST_ASSERT_TRUE(axes[0] == 0 && axes[1] == 2 && axes[2] == 0 && scale == 1);
 }
 
-/* All 48 ways, and in degrees: of each the one that was built. Axis i of the accelerometer turns as `of[i]`
- * of the gyroscope reads. */
-static void every_way_is_found(void)
+/* All 48 mappings of axes, and in degrees: each is found. Axis i of the accelerometer turns as axis
+ * `of[i]` of the gyroscope reads. */
+static void every_mapping_of_axes_is_found(void)
 {
     static const int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
                                      {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -991,9 +992,9 @@ static void every_way_is_found(void)
     }
 }
 
-/* A way must be four times as good as the next. About z the device turns by 1 - 2 f of what is read: with z as
- * it is f of twice that angle is left, with z turned round 1 - f. */
-static void the_next_way_has_four_times_the_squares(void)
+/* A mapping of axes must be four times as good as the next. About z the device turns by 1 - 2 f of
+ * what is read: with z as it is, f of twice that angle remains, with z reversed 1 - f. */
+static void the_next_mapping_has_four_times_the_squares(void)
 {
     static const double level[3] = {0.8, 0.6, 0};
     const int x[3] = {9000, 0, 0}, y[3] = {0, 9000, 0}, z[3] = {0, 0, 6554};
@@ -1013,8 +1014,9 @@ static void the_next_way_has_four_times_the_squares(void)
     }
 }
 
-/* Two axes that turn little, and by 0.64 of what is read: no turn at all would be wrong by 0.64, the right
- * way is by 0.36, which is not four times as good in squares. But that is no way. */
+/* Two axes that turn little, and by 0.64 of what is read: no turn at all would be wrong by 0.64,
+ * the right mapping is by 0.36, which is not four times as good in squares. But no turn is not a
+ * mapping. */
 static void an_axis_that_turns_turns_something(void)
 {
     static const double m[3][3] = {{0.64, 0, 0}, {0, 1, 0}, {0, 0, 0.64}};
@@ -1031,8 +1033,8 @@ static void an_axis_that_turns_turns_something(void)
     TEST_ASSERT_TRUE(axes[0] == 1 && axes[1] == 2 && axes[2] == 3 && scale == 1);
 }
 
-/* One move that turns about all axes tells no way, two of them do. */
-static void a_single_move_tells_no_mounting(void)
+/* One move that turns about all axes does not determine the mapping, two do. */
+static void a_single_move_determines_no_mounting(void)
 {
     const int first[3] = {6000, 1000, -3000}, second[3] = {-2000, 7000, 2500};
     int8_t axes[3];
@@ -1065,7 +1067,7 @@ static void a_gyroscope_that_is_dead_is_named(void)
     TEST_ASSERT_TRUE(axes[0] == 0 && axes[1] == 0 && axes[2] == 0);
 }
 
-/* Rests alone, on all six faces: every move clipped. */
+/* Only rests, on all six faces: every move is clipped. */
 static void without_moves_nothing_is_solved(void)
 {
     const invcal_calibration nominal = unit_nominal();
@@ -1087,7 +1089,7 @@ static void without_moves_nothing_is_solved(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_imu_solve(raw, 0, &nominal, &w.moves, NULL, &imu));
 }
 
-/* All about one axis, and the hand wobbles: never good. */
+/* All about one axis, with a hand that wobbles: never good. */
 static void moves_about_one_axis_are_never_good(void)
 {
     const double vector[3] = {90 * DEGREE, 0, 0};
@@ -1148,8 +1150,9 @@ static void six_faces_and_full_turns_determine_both(void)
     }
 }
 
-/* 50 ms between the sensors. If the accelerometer is late nothing is lost, as a rest is cut off before motion
- * was noticed; if the gyroscope is, what it still says of the move counts as bias, here twice the error. */
+/* 50 ms between the sensors. If the accelerometer is late nothing is lost, as a rest ends before
+ * the motion was noticed; if the gyroscope is late, what it still reads of the move counts as bias,
+ * here twice the error. */
 static void samples_may_come_some_time_late(void)
 {
     double squares[3] = {0, 0, 0};
@@ -1193,7 +1196,8 @@ static void a_move_that_contradicts_the_others_is_left_out(void)
     }
 }
 
-/* Of many that slipped three are left out, no more; what the others are worth their residuals say. */
+/* Of many that slipped only three are left out; the residuals of the others show how good they
+ * are. */
 static void no_more_than_three_are_left_out(void)
 {
     unsigned first = 0;
@@ -1214,7 +1218,7 @@ static void no_more_than_three_are_left_out(void)
     TEST_ASSERT_TRUE(imu.move_noise > INVCAL_REAL(1e-3));
 }
 
-/* A noise is stated that residuals exceed by far. */
+/* Residuals far above the stated noise. */
 static void residuals_beyond_what_was_stated_are_rough(void)
 {
     invcal_imu_settings settings;
@@ -1228,7 +1232,7 @@ static void residuals_beyond_what_was_stated_are_rough(void)
     world_end(&w);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
     TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, imu.verdict);
-    settings.rate_noise = INVCAL_REAL(1e-3); /* then it is the rests alone */
+    settings.rate_noise = INVCAL_REAL(1e-3); /* then it is from the rests alone */
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
     TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, imu.verdict);
     settings.noise = 0;
@@ -1236,8 +1240,8 @@ static void residuals_beyond_what_was_stated_are_rough(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, imu.verdict);
 }
 
-/* A move back to where it began, hardly turned. */
-static void a_move_that_turns_nothing_tells_nothing(void)
+/* A move back to where it began, with little turning. */
+static void a_move_without_a_turn_shows_nothing(void)
 {
     const double little[3] = {0.02, 0, 0};
 
@@ -1316,7 +1320,7 @@ static void bad_readings_and_scales_are_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, world_solve(&w, NULL, &imu));
 }
 
-/* More rests than means, or more means than rests: they belong together from the last on. */
+/* More rests than means, or more means than rests: they are matched from the last on. */
 static void the_last_rests_belong_together(void)
 {
     enum { OLDER = 5 };
@@ -1360,34 +1364,34 @@ int main(void)
     RUN_TEST(a_segment_of_a_steady_axis_is_that_of_closed_form);
     RUN_TEST(the_jacobian_is_that_of_differences);
     RUN_TEST(errors_of_ten_percent_come_back_exactly);
-    RUN_TEST(one_pass_tells_scale_errors);
+    RUN_TEST(one_pass_determines_scale_errors);
     RUN_SLOW_TEST(a_wobbling_hand_costs_little);
     RUN_TEST(the_tour_determines_the_gyroscope_as_closed_form_says);
     RUN_TEST(the_tour_determines_both);
     RUN_TEST(moves_about_one_axis_leave_six_open_and_about_two_three);
     RUN_TEST(a_prior_holds_what_moves_leave_open);
     RUN_TEST(next_to_one_axis_nothing_is_determined);
-    RUN_TEST(a_bias_that_rests_do_not_tell_is_left_alone);
-    RUN_TEST(without_redundancy_there_is_no_good);
+    RUN_TEST(a_bias_that_rests_do_not_determine_is_left_alone);
+    RUN_TEST(without_redundancy_nothing_is_good);
     RUN_TEST(the_noise_of_moves_is_that_of_residuals_and_statement);
     RUN_TEST(weak_and_undetermined_begin_at_their_bounds);
     RUN_TEST(a_move_is_apart_beyond_its_bound);
     RUN_TEST(slopes_of_the_bias_are_those_of_closed_form);
-    RUN_TEST(moves_may_tell_no_way_from_another);
+    RUN_TEST(moves_may_leave_the_mapping_of_axes_open);
     RUN_SLOW_TEST(errors_are_those_that_sigma_says);
     RUN_SLOW_TEST(noisy_moves_spoil_no_accelerometer);
     RUN_SLOW_TEST(g_sensitivity_is_found_and_taken_out);
     RUN_SLOW_TEST(without_g_sensitivity_none_is_used);
-    RUN_SLOW_TEST(axes_exchanged_or_turned_round_are_named);
-    RUN_SLOW_TEST(too_few_moves_are_no_wrong_mounting);
+    RUN_SLOW_TEST(exchanged_or_reversed_axes_are_named);
+    RUN_SLOW_TEST(too_few_moves_are_not_called_a_wrong_mounting);
     RUN_SLOW_TEST(degrees_taken_for_radians_are_named);
     RUN_SLOW_TEST(an_axis_that_is_stuck_is_named);
     RUN_TEST(stuck_is_less_than_a_hundredth);
-    RUN_TEST(a_single_segment_tells_what_is_stuck);
-    RUN_SLOW_TEST(every_way_is_found);
-    RUN_TEST(the_next_way_has_four_times_the_squares);
+    RUN_TEST(a_single_segment_shows_what_is_stuck);
+    RUN_SLOW_TEST(every_mapping_of_axes_is_found);
+    RUN_TEST(the_next_mapping_has_four_times_the_squares);
     RUN_TEST(an_axis_that_turns_turns_something);
-    RUN_TEST(a_single_move_tells_no_mounting);
+    RUN_TEST(a_single_move_determines_no_mounting);
     RUN_SLOW_TEST(samples_may_come_some_time_late);
     RUN_SLOW_TEST(a_gyroscope_that_is_dead_is_named);
     RUN_SLOW_TEST(without_moves_nothing_is_solved);
@@ -1396,7 +1400,7 @@ int main(void)
     RUN_SLOW_TEST(a_move_that_contradicts_the_others_is_left_out);
     RUN_SLOW_TEST(no_more_than_three_are_left_out);
     RUN_SLOW_TEST(residuals_beyond_what_was_stated_are_rough);
-    RUN_SLOW_TEST(a_move_that_turns_nothing_tells_nothing);
+    RUN_SLOW_TEST(a_move_without_a_turn_shows_nothing);
     RUN_TEST(bad_noise_is_refused);
     RUN_TEST(a_bad_prior_is_refused);
     RUN_TEST(bad_readings_and_scales_are_refused);

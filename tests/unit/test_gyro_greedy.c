@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The 24 moves that tell most, each time, against the batch solution. They are longer than quarter turns, and
- * need more segments than tables usually have: compiled here with these. So does an occasional tour, if errors are
- * 10 %.
+ * The 24 moves that each add most, against the batch solution. They are longer than quarter turns,
+ * and need more segments than tables usually have: compiled here with these. So does an occasional
+ * tour, if errors are 10 %.
  */
 #undef INVCAL_MAX_SEGMENTS
 #define INVCAL_MAX_SEGMENTS 300
@@ -19,7 +19,7 @@ void tearDown(void)
 
 /* ---- programs ----------------------------------------------------------------------------------- */
 
-/* What a turn of the shortest way from up to `to` tells: its share of A. */
+/* The information from the shortest turn from up to `to`: its share of A. */
 static void add_turn(double a[81], const double up[3], const double to[3])
 {
     double axis[3], s[3][9], none[9] = {0}, c[3][3];
@@ -118,7 +118,7 @@ static void in_the_hand_errors_are_those_of_the_batch(void)
 }
 
 /* As many as the design has. */
-static void sixty_runs_of_it_are_as_the_batch(void)
+static void sixty_runs_of_it_agree_with_the_batch(void)
 {
     double program[MOVES][3];
 
@@ -126,7 +126,7 @@ static void sixty_runs_of_it_are_as_the_batch(void)
     are_as_the_batch((const double(*)[3])program, 100, 3e-4, 60, 1.1e-4);
 }
 
-static void sixty_runs_of_the_tour_are_as_the_batch(void)
+static void sixty_runs_of_the_tour_agree_with_the_batch(void)
 {
     are_as_the_batch(NULL, 100, 3e-4, 60, 1.5e-4);
 }
@@ -136,7 +136,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(on_a_table_errors_are_those_of_the_batch);
     RUN_LONG_TEST(in_the_hand_errors_are_those_of_the_batch);
-    RUN_LONG_TEST(sixty_runs_of_it_are_as_the_batch);
-    RUN_LONG_TEST(sixty_runs_of_the_tour_are_as_the_batch);
+    RUN_LONG_TEST(sixty_runs_of_it_agree_with_the_batch);
+    RUN_LONG_TEST(sixty_runs_of_the_tour_agree_with_the_batch);
     return UNITY_END();
 }

@@ -236,7 +236,7 @@ static void a_record_comes_back_as_it_was(void)
     }
 }
 
-/* A device that knows no gyroscope. */
+/* A device without a gyroscope. */
 static void the_accelerometer_is_a_record_of_its_own(void)
 {
     invcal_imu_record expected = golden_record();
@@ -249,7 +249,7 @@ static void the_accelerometer_is_a_record_of_its_own(void)
     assert_equal_records(&expected, &r);
 }
 
-static void bytes_behind_a_record_are_not_looked_at(void)
+static void bytes_after_a_record_are_ignored(void)
 {
     uint8_t bytes[SIZE + MARGIN];
     invcal_imu_record expected = golden_record();
@@ -263,7 +263,7 @@ static void bytes_behind_a_record_are_not_looked_at(void)
     }
 }
 
-/* Every number of a result, each another one. */
+/* Every number of a result, all different. */
 static invcal_imu make_result(void)
 {
     invcal_imu_record r = golden_record();
@@ -286,7 +286,7 @@ static invcal_imu make_result(void)
     return imu;
 }
 
-/* What a result does not know is 0. */
+/* What is unknown in a result is 0. */
 static void a_new_record_holds_the_result(void)
 {
     static const struct {
@@ -371,7 +371,8 @@ static void a_singular_matrix_is_neither_encoded_nor_decoded(void)
     assert_not_encoded(INVCAL_BAD_NOMINAL, &r);
 }
 
-/* What is weak and what the verdict says, of both sensors; a tenth parameter; flags that are none. */
+/* Contradictions of weak parameters and verdict, for both sensors; a tenth parameter; undefined
+ * flags. */
 static void a_record_that_contradicts_itself_is_neither_encoded_nor_decoded(void)
 {
     for (unsigned k = 0; k < 8 * 2 * 12 * 3 * 2; k++) {
@@ -421,7 +422,7 @@ static void any_wrong_bit_is_noticed(void)
     }
 }
 
-/* Also where the CRC is right: the accelerometer's record has its own. */
+/* Even if the CRC is right: the accelerometer's record has its own. */
 static void a_wrong_bit_within_is_noticed(void)
 {
     uint8_t bytes[SIZE];
@@ -441,7 +442,7 @@ static void too_few_bytes_are_refused(void)
     }
 }
 
-/* Sound bytes of another kind or version, and of a length that is not this one's. */
+/* Valid bytes of another kind or version, and of another length. */
 static void another_kind_or_version_is_named(void)
 {
     for (unsigned k = 0; k < 512; k++) {
@@ -527,12 +528,12 @@ static void a_result_is_saved_and_loaded(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_save_imu(&store, &imu));
     imu.accelerometer.matrix[1][1] = (invcal_real)NOT_A_NUMBER;
     TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_save_imu(&store, &imu));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu(&store, &r)); /* the one before */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu(&store, &r)); /* the previous one */
     assert_equal_records(&expected, &r);
 }
 
-/* The other record, and what is no record. */
-static void what_is_no_result_is_not_loaded(void)
+/* The other record, and what is not a record. */
+static void what_is_not_a_result_is_not_loaded(void)
 {
     static const uint8_t large[SLOT] = {0xCC, 1};
     invcal_imu_record r;
@@ -545,7 +546,7 @@ static void what_is_no_result_is_not_loaded(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_load_imu(&store, &r));
 }
 
-/* At each byte of a save: what is found is the old one or the new one, in full. */
+/* At each byte of a save: the old one or the new one is found, complete. */
 static void a_power_cut_at_any_byte_of_a_save_loses_no_result(void)
 {
     invcal_imu imu = make_result();
@@ -565,7 +566,7 @@ static void a_power_cut_at_any_byte_of_a_save_loses_no_result(void)
         TEST_ASSERT_TRUE(r.moves == 12 || r.moves == 13);
         TEST_ASSERT_TRUE(!saved || r.moves == 13);
         found[r.moves - 12]++;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu(&store, &imu)); /* and it goes on */
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu(&store, &imu)); /* and it works again */
     }
     TEST_ASSERT_TRUE(found[0] > SLOT && found[1] > 1);
 }
@@ -577,7 +578,7 @@ int main(void)
     RUN_TEST(the_bytes_of_the_table_give_the_record);
     RUN_TEST(a_record_comes_back_as_it_was);
     RUN_TEST(the_accelerometer_is_a_record_of_its_own);
-    RUN_TEST(bytes_behind_a_record_are_not_looked_at);
+    RUN_TEST(bytes_after_a_record_are_ignored);
     RUN_TEST(a_new_record_holds_the_result);
     RUN_TEST(a_number_that_is_not_finite_is_neither_encoded_nor_decoded);
     RUN_TEST(a_singular_matrix_is_neither_encoded_nor_decoded);
@@ -587,7 +588,7 @@ int main(void)
     RUN_TEST(too_few_bytes_are_refused);
     RUN_TEST(another_kind_or_version_is_named);
     RUN_TEST(a_result_is_saved_and_loaded);
-    RUN_TEST(what_is_no_result_is_not_loaded);
+    RUN_TEST(what_is_not_a_result_is_not_loaded);
     RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_loses_no_result);
     return UNITY_END() != 0;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Both sensors fed sample by sample, kept, reset, and going on: by their bytes, and through a memory that
- * loses power.
+ * Both sensors fed sample by sample, saved, reset, and continued: by their bytes, and through a
+ * memory that loses power.
  */
 #include <stddef.h>
 #include <string.h>
@@ -58,7 +58,7 @@ static void begin(uint32_t seed)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&both.moves, -5000000, 5000000));
 }
 
-/* One sample of each, at the nominal rate, and what is up. */
+/* One sample of each, at the nominal rate, for this up direction. */
 static invcal_event sample(const double rate[3], const double up[3])
 {
     int32_t raw[3];
@@ -91,7 +91,7 @@ static uint32_t keep(const invcal_imu_session *of)
     return size;
 }
 
-/* A device whose memory holds anything but what was kept. */
+/* A device whose memory has any contents except for what was saved. */
 static invcal_status put_back(uint32_t size)
 {
     memset(&back, FILL, sizeof back);
@@ -99,7 +99,7 @@ static invcal_status put_back(uint32_t size)
     return invcal_imu_session_resume(&back, size);
 }
 
-/* Turned by a quarter until `axis` (from 1; negative: down) is up, in 1.1 s; and held for 2 s. */
+/* Turned by a quarter until `axis` (from 1; negative: down) is up, in 1.1 s; then held for 2 s. */
 static unsigned turn_to(int axis)
 {
     const double none[3] = {0, 0, 0};
@@ -150,7 +150,7 @@ static unsigned turn_to(int axis)
 static const int tour[] = {3, 1, 2, 3, -1, 2, -3, 1, -2, -3, -1, -2, 3};
 enum { TOUR = sizeof tour / sizeof tour[0] };
 
-/* Quarter turns until so many rests have been left. */
+/* Quarter turns until that many rests have ended. */
 static void take(unsigned rests)
 {
     for (unsigned k = 0; k < rests; k++) {
@@ -161,7 +161,8 @@ static void take(unsigned rests)
 
 /* ---- what is kept ------------------------------------------------------------------------------- */
 
-/* What lasts of the moves, put together from the header: numbers of this machine, one behind the other. */
+/* The part of the moves that lasts, from the header: numbers of this machine, one after the
+ * other. */
 static uint8_t *put(uint8_t *at, const void *what, size_t size)
 {
     memcpy(at, what, size);
@@ -219,7 +220,7 @@ static void what_lasts_is_what_was_taken(void)
 #endif
 }
 
-/* All that lasts, and nothing of the stream. */
+/* Everything that lasts, and nothing of the stream. */
 static void assert_back(void)
 {
     TEST_ASSERT_EQUAL_MEMORY(&both.moves.layout, &back.moves.layout,
@@ -245,7 +246,7 @@ static invcal_status solve(const invcal_imu_session *of, invcal_imu *out)
                             &of->moves, NULL, out);
 }
 
-/* After each rest, and at each time of a move and of the rest behind it. */
+/* After each rest, and at each time in a move and in the rest after it. */
 static void both_come_back_as_they_were(void)
 {
     const double none[3] = {0, 0, 0};
@@ -267,8 +268,8 @@ static void both_come_back_as_they_were(void)
     TEST_ASSERT_EQUAL_UINT(TOUR - 1, both.moves.count);
 }
 
-/* At any time of a move: rests and the other moves stay, that one is refused as a gap, and in the end the result
- * is that of the others. */
+/* At any time in a move: rests and the other moves stay, that one is refused as a gap, and in the
+ * end the result is that of the others. */
 static void a_reset_in_a_move_loses_that_move(void)
 {
     for (unsigned at = 10; at < 120; at += SLOW(20, 60)) {
@@ -296,7 +297,7 @@ static void a_reset_in_a_move_loses_that_move(void)
     }
 }
 
-/* Resumed at rest, and in it no reset again: as often as it takes. */
+/* Resumed at rest, without a reset in that rest: as often as necessary. */
 static void a_reset_after_each_rest_leaves_only_rests(void)
 {
     begin(4);
@@ -304,7 +305,7 @@ static void a_reset_after_each_rest_leaves_only_rests(void)
         hand.reset_at = k > 0 ? 60 : 0;
         (void)turn_to(tour[k]);
     }
-    /* the rest that was left was not taken: before it was, power failed */
+    /* the rest that ended was not taken, as power failed before */
     TEST_ASSERT_EQUAL_UINT(both.session.count, both.moves.count);
     for (unsigned i = 1; i < both.moves.count; i++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&both.moves, i));
@@ -347,14 +348,14 @@ static void another_length_is_refused(void)
     }
 }
 
-/* What comes of contents that were changed, kept and resumed; then they are as before again. */
+/* The result of resuming changed contents; then restores them. */
 static void comes_back_as(invcal_status expected, invcal_imu_session *changed)
 {
     TEST_ASSERT_EQUAL_INT(expected, put_back(keep(changed)));
     memcpy(changed, &both, sizeof both);
 }
 
-static void contents_that_no_moves_have_are_refused(void)
+static void contents_that_moves_cannot_have_are_refused(void)
 {
     static const double rates[] = {7.99, 8000.1, 0, -100, NOT_A_NUMBER, INFINITE};
     static invcal_imu_session c;
@@ -394,7 +395,7 @@ static void contents_that_no_moves_have_are_refused(void)
     c.moves.between = UINT32_MAX;
     comes_back_as(INVCAL_BAD_RAILS, &c);
     c.moves.low = INT32_MIN;
-    c.moves.between = UINT32_MAX - 1; /* all that there is */
+    c.moves.between = UINT32_MAX - 1; /* all there are */
     comes_back_as(INVCAL_OK, &c);
     c.moves.count = INVCAL_MAX_MOVES + 1;
     comes_back_as(INVCAL_DAMAGED, &c);
@@ -431,7 +432,7 @@ static void contents_that_no_moves_have_are_refused(void)
     comes_back_as(INVCAL_BAD_NOISE, &c);
 }
 
-/* Tables of which all is good, except that they would be larger than there is room for. */
+/* Valid tables, except that they are too large. */
 static void one_more_than_fits_is_refused(void)
 {
     static invcal_imu_session c;
@@ -460,7 +461,7 @@ static void one_more_than_fits_is_refused(void)
     }
 }
 
-/* Also of the only rest there is. */
+/* Also for the only rest. */
 static void the_move_of_a_reset_is_a_gap(void)
 {
     begin(13);
@@ -474,7 +475,7 @@ static void the_move_of_a_reset_is_a_gap(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&both.moves, 1));
 }
 
-/* As many segments as fit into the table stay; INVCAL_MAX_MOVES rests too. */
+/* As many segments as fit into the table stay; INVCAL_MAX_MOVES rests, too. */
 static void a_full_table_comes_back(void)
 {
     begin(8);
@@ -583,7 +584,7 @@ void tearDown(void)
     TEST_ASSERT_EQUAL_INT_MESSAGE(0, rules_broken, "a rule of the memory was broken");
 }
 
-/* Means and moves are of the same rest wherever power fails: both old or both new. */
+/* Wherever power fails, means and moves belong to the same rest: both old or both new. */
 static void a_power_cut_at_any_byte_of_a_save_keeps_both_together(void)
 {
     static invcal_imu_session before;
@@ -620,7 +621,7 @@ static void a_power_cut_at_any_byte_of_a_save_keeps_both_together(void)
     TEST_ASSERT_TRUE(found[0] > 500 && found[1] > 0);
 }
 
-static void what_is_no_session_of_both_is_not_loaded(void)
+static void what_is_not_a_session_of_both_is_not_loaded(void)
 {
     static uint8_t large[SIZE + 1];
 
@@ -645,12 +646,12 @@ int main(void)
     RUN_TEST(a_reset_after_each_rest_leaves_only_rests);
     RUN_TEST(another_layout_is_named_so);
     RUN_SLOW_TEST(another_length_is_refused);
-    RUN_TEST(contents_that_no_moves_have_are_refused);
+    RUN_TEST(contents_that_moves_cannot_have_are_refused);
     RUN_TEST(one_more_than_fits_is_refused);
     RUN_TEST(the_move_of_a_reset_is_a_gap);
     RUN_TEST(a_full_table_comes_back);
     RUN_LONG_TEST(any_content_does_no_harm);
     RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_keeps_both_together);
-    RUN_TEST(what_is_no_session_of_both_is_not_loaded);
+    RUN_TEST(what_is_not_a_session_of_both_is_not_loaded);
     return UNITY_END() != 0;
 }

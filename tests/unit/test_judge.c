@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * How good a calibration says it is.
+ * How good a calibration claims to be.
  */
 #include <math.h>
 #include <string.h>
@@ -64,7 +64,7 @@ static void sigma_over_noise_of_the_papers_program_is_the_papers(void)
     TEST_ASSERT_TRUE(s.quality.left_out == 0);
 }
 
-/* It judges by the size of the residuals alone, and says so. */
+/* It judges only by the size of the residuals, and says so. */
 static void what_was_not_looked_for_is_unchecked(void)
 {
     const scene s = plan18(1, 0.01, 1e-3, 0);
@@ -142,7 +142,7 @@ static double observed_noise(const scene *s, unsigned count)
     return sqrt(squares / (count - 9));
 }
 
-/* Calibrates again, with that noise stated. */
+/* Calibrates again, with this stated noise. */
 static const invcal_quality *judge_again(scene *s, double stated)
 {
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s->set, stated, &s->calibration, &s->quality));
@@ -270,9 +270,9 @@ static double gain2(const invcal_calibration *calibration)
     return sum;
 }
 
-/* One residual to spare tells the noise, however badly: a parameter is weak where its sigma is more
- * than ten times that, or the information on it no more than ten times what noise in ten readings
- * makes of nothing. */
+/* One redundant residual shows the noise, however poorly: a parameter is weak if its sigma is more
+ * than ten times that, or if the information on it is no more than ten times what noise in ten
+ * readings creates from nothing. */
 static void one_residual_is_enough_to_tell_what_is_weak(void)
 {
     random_source random = random_start(12);
@@ -326,7 +326,7 @@ static void nine_positions_have_no_redundancy(void)
     TEST_ASSERT_EQUAL_UINT(0, s.quality.dof);
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1e-4, (double)s.quality.noise);
     TEST_ASSERT_EQUAL_UINT(4, s.quality.sigma_dof);
-    /* Nobody knows the noise: sigma is finite, and absurd enough not to be believed. */
+    /* The noise is unknown: sigma is finite, and absurd enough not to be believed. */
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, 0, &s.calibration, &s.quality));
     TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, s.quality.verdict);
     TEST_ASSERT_TRUE(s.quality.noise == 1);
@@ -336,7 +336,7 @@ static void nine_positions_have_no_redundancy(void)
     }
 }
 
-/* Every position within 18 degrees of an axis, as on the T265: angles are hardly seen. */
+/* Every position within 18 degrees of an axis, as with the T265: angles hardly show. */
 static void positions_close_to_the_axes_are_weak_and_name_the_angles(void)
 {
     random_source random = random_start(6);
@@ -358,7 +358,7 @@ static void positions_close_to_the_axes_are_weak_and_name_the_angles(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&s.set, 0, &s.calibration, &s.quality));
     TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, s.quality.verdict);
     TEST_ASSERT_EQUAL_HEX16(0x1C0, s.quality.weak);
-    /* And weak it is, be it rough as well. */
+    /* And it is weak, even if it is rough, too. */
     TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, judge_again(&s, 1e-6)->verdict);
     TEST_ASSERT_EQUAL_HEX16(0x1C0, s.quality.weak);
 }
@@ -387,7 +387,7 @@ static void inform(const double x[9], const double u[3], double sigma, double in
     }
 }
 
-/* a <- a^-1, by Gauss and Jordan; positive definite, so that no pivot is small. */
+/* a <- a^-1, by Gauss-Jordan elimination; positive definite, so that no pivot is small. */
 static void invert(double a[9][9])
 {
     for (int k = 0; k < 9; k++) {
@@ -408,7 +408,7 @@ static void invert(double a[9][9])
     }
 }
 
-/* K of a set of positions, for a noise of 1, and the least that an unbiased estimate can have. */
+/* K of a set of positions, for a noise of 1, and its lower bound for unbiased estimates. */
 static void covariance(const triad_truth *truth, const double v[][3], int count, double k[9][9])
 {
     memset(k, 0, 81 * sizeof k[0][0]);
@@ -443,7 +443,7 @@ static void noise_of_a_tenth_of_the_information_is_weak(void)
     }
 }
 
-/* At the noise that rounding makes. */
+/* With the noise of rounding. */
 static double worst_ratio(const triad_truth *truth)
 {
     random_source unused = random_start(0);
@@ -480,7 +480,7 @@ static void sigma_is_the_cramer_rao_bound_beside_large_cross_terms(void)
     TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(FLOAT_OR_DOUBLE(1e-5, 1e-8), worst_ratio(&truth));
 }
 
-/* The same sensor with another scale in its data sheet: everything is over that field then. */
+/* The same sensor with another scale in its data sheet: then everything is over that field. */
 static void a_wrong_scale_of_nominal_scales_what_is_over_field_only(void)
 {
     const scene s = plan18(7, 0.01, 1e-3, 0);
@@ -505,7 +505,7 @@ static void a_wrong_scale_of_nominal_scales_what_is_over_field_only(void)
 
 /* Lengths are wrong by h X, and the mean of h h' over all directions is known. What it makes of all of K,
  * with the correlations, is near what it makes of the diagonal. */
-static void accuracy_is_what_lengths_are_wrong_by(void)
+static void accuracy_is_the_error_of_lengths(void)
 {
     const triad_truth none = {{0}};
     random_source random = random_start(31);
@@ -567,7 +567,7 @@ int main(void)
     RUN_SLOW_TEST(sigma_is_the_cramer_rao_bound_for_errors_of_any_size);
     RUN_TEST(sigma_is_the_cramer_rao_bound_beside_large_cross_terms);
     RUN_TEST(a_wrong_scale_of_nominal_scales_what_is_over_field_only);
-    RUN_TEST(accuracy_is_what_lengths_are_wrong_by);
+    RUN_TEST(accuracy_is_the_error_of_lengths);
     RUN_TEST(coverage_is_students_quantile);
     return UNITY_END() != 0;
 }

@@ -4,7 +4,7 @@
  * test_outliers.c.
  *
  * When may it say "good"? Of thousands of simulated sensors with one fault each, the share that is
- * called good and yet wrong by more than 5 sigma. -DDRAWS=10000 tells it to a tenth of a per cent.
+ * called good and yet wrong by more than 5 sigma. -DDRAWS=10000 gives it to a tenth of a per cent.
  */
 #include <limits.h>
 #include <math.h>
@@ -52,7 +52,7 @@ typedef struct {
     const char *name;
     const double (*fixed)[3]; /* null: random ones */
     unsigned count;
-    unsigned times; /* that each is visited */
+    unsigned times; /* of visits to each */
 } program;
 
 static const program programs[] = {
@@ -66,7 +66,7 @@ static const program programs[] = {
 };
 enum { R12, R14, P18, E18, R18, R24, R38, PROGRAMS };
 
-/* Faces and edges as they stand hide a drift; every fifth of them as the next does not. */
+/* Faces and edges in their usual order hide a drift; taking every fifth one next does not. */
 enum { STRIDE = 5 };
 
 static void choose_directions(const program *p, random_source *random, double v[][3])
@@ -96,7 +96,7 @@ typedef enum {
     HAS_HYSTERESIS,        /* each axis: `size` more or less, as it was turned to get there */
     IS_NOISY,              /* ten times as noisy as stated */
     IS_NOISY_NOW_AND_THEN, /* a quarter of the positions is */
-    READS_WRONG            /* so many positions, by `size` of either sign */
+    READS_WRONG            /* this many positions, by `size` of either sign */
 } fault;
 
 typedef struct {
@@ -112,7 +112,7 @@ typedef struct {
     invcal_mask wrong;
 } sample;
 
-/* What one draw of a fault has in common. */
+/* What is common to one draw of a fault. */
 typedef struct {
     double direction[3];
     unsigned axis;
@@ -325,7 +325,7 @@ static void nor_is_it_where_no_noise_is_stated(void)
     assert_table(rows, sizeof rows / sizeof rows[0], 0, 2000);
 }
 
-/* What is sound and determined is called good. */
+/* A sound sensor that is determined is called good. */
 static void a_sound_sensor_raises_no_alarm(void)
 {
     const faulty none = {SOUND, 0, 0};
@@ -345,7 +345,7 @@ static void a_sound_sensor_raises_no_alarm(void)
     }
 }
 
-static void just_the_positions_that_are_wrong_are_left_out(void)
+static void exactly_the_wrong_positions_are_left_out(void)
 {
     static const struct {
         faulty fault;
@@ -368,7 +368,7 @@ static void just_the_positions_that_are_wrong_are_left_out(void)
 
 /* A cubic of 1 % repeats itself with the direction: the residuals agree, and would make a tiny
  * noise. */
-static void directions_that_are_repeated_are_no_check(void)
+static void repeated_directions_check_nothing(void)
 {
     static const struct {
         program program;
@@ -457,7 +457,7 @@ static double error_of(unsigned kind, double x, double before, double tau)
     }
 }
 
-/* Readings without noise, with an error on one axis. */
+/* Readings without noise, with an error of one axis. */
 static reading_set read_with_error(const program *p, random_source *random, unsigned kind,
                                    unsigned axis, double size)
 {
@@ -504,7 +504,7 @@ static void an_error_that_all_share_is_named_with_its_axis_and_size(void)
     }
 }
 
-static void what_is_sound_has_no_error_of_any_size(void)
+static void a_sound_sensor_has_no_error_of_any_size(void)
 {
     random_source random = random_start(12);
     const faulty none = {SOUND, 0, 0};
@@ -520,7 +520,7 @@ static void what_is_sound_has_no_error_of_any_size(void)
     TEST_ASSERT_TRUE(q.left_out == 0 && q.suspected == 0);
 }
 
-/* As a magnetometer that is taken for its opposite, or an axis that is soldered on its back. */
+/* Like a magnetometer with the opposite sign, or a sensor soldered upside down. */
 static void signs_are_those_of_the_field_however_the_axes_point(void)
 {
     random_source random = random_start(13);
@@ -539,7 +539,7 @@ static void signs_are_those_of_the_field_however_the_axes_point(void)
     TEST_ASSERT_DOUBLE_WITHIN(4e-4, 0.004, (double)q.size);
 }
 
-/* One does not hide the other. */
+/* Neither hides the other. */
 static void an_outlier_and_a_drift_are_told_apart(void)
 {
     random_source random = random_start(14);
@@ -585,8 +585,8 @@ static void what_the_order_of_positions_hides_is_unchecked(void)
     }
 }
 
-/* Nine unknowns follow whatever nine positions read: nothing is left to tell an error by. */
-static void of_nine_positions_nothing_is_checked(void)
+/* Nine unknowns fit whatever nine positions read: nothing remains to show an error. */
+static void nine_positions_check_nothing(void)
 {
     random_source random = random_start(16);
     const faulty wrong = {READS_WRONG, 0.01, 1};
@@ -609,7 +609,7 @@ static void of_nine_positions_nothing_is_checked(void)
 
 /* ---- directions that count ------------------------------------------------------------------- */
 
-/* All of p18, and once more the direction of one of them, so many degrees beside it. */
+/* All of p18, and the direction of one of them again, off by this many degrees. */
 static invcal_quality judge_beside(unsigned position, double degrees, double error)
 {
     const double angle = degrees / 57.29577951308232;
@@ -635,8 +635,8 @@ static invcal_quality judge_beside(unsigned position, double degrees, double err
     return q;
 }
 
-/* The errors of the triad are taken off: 5 degrees are those of the field. */
-static void within_5_degrees_of_another_a_position_is_no_check(void)
+/* The errors of the triad are corrected: 5 degrees are those of the field. */
+static void within_5_degrees_of_another_a_position_checks_nothing(void)
 {
     for (unsigned i = 0; i < 18; i++) {
         if (fabs(expected_plan18[i][2]) > 0.99) {
@@ -650,7 +650,7 @@ static void within_5_degrees_of_another_a_position_is_no_check(void)
     }
 }
 
-/* Which has not been visited by one that does not count. */
+/* A visit that was left out does not count. */
 static void a_direction_is_not_repeated_after_one_that_was_left_out(void)
 {
     const invcal_quality q = judge_beside(6, 1, 0.05);
@@ -662,7 +662,7 @@ static void a_direction_is_not_repeated_after_one_that_was_left_out(void)
 }
 
 /* Eighteen positions, nine residuals, and no check of the nine parameters. */
-static void nine_directions_are_no_redundancy_however_often_they_are_visited(void)
+static void nine_directions_give_no_redundancy_however_often_they_are_visited(void)
 {
     const program twice = {"9 twice", NULL, 18, 2};
     random_source random = random_start(18);
@@ -676,7 +676,7 @@ static void nine_directions_are_no_redundancy_however_often_they_are_visited(voi
         draw(&none, &twice, &random, &one);
         if (judge(&one.set, SIGMA, &c, &q) == INVCAL_OK && q.weak == 0 && q.left_out == 0) {
             TEST_ASSERT_EQUAL_UINT(0, q.dof);
-            TEST_ASSERT_TRUE(q.sigma_dof == 13 || q.sigma_dof == 9); /* but noise is seen */
+            TEST_ASSERT_TRUE(q.sigma_dof == 13 || q.sigma_dof == 9); /* but noise shows */
             TEST_ASSERT_TRUE(q.verdict == INVCAL_NO_REDUNDANCY || q.verdict >= INVCAL_ROUGH);
             solved += q.verdict == INVCAL_NO_REDUNDANCY;
         }
@@ -686,7 +686,7 @@ static void nine_directions_are_no_redundancy_however_often_they_are_visited(voi
 
 /* ---- what is very wrong ---------------------------------------------------------------------- */
 
-/* Then all positions together may lie on no ellipsoid at all. */
+/* Then all positions together may not lie on an ellipsoid. */
 static void one_that_is_wrong_by_half_the_field_is_left_out(void)
 {
     static const struct {
@@ -766,7 +766,7 @@ typedef invcal_status calibrate_function(const invcal_real *raw, unsigned count,
                                          const invcal_calibration *nominal, invcal_real noise,
                                          invcal_calibration *out, invcal_quality *quality);
 
-/* And also by the one that does not look for systematic errors. */
+/* Also by the function that does not look for systematic errors. */
 static void assert_refused_by(invcal_status expected, const reading_set *set,
                               const invcal_calibration *nominal, double noise)
 {
@@ -805,7 +805,7 @@ static reading_set sound_set(unsigned count)
     return one.set;
 }
 
-static void eight_positions_or_fewer_and_more_than_there_may_be_are_refused(void)
+static void eight_positions_or_fewer_and_too_many_are_refused(void)
 {
     reading_set set = sound_set(MAX_POSITIONS);
 
@@ -825,7 +825,7 @@ static void eight_positions_or_fewer_and_more_than_there_may_be_are_refused(void
     assert_refused(INVCAL_BAD_COUNT, &set);
 }
 
-static void readings_that_are_none_are_refused(void)
+static void invalid_readings_are_refused(void)
 {
     static const struct {
         double value;
@@ -896,7 +896,7 @@ static void positions_that_determine_nothing_are_refused(void)
 }
 
 /* Scattered about the edge of a hyperboloid, and leaving one out or two does not help. */
-static void what_is_no_ellipsoid_without_one_either_is_refused(void)
+static void what_is_not_an_ellipsoid_without_one_either_is_refused(void)
 {
     random_source random = random_start(26);
     reading_set set;
@@ -959,25 +959,25 @@ int main(void)
     RUN_LONG_TEST(a_fault_is_hardly_ever_called_good);
     RUN_LONG_TEST(nor_is_it_where_no_noise_is_stated);
     RUN_LONG_TEST(a_sound_sensor_raises_no_alarm);
-    RUN_LONG_TEST(just_the_positions_that_are_wrong_are_left_out);
-    RUN_LONG_TEST(directions_that_are_repeated_are_no_check);
+    RUN_LONG_TEST(exactly_the_wrong_positions_are_left_out);
+    RUN_LONG_TEST(repeated_directions_check_nothing);
     RUN_LONG_TEST(sigma_is_true_and_its_intervals_hold_where_the_noise_stated_is);
     RUN_TEST(an_error_that_all_share_is_named_with_its_axis_and_size);
-    RUN_TEST(what_is_sound_has_no_error_of_any_size);
+    RUN_TEST(a_sound_sensor_has_no_error_of_any_size);
     RUN_TEST(signs_are_those_of_the_field_however_the_axes_point);
     RUN_LONG_TEST(an_outlier_and_a_drift_are_told_apart);
     RUN_TEST(what_the_order_of_positions_hides_is_unchecked);
-    RUN_TEST(of_nine_positions_nothing_is_checked);
-    RUN_SLOW_TEST(within_5_degrees_of_another_a_position_is_no_check);
+    RUN_TEST(nine_positions_check_nothing);
+    RUN_SLOW_TEST(within_5_degrees_of_another_a_position_checks_nothing);
     RUN_TEST(a_direction_is_not_repeated_after_one_that_was_left_out);
-    RUN_TEST(nine_directions_are_no_redundancy_however_often_they_are_visited);
+    RUN_TEST(nine_directions_give_no_redundancy_however_often_they_are_visited);
     RUN_LONG_TEST(one_that_is_wrong_by_half_the_field_is_left_out);
     RUN_TEST(more_than_one_in_six_left_out_is_rough);
-    RUN_SLOW_TEST(eight_positions_or_fewer_and_more_than_there_may_be_are_refused);
-    RUN_SLOW_TEST(readings_that_are_none_are_refused);
+    RUN_SLOW_TEST(eight_positions_or_fewer_and_too_many_are_refused);
+    RUN_SLOW_TEST(invalid_readings_are_refused);
     RUN_TEST(an_unusable_noise_or_nominal_is_refused);
     RUN_TEST(positions_that_determine_nothing_are_refused);
-    RUN_TEST(what_is_no_ellipsoid_without_one_either_is_refused);
+    RUN_TEST(what_is_not_an_ellipsoid_without_one_either_is_refused);
     RUN_LONG_TEST(a_refusal_leaves_nothing_behind);
     return UNITY_END() != 0;
 }

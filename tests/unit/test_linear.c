@@ -120,7 +120,8 @@ static void nine_positions_are_enough(void)
     }
 }
 
-/* The exact row's reason to be: what the paper's first-order row leaves, by the reference. */
+/* The reason for the exact row: the error that the paper's first-order row leaves, by the
+ * reference. */
 static double first_order_error(double size, double *rms)
 {
     static const double sign[9] = {1, -1, 1, 1, -1, 1, -1, 1, -1};
@@ -231,7 +232,7 @@ static void readings_that_cannot_be_of_this_field_are_refused(void)
     }
 }
 
-static void readings_that_are_no_numbers_are_refused(void)
+static void readings_that_are_not_numbers_are_refused(void)
 {
     static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     static const double up[3] = {0, 0, 1};
@@ -256,7 +257,7 @@ static void directions_that_are_not_unit_vectors_are_refused(void)
 
 /* A semi-axis of 0.1 to 10 of nominal is a triad's, and an offset of up to 10 fields. Readings are
  * kept between 0.1 and 10, too. */
-static void semi_axes_and_offsets_beyond_their_limits_are_no_triads(void)
+static void semi_axes_and_offsets_beyond_their_limits_are_not_triads(void)
 {
     static const struct {
         int r;
@@ -327,9 +328,9 @@ int main(void)
     RUN_TEST(the_first_order_row_leaves_the_error_that_the_design_states);
     RUN_TEST(any_regular_matrix_may_be_nominal);
     RUN_TEST(readings_that_cannot_be_of_this_field_are_refused);
-    RUN_TEST(readings_that_are_no_numbers_are_refused);
+    RUN_TEST(readings_that_are_not_numbers_are_refused);
     RUN_TEST(directions_that_are_not_unit_vectors_are_refused);
-    RUN_TEST(semi_axes_and_offsets_beyond_their_limits_are_no_triads);
+    RUN_TEST(semi_axes_and_offsets_beyond_their_limits_are_not_triads);
     RUN_TEST(what_cannot_be_solved_is_refused_and_the_outputs_left_alone);
     return UNITY_END() != 0;
 }

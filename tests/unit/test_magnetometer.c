@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A magnetometer in motion: simulated logs of one minute whose truth is known, disturbed in all the ways that
- * are to be named; and a real one.
+ * A magnetometer in motion: simulated logs of one minute with a known truth, with every disturbance
+ * that must be named; and a real one.
  */
 #include <limits.h>
 #include <math.h>
@@ -27,7 +27,7 @@ static const double field_counts = 480; /* 48 uT at 10 counts each */
 
 typedef enum { QUIET, MAGNET, STEP, PLACES } disturbance;
 
-/* A log, and what spoils it. Lengths are over field. */
+/* A log and its disturbances. Lengths are over field. */
 typedef struct {
     double seconds;
     double rate;
@@ -41,7 +41,7 @@ typedef struct {
 
 static const scene usual = {60, 100, 0.003, 0.01, QUIET, 0, 0, 0};
 
-/* The truth, and what came of it. */
+/* The truth and the result. */
 typedef struct {
     triad_truth truth; /* against the raw counts over FIELD, at the end */
     invcal_magnetometer magnetometer;
@@ -68,7 +68,7 @@ static void turn(double r[3][3], const double angle[3])
     }
 }
 
-/* A hand that turns it at random: 2 rad/s about each axis, forgotten within 0.8 s. */
+/* A hand that turns it at random: 2 rad/s about each axis, with a correlation time of 0.8 s. */
 static void wave(double r[3][3], double rate[3], double dt, random_source *random)
 {
     const double kept = exp(-dt / 0.8);
@@ -91,7 +91,7 @@ static void field_of(const scene *s, double t, const double r[3][3], double out[
         world[0] += 0.6 * near;
         world[2] += 0.8 * near;
     }
-    if (s->disturbance == PLACES) { /* it is carried about, within seconds */
+    if (s->disturbance == PLACES) { /* it is carried around, within seconds */
         world[0] += s->size * sin(1.1 * t);
         world[1] += s->size * sin(0.77 * t + 1);
         world[2] += s->size * sin(0.53 * t + 2);
@@ -166,7 +166,7 @@ static double errors(const minute *m, double error[INVCAL_PARAMETERS])
 
 /* ---- what is good ------------------------------------------------------------------------------- */
 
-/* No noise: nothing but rounding is left, whatever the errors and the hard iron. */
+/* No noise: only rounding remains, whatever the errors and the hard iron. */
 static void a_magnetometer_without_noise_is_found_exactly(void)
 {
     scene s = usual;
@@ -217,7 +217,7 @@ static void intervals_hold_what_they_say(void)
     }
 }
 
-/* Of the faces and edges of a cube the one that is nearest to a direction, as a bit. */
+/* The face or edge of a cube that is nearest to a direction, as a bit. */
 static uint32_t nearest_of_cube(const double direction[3])
 {
     uint32_t nearest = 0;
@@ -258,7 +258,7 @@ static void cells_are_positions_to_look_at(void)
 }
 
 /* In uT, as nominal has it; and invcal_scale by it keeps the scale of nominal. */
-static void the_field_is_told_in_the_unit_of_nominal(void)
+static void the_field_is_reported_in_the_unit_of_nominal(void)
 {
     live(&usual, 7, 0, &the);
     TEST_ASSERT_DOUBLE_WITHIN(0.3, 48, (double)the.found.field);
@@ -270,7 +270,7 @@ static void the_field_is_told_in_the_unit_of_nominal(void)
 
 /* A real one, of which a mean of 16 samples is fed at a time: among the fits of magnetometer.py, whose differences its
  * sigma covers. */
-static void a_real_one_is_found_as_by_fits_of_all_samples(void)
+static void a_real_one_agrees_with_fits_to_all_samples(void)
 {
     const invcal_calibration nominal = unit_nominal();
 
@@ -315,7 +315,7 @@ static void half_a_sphere_is_weak(void)
     }
 }
 
-/* Readings of a sphere of radius `unit` around `centre`, without those of directions above z = `most`; the readings' z
+/* Readings on a sphere of radius `unit` around `centre`, without directions above z = `most`; the z
  * axis is scaled by `z`. */
 static void feed_sphere(invcal_magnetometer *m, const double centre[3], double unit, double most,
                         double z)
@@ -370,7 +370,7 @@ static void less_than_half_a_sphere_is_weak(void)
 }
 
 /* An edge of the cube is 45 degrees from its faces, 60 from the next edges. */
-static void gaps_are_told(void)
+static void gaps_are_reported(void)
 {
     static const double centre[3] = {0, 0, 0};
     invcal_magnetometer_found found;
@@ -384,7 +384,7 @@ static void gaps_are_told(void)
     TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - 1, found.covered);
     TEST_ASSERT_EQUAL_UINT(45, found.gap);
     TEST_ASSERT_TRUE(quality.verdict != INVCAL_WEAK);
-    for (unsigned k = 0; k < INVCAL_CELLS; k++) { /* nor +x, nor what is between */
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) { /* and neither +x nor what is between */
         invcal_real v[3] = {0, 0, 0};
         (void)invcal_magnetometer_cell(&the.magnetometer, &c, k, v);
         if (v[0] + v[2] > INVCAL_REAL(0.8) && fabs((double)v[1]) < 0.3) {
@@ -433,7 +433,8 @@ static int program_slot(void *context, unsigned slot, uint32_t offset, const uin
     return 0;
 }
 
-/* Half of a log, a reset, and the other half come to the same as the log; and so does what is kept of the result. */
+/* Half of a log, a reset, and the other half give the same as the log; and so does the saved
+ * result. */
 static void it_goes_on_after_a_reset(void)
 {
     static const invcal_store store = {read_slot, erase_slot, program_slot, NULL, SLOT, 4};
@@ -538,8 +539,8 @@ static void a_step_is_named_or_dropped(void)
     TEST_ASSERT_TRUE(named >= late - late / 20 - 1);
 }
 
-/* Readings that go on contradicting are a step too, though all of them are left out. */
-static void what_goes_on_contradicting_is_a_step(void)
+/* Readings that keep contradicting are a step, too, though all of them are left out. */
+static void what_keeps_contradicting_is_a_step(void)
 {
     scene s = usual;
 
@@ -553,7 +554,7 @@ static void what_goes_on_contradicting_is_a_step(void)
     TEST_ASSERT_TRUE(the.found.left_out > 1000);
 }
 
-/* So many left out are no passing magnet that does no harm. */
+/* That many left out are not a harmless passing magnet. */
 static void what_contradicts_for_long_makes_it_rough(void)
 {
     scene s = usual;
@@ -582,7 +583,7 @@ static void a_field_that_differs_from_place_to_place_is_named(void)
     }
 }
 
-/* White noise of any size is none. */
+/* White noise of any size is not a disturbance. */
 static void noise_is_no_place(void)
 {
     const scene s = {60, 100, 0.05, 0, QUIET, 0, 0, 0};
@@ -608,7 +609,7 @@ static invcal_event feed_at(double x, double y, double z)
     return invcal_magnetometer_feed(&the.magnetometer, raw);
 }
 
-/* Reads the centre of each face, or edge, or of all, n times. */
+/* Reads the centre of each face or edge, or of all, n times. */
 static void feed_cells(const double centre[3], double radius, unsigned n, unsigned which)
 {
     for (int k = 0; k < 27; k++) { /* a cube of 27 points */
@@ -987,8 +988,8 @@ static void late_samples_give_a_solution_of_their_own(void)
     TEST_ASSERT_EQUAL_UINT(1801, samples_in(&m->early));
 }
 
-/* A solution that a calibration cannot hold is none. */
-static void a_solution_out_of_range_is_none(void)
+/* A solution that a calibration cannot store is not used. */
+static void a_solution_out_of_range_does_not_count(void)
 {
     invcal_magnetometer *const m = begin_settled();
 
@@ -1006,8 +1007,8 @@ static void a_solution_out_of_range_is_none(void)
     TEST_ASSERT_TRUE(m->p[INVCAL_DK_X] == INVCAL_REAL(0.5));
 }
 
-/* Late samples in nine cells, so that P alone tells, shifted by s along x: with w = n m / (n + m) they explain
- * Q = w s^2 sum x^2, x^2 being 1 twice in the faces and 1/2 in two of three edges. */
+/* Late samples in nine cells, so that P alone decides, shifted by s along x: with w = n m / (n + m)
+ * they explain Q = w s^2 sum x^2, x^2 being 1 twice in the faces and 1/2 in two of three edges. */
 static invcal_magnetometer *step_along_x(double before, double since)
 {
     const unsigned n = 100;
@@ -1071,7 +1072,7 @@ static void a_step_before_the_second_solution_is_seen(void)
     TEST_ASSERT_EQUAL_UINT(1, m->has_step);
 }
 
-/* What a result says of its samples, at both sides of each limit. */
+/* What a result says about its samples, on both sides of each limit. */
 static void limits_of_judgement_are_kept(void)
 {
     static const struct {
@@ -1239,7 +1240,7 @@ static void a_cell_has_the_length_of_its_calibrated_samples(void)
     TEST_ASSERT_EQUAL_UINT(1, found);
 }
 
-/* A cell with one sample is where that was read; one that is read again is not new. */
+/* A cell with one sample is where that was read; reading there again is not new. */
 static void one_sample_is_a_cell(void)
 {
     static const double centre[3] = {0.005, 0, 0};
@@ -1269,7 +1270,7 @@ static void guidance_covers_every_cell(void)
     unsigned taken = 0;
     scene s = usual;
 
-    s.seconds = 20; /* so that the cells are where they belong */
+    s.seconds = 20; /* so that the cells are in their places */
     live(&s, 11, 0, &the);
     memset(&the.magnetometer.early, 0, sizeof the.magnetometer.early);
     memset(&the.magnetometer.late, 0, sizeof the.magnetometer.late);
@@ -1408,8 +1409,8 @@ static void cells_lie_on_the_sphere_whatever_is_nominal(void)
     }
 }
 
-/* Independent noise of 2 % of the field is found as such, and disturbs nothing. */
-static void independent_noise_is_told_as_such(void)
+/* Independent noise of 2 % of the field is recognized as such, and is not a disturbance. */
+static void independent_noise_is_recognized_as_such(void)
 {
     random_source random = random_start(6);
     const invcal_calibration nominal = unit_nominal();
@@ -1436,7 +1437,7 @@ static void independent_noise_is_told_as_such(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, quality.verdict);
 }
 
-/* It goes on for days: the counters stay in their range, and what is found stays what it was. */
+/* It runs for days: the counters stay in their range, and the result stays the same. */
 static void a_session_of_days_stays_as_good(void)
 {
     const uint32_t most = 16777216;
@@ -1539,16 +1540,16 @@ int main(void)
     RUN_LONG_TEST(a_magnetometer_without_noise_is_found_exactly);
     RUN_LONG_TEST(intervals_hold_what_they_say);
     RUN_LONG_TEST(cells_are_positions_to_look_at);
-    RUN_SLOW_TEST(the_field_is_told_in_the_unit_of_nominal);
-    RUN_TEST(a_real_one_is_found_as_by_fits_of_all_samples);
+    RUN_SLOW_TEST(the_field_is_reported_in_the_unit_of_nominal);
+    RUN_TEST(a_real_one_agrees_with_fits_to_all_samples);
     RUN_LONG_TEST(half_a_sphere_is_weak);
     RUN_SLOW_TEST(less_than_half_a_sphere_is_weak);
-    RUN_SLOW_TEST(gaps_are_told);
+    RUN_SLOW_TEST(gaps_are_reported);
     RUN_SLOW_TEST(it_goes_on_after_a_reset);
     RUN_LONG_TEST(a_magnet_that_passes_is_named_and_does_no_harm);
     RUN_LONG_TEST(a_magnet_at_the_beginning_spoils_nothing_called_good);
     RUN_LONG_TEST(a_step_is_named_or_dropped);
-    RUN_LONG_TEST(what_goes_on_contradicting_is_a_step);
+    RUN_LONG_TEST(what_keeps_contradicting_is_a_step);
     RUN_LONG_TEST(what_contradicts_for_long_makes_it_rough);
     RUN_LONG_TEST(a_field_that_differs_from_place_to_place_is_named);
     RUN_LONG_TEST(noise_is_no_place);
@@ -1565,7 +1566,7 @@ int main(void)
         RUN_TEST(early_samples_stay_if_they_differ_by_chance);
         RUN_TEST(single_early_samples_are_compared);
         RUN_TEST(late_samples_give_a_solution_of_their_own);
-        RUN_TEST(a_solution_out_of_range_is_none);
+        RUN_TEST(a_solution_out_of_range_does_not_count);
         RUN_TEST(a_step_is_measured_by_what_came_before);
         RUN_TEST(a_step_before_the_second_solution_is_seen);
         RUN_TEST(limits_of_judgement_are_kept);
@@ -1580,7 +1581,7 @@ int main(void)
     RUN_SLOW_TEST(too_small_an_axis_is_refused);
     RUN_SLOW_TEST(early_samples_stay_if_later_ones_agree);
     RUN_TEST(cells_lie_on_the_sphere_whatever_is_nominal);
-    RUN_TEST(independent_noise_is_told_as_such);
+    RUN_TEST(independent_noise_is_recognized_as_such);
     RUN_LONG_TEST(a_session_of_days_stays_as_good);
     RUN_TEST(bad_input_changes_nothing);
     RUN_TEST(a_circle_determines_nothing);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Moves out of a stream: what is kept, what is refused and why; and with the session's own rests.
+ * Moves from a stream: what is kept, what is refused and why; also with the session's own rests.
  */
 #include <limits.h>
 #include <math.h>
@@ -43,7 +43,7 @@ static void a_move_keeps_its_angle_and_rests_their_bias(void)
     w.bias[1] = -0.3;
     world_rest(&w, 1.5);
     quarter(1);
-    world_rest(&w, 8); /* goes on */
+    world_rest(&w, 8); /* continues */
     w.count--;
     quarter(1);
     world_end(&w);
@@ -77,7 +77,7 @@ static invcal_status reason_of(unsigned rest)
     return rest < w.moves.count ? invcal_moves_reason(&w.moves, rest) : INVCAL_STATUS_COUNT;
 }
 
-static void lost_samples_spoil_a_move_and_no_more(void)
+static void lost_samples_spoil_only_one_move(void)
 {
     begin();
     world_rest(&w, 1.5);
@@ -110,8 +110,8 @@ static void a_clipped_or_a_long_move_is_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_LONG, invcal_moves_reason(&w.moves, 4));
 }
 
-/* A device that turns slowly where it should rest: the moves on both sides are of no use. */
-static void a_rest_that_turns_is_no_rest(void)
+/* A device that turns slowly when it should rest: the moves on both sides are unusable. */
+static void a_rest_that_turns_is_not_a_rest(void)
 {
     begin();
     world_rest(&w, 1.5);
@@ -127,8 +127,8 @@ static void a_rest_that_turns_is_no_rest(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_REST_DRIFT, invcal_moves_reason(&w.moves, 3));
 }
 
-/* The table of segments is full: what is there stays, and biases are right all the same. */
-static void without_room_moves_are_refused_and_rests_go_on(void)
+/* The table of segments is full: its contents stay, and biases are still right. */
+static void without_space_moves_are_refused_and_rests_continue(void)
 {
     const double far[3] = {0, 150 * DEGREE, 0};
 
@@ -238,7 +238,7 @@ static void a_move_of_more_than_seven_turns_is_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_MOUNTING, invcal_moves_reason(&w.moves, 1));
 }
 
-/* A device that is stirred goes nowhere, but turns: what that adds up to does not fit one segment. */
+/* A device that is stirred goes nowhere, but turns: the sum does not fit one segment. */
 static void stirring_fills_a_segment(void)
 {
     begin();
@@ -265,7 +265,7 @@ static void stirring_fills_a_segment(void)
     TEST_ASSERT_DOUBLE_WITHIN(2e-3, 40 * 0.09 * 0.09, angle); /* the area that was gone around */
 }
 
-/* 8000 samples a second: segments of as many as they can count, 32767. */
+/* 8000 samples a second: segments of as many samples as they can count, 32767. */
 static void a_segment_counts_no_more_than_it_can(void)
 {
     static const int samples[] = {5 * WORLD_BLOCK, 32767, 32767, 26};
@@ -274,7 +274,7 @@ static void a_segment_counts_no_more_than_it_can(void)
     const invcal_calibration gyro = w.moves.nominal;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, &gyro, 8000));
     rest_by_hand();
-    leave_by_hand(); /* of which five blocks are the move's */
+    leave_by_hand(); /* five blocks of these belong to the move */
     turn_on(0, 0, 0, 32767);
     TEST_ASSERT_EQUAL_INT(0, w.moves.missing);
     turn_on(0, 0, 0, 10000);
@@ -292,7 +292,7 @@ static void a_segment_counts_no_more_than_it_can(void)
     }
 }
 
-/* Events that no detector brings about in that order do no harm. */
+/* Events in an order that no detector produces do no harm. */
 static void events_out_of_order_do_no_harm(void)
 {
     begin();
@@ -301,7 +301,7 @@ static void events_out_of_order_do_no_harm(void)
     blocks(1, INVCAL_TAKEN, 0);
     TEST_ASSERT_EQUAL_INT(1, w.moves.count);
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&w.moves, 0));
-    for (int i = 0; i < INVCAL_MAX_MOVES + 2; i++) { /* no move is of any use, and the oldest go */
+    for (int i = 0; i < INVCAL_MAX_MOVES + 2; i++) { /* no move is usable, and the oldest go */
         invcal_moves_gap(&w.moves);
         rest_by_hand();
         leave_by_hand();
@@ -340,7 +340,7 @@ static void feed(int32_t x, int32_t y, int32_t z)
     invcal_moves_feed(&w.moves, raw);
 }
 
-/* The end of a block: eight samples of the accelerometer, however many the gyroscope has had. */
+/* The end of a block: eight samples of the accelerometer, however many of the gyroscope. */
 static void end_block(invcal_event event, int is_quiet)
 {
     w.rests.begin = is_quiet && w.rests.pended == 0 ? w.rests.time : w.rests.begin;
@@ -385,7 +385,7 @@ static int32_t angle(double degrees)
     return (int32_t)lround(degrees * DEGREE * 262144 * (double)w.moves.rate);
 }
 
-/* So large that each is a segment. */
+/* So large that each one is a segment. */
 static void large_turns(int count)
 {
     for (int i = 0; i < count; i++) {
@@ -496,7 +496,7 @@ static void a_bias_may_change_by_half_a_degree(void)
     }
 }
 
-/* All that is kept of a rest moves with it when the oldest go. */
+/* Everything about a rest moves with it when the oldest go. */
 static void the_oldest_moves_go_with_their_segments(void)
 {
     enum { GONE = 4, RESTS = INVCAL_MAX_MOVES + GONE };
@@ -653,7 +653,7 @@ static void rotations_are_added_by_the_series(void)
     }
 }
 
-/* Two blocks of a rotation and its coning each, and what they are together: to a unit or two of rounding. */
+/* Two blocks, each of a rotation and its coning, and their sum: to a unit or two of rounding. */
 static void segments_are_merged_by_the_series(void)
 {
     static const int order[] = {0, 1, -1, 3, 2, -1};
@@ -691,7 +691,7 @@ static void segments_are_merged_by_the_series(void)
 /* 127 segments are a move, and 24 of all are kept for the next. */
 static void a_move_and_the_table_have_so_many_segments(void)
 {
-    const int room = INVCAL_MAX_SEGMENTS - 24 - 1; /* one for the end, before it is merged */
+    const int space = INVCAL_MAX_SEGMENTS - 24 - 1; /* one for the end, before it is merged */
 
     for (int more = 0; more < 2; more++) {
         begin_at(64);
@@ -705,7 +705,7 @@ static void a_move_and_the_table_have_so_many_segments(void)
         begin_at(64);
         rest_exactly(0, 0, 0);
         leave_exactly();
-        for (int left = room + more; left > 0; left -= 16) {
+        for (int left = space + more; left > 0; left -= 16) {
             large_turns(left < 16 ? left : 16);
             block(0, 0, 0, INVCAL_MOVING, 0);
             rest_exactly(0, 0, 0);
@@ -714,14 +714,15 @@ static void a_move_and_the_table_have_so_many_segments(void)
         const unsigned last = w.moves.count - 1u;
         TEST_ASSERT_EQUAL_INT(more ? INVCAL_NO_SPACE : INVCAL_OK,
                               invcal_moves_reason(&w.moves, last));
-        TEST_ASSERT_EQUAL_INT(more ? (room + more - 1) / 16 * 16 : room, w.moves.first);
+        TEST_ASSERT_EQUAL_INT(more ? (space + more - 1) / 16 * 16 : space, w.moves.first);
         for (unsigned i = 1; i < last; i++) {
             TEST_ASSERT_EQUAL_INT(16, w.moves.rest[i].move);
         }
     }
 }
 
-/* More than the table holds before any of it is settled: that move, and neither its rests nor the next one. */
+/* More than the table holds before any of it is settled: the move is refused, but neither its rests
+ * nor the next move. */
 static void a_full_table_costs_the_current_move(void)
 {
     begin_exactly();
@@ -771,7 +772,7 @@ static void a_full_table_costs_both_moves_in_it(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_moves_reason(&w.moves, 2));
 }
 
-/* As a session may be resumed: full of what was kept. */
+/* As a session may be resumed: with full tables. */
 static void a_table_of_complete_moves_stays(void)
 {
     begin_exactly();
@@ -790,7 +791,7 @@ static void a_table_of_complete_moves_stays(void)
     TEST_ASSERT_TRUE(w.moves.rest[1].move < 0);
 }
 
-/* A reading at a rail, on any axis; the first reason is named. */
+/* A reading at a rail, on any axis; the first reason is reported. */
 static void a_rail_is_a_reading_that_clips(void)
 {
     for (int i = 0; i < 12; i++) {
@@ -811,8 +812,8 @@ static void a_rail_is_a_reading_that_clips(void)
     }
 }
 
-/* Samples that are lost in a rest: the move to it is refused, its bias is that of the others, and the next move
- * is good. */
+/* Samples lost in a rest: the move to it is refused, its bias is that of the others, and the next
+ * move is good. */
 static void a_gap_in_a_rest_costs_the_move_before(void)
 {
     begin_exactly();
@@ -837,7 +838,7 @@ static void a_gap_in_a_rest_costs_the_move_before(void)
     TEST_ASSERT_EQUAL_INT(BEFORE * EXACT_BLOCK, samples_of_move(0, w.moves.first));
 }
 
-/* The move goes on over it. */
+/* The move continues across it. */
 static void a_refused_rest_ends_no_move(void)
 {
     int32_t sum[3];
@@ -865,7 +866,7 @@ static void a_refused_rest_ends_no_move(void)
     TEST_ASSERT_EQUAL_INT(0, w.moves.rest[1].bias[1]);
 }
 
-/* Eight blocks stay apart; no event is no block, and time stops at 65535. */
+/* Eight blocks stay separate; no event means no block, and time stops at 65535. */
 static void blocks_are_counted_as_far_as_they_can(void)
 {
     begin_exactly();
@@ -883,7 +884,7 @@ static void blocks_are_counted_as_far_as_they_can(void)
     }
 }
 
-/* Events that no detector brings about: a rest without a sample has no bias, and is one all the same. */
+/* Events that no detector produces: a rest without a sample has no bias, but is still a rest. */
 static void a_rest_without_samples_has_no_bias(void)
 {
     begin_exactly();
@@ -899,7 +900,7 @@ static void a_rest_without_samples_has_no_bias(void)
     invcal_moves_gap(&w.moves);
     rest_exactly(0, 0, 0);
     leave_exactly();
-    end_block(INVCAL_TAKEN, 0); /* nothing lies between */
+    end_block(INVCAL_TAKEN, 0); /* nothing is between them */
     TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&w.moves, 3));
 }
 
@@ -953,7 +954,7 @@ static int feed_up(invcal_session *session, const double up[3], random_source *r
     return event == INVCAL_TAKEN;
 }
 
-/* Turns by so many degrees about each axis, and rests. Returns how many positions that took. */
+/* Turns by that many degrees about each axis, and rests. Returns how many positions were taken. */
 static int turn_and_rest(invcal_session *session, const double degrees[3], random_source *random)
 {
     double up[3];
@@ -1017,10 +1018,10 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(a_move_keeps_its_angle_and_rests_their_bias);
-    RUN_TEST(lost_samples_spoil_a_move_and_no_more);
+    RUN_TEST(lost_samples_spoil_only_one_move);
     RUN_SLOW_TEST(a_clipped_or_a_long_move_is_refused);
-    RUN_TEST(a_rest_that_turns_is_no_rest);
-    RUN_SLOW_TEST(without_room_moves_are_refused_and_rests_go_on);
+    RUN_TEST(a_rest_that_turns_is_not_a_rest);
+    RUN_SLOW_TEST(without_space_moves_are_refused_and_rests_continue);
     RUN_TEST(nonsense_is_refused_or_does_no_harm);
     RUN_TEST(a_move_of_more_than_seven_turns_is_refused);
     RUN_TEST(stirring_fills_a_segment);

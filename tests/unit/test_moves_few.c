@@ -49,7 +49,7 @@ static void twelve_quarter_turns_fit(void)
     }
 }
 
-/* The oldest go for new ones; moves for which there is no room are refused, and say so. */
+/* New ones replace the oldest; moves that do not fit are refused, with that reason. */
 static void more_than_fit_are_dropped_or_refused(void)
 {
     world_begin(&w, 100, 12);

@@ -65,7 +65,7 @@ static void expect_both(const double gyro[9], double within, const double accele
 }
 
 /* Those solutions take the means of the two rests for the bias of a move. A fit to all rests leaves less. */
-static void xsens_is_as_the_solution_from_all_samples(void)
+static void xsens_agrees_with_the_solution_from_all_samples(void)
 {
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, LOAD(xsens, 32768, 1 / (414.4 * 9.81744), 1 / 4772.0));
     TEST_ASSERT_EQUAL_INT(15, imu.moves);
@@ -79,7 +79,7 @@ static void xsens_is_as_the_solution_from_all_samples(void)
 }
 
 /* An MPU-9150 with the rests that its authors took. */
-static void mpu_is_as_the_solution_from_all_samples(void)
+static void mpu_agrees_with_the_solution_from_all_samples(void)
 {
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, LOAD(mpu0, 0, 1 / 16384.0, DEGREE / 131));
     TEST_ASSERT_EQUAL_INT(21, imu.moves);
@@ -89,8 +89,8 @@ static void mpu_is_as_the_solution_from_all_samples(void)
     expect_both(mpu_gyro, 0.0015, mpu_accelerometer);
 }
 
-/* Another one, with the session's own rests, in two of which it was turned about the vertical: what leads there
- * and from there is refused, and the move to a bad one left out. */
+/* Another one, with the session's own rests; in two of them it was turned about the vertical: moves
+ * to and from these are refused, and the move to a bad one is left out. */
 static void mpu_leaves_out_what_turned(void)
 {
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, LOAD(mpu1, 0, 1 / 16384.0, DEGREE / 131));
@@ -108,8 +108,8 @@ static void mpu_leaves_out_what_turned(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(xsens_is_as_the_solution_from_all_samples);
-    RUN_TEST(mpu_is_as_the_solution_from_all_samples);
+    RUN_TEST(xsens_agrees_with_the_solution_from_all_samples);
+    RUN_TEST(mpu_agrees_with_the_solution_from_all_samples);
     RUN_TEST(mpu_leaves_out_what_turned);
     return UNITY_END();
 }

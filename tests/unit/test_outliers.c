@@ -12,10 +12,10 @@
 #include "unity.h"
 
 #ifndef DRAWS
-#define DRAWS 2000 /* slow machines may take fewer; the bounds below are for these */
+#define DRAWS 2000 /* slow machines may use fewer; the bounds below are for these numbers */
 #endif
 
-/* Which is tried: the one that judges, or the one that looks for outliers only. */
+/* Which function is tested: the one that judges, or the one that only looks for outliers. */
 static int is_robust;
 
 void setUp(void)
@@ -261,7 +261,8 @@ static void faces_and_edges(random_source *random, double v[][3])
     TEST_ASSERT_EQUAL_UINT(18, n);
 }
 
-/* The share of sets in which just those are left out that are wrong, by so many times the noise. */
+/* The share of sets in which exactly the wrong ones are left out; they are wrong by that many times
+ * the noise. */
 static double share_exact(unsigned some, double times, unsigned draws)
 {
     const double noise = 0.0005;
@@ -305,8 +306,8 @@ static void clean_positions_lose_one_in_a_hundred_sets_or_fewer(void)
         is_robust = k % 2;
         const shares s = try_often(&e[i], DRAWS);
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(e[i].positions ? 0.015 : 0.02, s.innocent);
-        if (e[i].random_positions != 12) { /* which leave float hardly a digit */
-            TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.001, s.innocent); /* by a test, not by none */
+        if (e[i].random_positions != 12) { /* which leave float hardly any digit */
+            TEST_ASSERT_GREATER_OR_EQUAL_DOUBLE(0.001, s.innocent); /* by a test */
         }
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.003, s.suspected);
         TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(0.002, s.refused);
@@ -403,7 +404,7 @@ static void solve_upper(const least_squares *s, double x[N])
     }
 }
 
-/* What the nine leave of a column of so many numbers, and of J if it is null. */
+/* What the nine leave of a column of that many numbers, or of J if it is null. */
 static double reduce(const least_squares *s, const calibrated *all, invcal_mask removed,
                      const double *column, double left[CAPACITY])
 {
@@ -452,7 +453,7 @@ static least_squares fit_without(const calibrated *all, invcal_mask removed)
             s.l[r][c] = r == c ? sqrt(s.l[r][r]) : s.l[r][c] / s.l[c][c];
         }
     }
-    /* Residuals of so many may be rounding. */
+    /* Residuals of that many may be rounding. */
     const double rounding = 8 * (double)INVCAL_EPSILON;
     s.squares = reduce(&s, all, removed, NULL, left) + all->count * rounding * rounding;
     return s;
@@ -487,7 +488,7 @@ static double tail(double z, unsigned m, unsigned dof)
 typedef struct {
     invcal_mask removed, suspected;
     unsigned systematic, axis, unchecked;
-    int is_rough; /* something is wrong, and the residuals do not tell what */
+    int is_rough; /* something is wrong, and the residuals do not show what */
     int close; /* some decision is within 3 % of its level, or within what the library's chance is too
                      large: it may turn out otherwise there */
 } decision;
@@ -703,7 +704,7 @@ static double error_of_axis(unsigned kind, double x, double before, double tau)
                                       : 0;
 }
 
-/* Gram and Schmidt's way: each without what the nine and those before it are made of. */
+/* Gram-Schmidt: each minus its projection on the nine and on those before it. */
 static test test_for(const job *j, unsigned kind, unsigned step)
 {
     const calibrated *all = j->all;
@@ -762,8 +763,8 @@ static test test_for(const job *j, unsigned kind, unsigned step)
     return t;
 }
 
-/* The best systematic error that can be named, its chance, and what it leaves; and what the best of
- * all leaves. */
+/* The best systematic error that can be named, its chance, and its residual; and the residual of
+ * the best of all. */
 typedef struct {
     unsigned kind, axis;
     double chance;
@@ -811,7 +812,7 @@ static shared find_kind(const job *j)
     return s;
 }
 
-/* Two or more may be what a systematic error, or a step, looks like. */
+/* Two or more may be the effect of a systematic error, or of a step. */
 static int is_ambiguous(const job *j, const outliers *found, shared *s)
 {
     const unsigned third = (j->all->count + 2) / 3;
@@ -857,7 +858,7 @@ static invcal_mask decide_once(const calibrated *all, decision *d)
     return d->is_rough ? 0 : found.group;
 }
 
-/* Round by round, until more than one in six is left out. */
+/* In rounds, until more than one in six is left out. */
 static decision decide(const reading_set *set, double stated)
 {
     const invcal_calibration nominal = unit_nominal();
@@ -937,7 +938,7 @@ static void the_rules_of_judgement_decide(void)
             TEST_ASSERT_TRUE(d.systematic == INVCAL_NO_SYSTEMATIC || d.axis == q.axis);
             TEST_ASSERT_EQUAL_HEX8(d.unchecked, q.unchecked);
             TEST_ASSERT_EQUAL_INT(d.suspected != 0, q.suspected != 0);
-            if (INVCAL_DOUBLE) { /* float cannot rank what is last in a row of contenders */
+            if (INVCAL_DOUBLE) { /* float cannot rank the last of many contenders */
                 assert_set(d.suspected, q.suspected);
             }
             TEST_ASSERT_TRUE(!d.is_rough || q.verdict == INVCAL_ROUGH || q.verdict == INVCAL_WEAK);
@@ -947,7 +948,7 @@ static void the_rules_of_judgement_decide(void)
             rough += (unsigned)d.is_rough;
         }
     }
-    /* All answers have been seen. */
+    /* All answers have occurred. */
     TEST_ASSERT_TRUE(with[0] > 20 && with[1] > 20 && with[2] > 3 && with[3] > 3 && rivalled > 1);
     TEST_ASSERT_TRUE(named[1] > 3 && named[2] > 3 && named[3] > 3 && named[4] > 3 && rough > 3);
 }
@@ -1070,7 +1071,7 @@ static void among_exact_readings_an_error_just_above_rounding_is_found(void)
         spoil(&set, i, FLOAT_OR_DOUBLE(5e-5, 1e-13));
         for (is_robust = 0; is_robust < 2; is_robust++) {
             assert_set(bit(i), find(&set, 0).left_out);
-            /* But not if the noise stated explains it. */
+            /* But not if the stated noise explains it. */
             assert_set(0, find(&set, FLOAT_OR_DOUBLE(5e-5, 1e-13)).left_out);
         }
     }
@@ -1123,7 +1124,7 @@ static void more_than_one_in_six_are_rough(void)
 
 /* A reading of four times the field pulls the ellipsoid to itself; the other positions, all but some on
  * two planes, would allow it. */
-static void what_no_rest_reads_is_left_out_all_the_same(void)
+static void what_no_rest_can_read_is_left_out_anyway(void)
 {
     random_source random = random_start(16);
 
@@ -1142,8 +1143,8 @@ static void what_no_rest_reads_is_left_out_all_the_same(void)
     }
 }
 
-/* All together make no ellipsoid, nor do they without the first that is found. */
-static void what_makes_no_ellipsoid_is_looked_for_round_by_round(void)
+/* Together they make no ellipsoid, nor do they without the first that is found. */
+static void what_makes_no_ellipsoid_is_searched_for_in_rounds(void)
 {
     random_source random = random_start(17);
     const triad_truth truth = triad_random(&random, 0.03);
@@ -1179,8 +1180,8 @@ static void equal_positions_check_one_another(void)
     }
     read_positions(&truth, (const double(*)[3])v, 20, SIGMA, &random, &set);
     assert_set(0, find(&set, 0).left_out);
-    /* One of two: the ten directions leave one residual to tell which, and it does not suffice;
-     * but that it is one of these two is certain. */
+    /* One of two: the ten directions leave one residual to show which, and it does not suffice; but
+     * it is certain that it is one of these two. */
     spoil(&set, 4, 0.02);
     const invcal_quality q = find(&set, 0);
     assert_set(0, (q.left_out | q.suspected) & ~(bit(4) | bit(14)));
@@ -1206,7 +1207,7 @@ static void a_position_that_nothing_checks_is_not_blamed(void)
         v[i][2] = z;
     }
     v[17][0] = v[17][1] = 0;
-    v[17][2] = -1; /* alone tells z^2 from z */
+    v[17][2] = -1; /* alone distinguishes z^2 from z */
     read_positions(&truth, (const double(*)[3])v, 18, 1e-6, &random, &set);
     spoil(&set, 17, 0.02);
     assert_set(0, find(&set, 0).left_out & bit(17));
@@ -1215,7 +1216,7 @@ static void a_position_that_nothing_checks_is_not_blamed(void)
 /* Directions within a band about the equator, so narrow that the condition is next to its limit:
  * some that are wrong cannot be left out, for the others would leave parameters open. Then all
  * stay. */
-static void what_the_others_are_not_determined_without_stays_and_is_told(void)
+static void what_the_others_need_stays_and_is_reported(void)
 {
     const invcal_calibration nominal = unit_nominal();
     random_source random = random_start(21);
@@ -1250,7 +1251,7 @@ static void what_the_others_are_not_determined_without_stays_and_is_told(void)
     TEST_ASSERT_TRUE(stayed > SOME(10));
 }
 
-/* What it leaves out is no error that all share, and that it says. */
+/* What it leaves out is not a systematic error, and it says so. */
 static void one_that_is_only_robust_leaves_systematic_errors_unchecked(void)
 {
     const invcal_real target = (invcal_real)(5 * SIGMA);
@@ -1285,7 +1286,7 @@ static void one_that_is_only_robust_leaves_systematic_errors_unchecked(void)
     TEST_ASSERT_EQUAL_HEX8(0x1E, q.unchecked);
 }
 
-/* Real sensors: the first positions of recordings, in g, and one of them spoiled. */
+/* Real sensors: the first positions of recordings, in g, one of them spoiled. */
 static void assert_real(const double positions[][3], unsigned count, double zero, double scale)
 {
     reading_set set;
@@ -1334,11 +1335,11 @@ int main(void)
     RUN_TEST(among_exact_readings_an_error_just_above_rounding_is_found);
     RUN_LONG_TEST(every_position_of_a_full_set_can_be_named);
     RUN_SLOW_TEST(more_than_one_in_six_are_rough);
-    RUN_SLOW_TEST(what_no_rest_reads_is_left_out_all_the_same);
-    RUN_TEST(what_makes_no_ellipsoid_is_looked_for_round_by_round);
+    RUN_SLOW_TEST(what_no_rest_can_read_is_left_out_anyway);
+    RUN_TEST(what_makes_no_ellipsoid_is_searched_for_in_rounds);
     RUN_TEST(equal_positions_check_one_another);
     RUN_TEST(a_position_that_nothing_checks_is_not_blamed);
-    RUN_LONG_TEST(what_the_others_are_not_determined_without_stays_and_is_told);
+    RUN_LONG_TEST(what_the_others_need_stays_and_is_reported);
     RUN_TEST(one_that_is_only_robust_leaves_systematic_errors_unchecked);
     RUN_LONG_TEST(real_positions_have_no_outliers_but_those_that_are_made);
     return UNITY_END() != 0;

@@ -26,7 +26,8 @@ enum { MOST = INVCAL_PLAN_PER_GROUP_MAX };
 #define COSINE(x) cos((double)(x))
 #endif
 static const long double RADIAN = 0.017453292519943295769236907684886L;
-/* What plan.h says of a component; the oracle rounds too where long double is no longer. */
+/* The bound of plan.h for a component; the oracle rounds, too, if long double is no longer than
+ * double. */
 static const double component = FLOAT_OR_DOUBLE(5e-7, 1e-15) + 8 * (double)LDBL_EPSILON;
 /* One unit in the last place of an angle up to 180 degrees. */
 static const double degrees = 132 * (double)INVCAL_EPSILON + 720 * (double)LDBL_EPSILON;
@@ -78,13 +79,13 @@ static void eta_of(long double alpha, long double beta, double eta[3])
     eta[2] = (double)(SINE(alpha * RADIAN) * COSINE(beta * RADIAN));
 }
 
-/* What is left of an angle beside whole turns: -180 ... 180. */
+/* An angle without whole turns: -180 ... 180. */
 static long double without_turns(long double angle)
 {
     return angle - 360 * (long double)(long)(angle / 360 + (angle < 0 ? -0.5L : 0.5L));
 }
 
-/* Above -180, at most 180, and the expected angle but for whole turns. */
+/* Above -180, at most 180, and the expected angle except for whole turns. */
 static void assert_wrapped(long double expected, invcal_real actual)
 {
     TEST_ASSERT_TRUE(actual > -180 && actual <= 180);
@@ -144,7 +145,7 @@ static void starts_at_the_seams_of_the_turn_are_wrapped(void)
             assert_follows_table_1(&plan);
         }
     }
-    /* A position that comes to lie on the seam from either side. */
+    /* A position that lies on the seam, from either side. */
     for (unsigned n = 5; n <= 64; n++) {
         for (unsigned k = 0; k < n; k++) {
             const double start = (double)without_turns(180 - 360.0L * k / n);
@@ -205,7 +206,7 @@ static int quarter_cosine(int angle)
     return value[((angle / 90) % 4 + 4) % 4];
 }
 
-/* Programs whose angles are whole degrees: wherever both are multiples of 90, eta is exact. */
+/* Programs whose angles are whole degrees: where both are multiples of 90, eta is exact. */
 static void multiples_of_90_degrees_give_exactly_0_and_1(void)
 {
     static const unsigned per_group[] = {5, 6, 8, 9, 10, 12, 15, 18, 20, 24, 36, 40, 60, 72, 360};
@@ -272,13 +273,13 @@ static void every_vertical_is_a_unit_vector(void)
             const invcal_plan_position p = position_at(&plan, i);
             const double v[3] = {(double)p.vertical[0], (double)p.vertical[1],
                                  (double)p.vertical[2]};
-            /* the length is rounded too, which shows where double is float */
+            /* the length is rounded, too, which shows if double is float */
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1.5e-7 + DBL_EPSILON, 5e-16), 1, length3(v));
         }
     }
 }
 
-/* One call of each function that takes a plan, none of which may touch what it would fill. */
+/* A call of each function that takes a plan; none may touch its output. */
 static void assert_refused(invcal_status expected, const invcal_plan *plan, unsigned i)
 {
     invcal_plan_position position;
@@ -335,7 +336,7 @@ static void absurd_numbers_of_positions_are_refused_with_a_reason(void)
     }
 }
 
-static void starts_that_are_no_angles_are_refused(void)
+static void starts_that_are_not_angles_are_refused(void)
 {
     const double beyond = 360 * (1 + (double)INVCAL_EPSILON);
     const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 361, -361, beyond, -beyond, 1e30};
@@ -482,7 +483,7 @@ static void an_axis_is_up_within_a_tenth_of_a_degree(void)
     }
 }
 
-static void what_is_no_direction_is_along_one_axis_at_most(void)
+static void what_is_not_a_direction_is_along_one_axis_at_most(void)
 {
     static const double values[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 0, 1, -1, 1e30};
     enum { VALUES = sizeof values / sizeof values[0] };
@@ -512,13 +513,13 @@ int main(void)
     RUN_SLOW_TEST(every_vertical_is_a_unit_vector);
     RUN_TEST(a_position_beyond_the_program_is_refused);
     RUN_TEST(absurd_numbers_of_positions_are_refused_with_a_reason);
-    RUN_TEST(starts_that_are_no_angles_are_refused);
+    RUN_TEST(starts_that_are_not_angles_are_refused);
     RUN_LONG_TEST(the_starts_for_an_even_number_point_every_axis_up_and_down);
     RUN_TEST(each_group_of_an_even_program_holds_its_own_axis_both_ways);
     RUN_LONG_TEST(the_starts_for_an_odd_number_give_plus_z_minus_x_minus_y);
     RUN_TEST(the_starts_for_six_are_the_papers);
     RUN_LONG_TEST(no_starts_of_an_odd_program_point_to_more_than_three_axes);
     RUN_TEST(an_axis_is_up_within_a_tenth_of_a_degree);
-    RUN_TEST(what_is_no_direction_is_along_one_axis_at_most);
+    RUN_TEST(what_is_not_a_direction_is_along_one_axis_at_most);
     return UNITY_END() != 0;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What is known beforehand. How often its intervals hold the truth is in test_statistics.c.
+ * Priors. How often their intervals hold the truth is in test_statistics.c.
  */
 #include <math.h>
 #include <string.h>
@@ -41,7 +41,7 @@ static const double of_angles[9] = {0, 0, 0, 0, 0, 0, 0.01, 0.01, 0.01};
 static const double faces[6][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},
                                    {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
 
-/* With a prior for some parameters only, positions must be as many as the others. */
+/* With a prior for only some parameters, there must be as many positions as others. */
 static void a_partial_prior_needs_as_many_positions_as_it_leaves_open(void)
 {
     random_source random = random_start(1);
@@ -59,8 +59,8 @@ static void a_partial_prior_needs_as_many_positions_as_it_leaves_open(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, calibrate(&set, 1e-4, equal, &o));
 }
 
-/* Readings so exact that the prior is 2000 times their noise: what it alone holds has a K that would
- * be hopeless without it. */
+/* Readings so exact that the prior is 2000 times their noise: a parameter held only by the prior
+ * has a K that would be singular without it. */
 static void what_a_prior_holds_is_never_hopeless(void)
 {
     random_source random = random_start(5);
@@ -93,7 +93,7 @@ static void the_condition_counts_the_rows_of_the_prior(void)
 
 /* A prior of many fields says nothing, and the noise that it would be resolved beside is no noise of a
  * reading: what it alone holds is weak, however often it is solved. */
-static void a_prior_wider_than_reason_is_weak(void)
+static void an_absurdly_wide_prior_is_weak(void)
 {
     static const double wide[9] = {0, 0, 0, 0, 0, 0, 1e8, 1e8, 1e8};
     random_source random = random_start(6);
@@ -111,7 +111,7 @@ static void a_prior_wider_than_reason_is_weak(void)
     TEST_ASSERT_TRUE((double)o.quality.noise >= 1);
 }
 
-/* What a prior is silent about, and the positions too, is refused as ever. */
+/* A parameter that neither the prior nor the positions determine is refused as always. */
 static void what_no_prior_holds_may_be_hopeless(void)
 {
     static const double of_offsets[9] = {0.01, 0.01, 0.01, 0, 0, 0, 0, 0, 0};
@@ -166,7 +166,7 @@ static void what_hardly_shows_is_solved_or_refused_as_open(void)
     TEST_ASSERT_TRUE(solved > SOME(4000) / 4 && solved < SOME(4000));
 }
 
-/* Residuals larger than the stated noise make the prior count for more. */
+/* Residuals larger than the stated noise give the prior more weight. */
 static void a_prior_is_weighed_against_the_noise_that_is_there(void)
 {
     random_source random = random_start(2);
@@ -186,7 +186,7 @@ static void a_prior_is_weighed_against_the_noise_that_is_there(void)
 
 /* Stated at a ten thousandth it would leave the prior nothing to say, and the angles where the
  * readings put them; as it is, it takes half of them away. */
-static void noise_seen_shrinks_like_noise_stated(void)
+static void observed_noise_shrinks_like_stated_noise(void)
 {
     static const triad_truth truth = {{0, 0, 0, 0, 0, 0, 0.03, -0.03, 0.03}};
     random_source random = random_start(6);
@@ -207,7 +207,8 @@ static void noise_seen_shrinks_like_noise_stated(void)
     }
 }
 
-/* What the prior tells of a parameter, the posterior over the prior variance, the data need not. */
+/* The share of a parameter from the prior, the posterior over the prior variance, is not from the
+ * data. */
 static double dof_of(const outcome *o, const double prior[9])
 {
     double dof = o->quality.positions;
@@ -219,8 +220,8 @@ static double dof_of(const outcome *o, const double prior[9])
     return dof;
 }
 
-/* The noise stated counts as four residuals beside them. */
-static void what_a_prior_tells_leaves_degrees_of_freedom(void)
+/* The stated noise counts as four residuals, in addition to them. */
+static void what_a_prior_determines_leaves_degrees_of_freedom(void)
 {
     random_source random = random_start(5);
     const triad_truth truth = triad_random(&random, 0.001);
@@ -242,8 +243,8 @@ static void what_a_prior_tells_leaves_degrees_of_freedom(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.01 * noise, noise, (double)o.quality.noise);
 }
 
-/* Readings as noisy as the field tell nothing: what is left is the prior, of each its own. */
-static void sigma_of_what_is_not_told_is_the_prior_of_each(void)
+/* Readings as noisy as the field have no information: each parameter keeps its own prior. */
+static void sigma_of_what_is_not_determined_is_the_prior_of_each(void)
 {
     random_source random = random_start(6);
     const triad_truth truth = triad_random(&random, 0.001);
@@ -282,8 +283,8 @@ static void noise_is_raised_only_where_a_prior_has_to_hold_something(void)
                               (double)o.quality.noise);
 }
 
-/* Six faces, tilted by less than rounding shows: what the sums seem to tell of the angles is rounding. */
-static void what_rounding_seems_to_tell_is_held_by_the_prior(void)
+/* Six faces, tilted by less than rounding: what the sums seem to show of the angles is rounding. */
+static void what_rounding_seems_to_show_is_held_by_the_prior(void)
 {
     random_source random = random_start(12);
     const double root = sqrt(FLOAT_OR_DOUBLE(1.2e-7, 2.2e-16));
@@ -307,7 +308,7 @@ static void what_rounding_seems_to_tell_is_held_by_the_prior(void)
     }
 }
 
-/* Without errors of the triad what is known of it changes nothing but sigma. */
+/* Without errors of the triad, a prior changes only sigma. */
 static void a_prior_that_is_true_leaves_the_solution_alone(void)
 {
     const triad_truth none = {{0}};
@@ -410,7 +411,7 @@ static void unusable_arguments_are_refused_and_the_outputs_left_alone(void)
     assert_refused(&set, 1e-3, equal, INVCAL_OUT_OF_RANGE);
 }
 
-/* Nor does a prior make a triad of what is none. */
+/* Nor does a prior make a triad out of anything else. */
 static void readings_on_no_ellipsoid_are_refused(void)
 {
     random_source random = random_start(10);
@@ -433,15 +434,15 @@ int main(void)
     RUN_TEST(a_partial_prior_needs_as_many_positions_as_it_leaves_open);
     RUN_TEST(what_a_prior_holds_is_never_hopeless);
     RUN_TEST(the_condition_counts_the_rows_of_the_prior);
-    RUN_TEST(a_prior_wider_than_reason_is_weak);
+    RUN_TEST(an_absurdly_wide_prior_is_weak);
     RUN_TEST(what_no_prior_holds_may_be_hopeless);
     RUN_TEST(what_hardly_shows_is_solved_or_refused_as_open);
     RUN_TEST(a_prior_is_weighed_against_the_noise_that_is_there);
-    RUN_TEST(noise_seen_shrinks_like_noise_stated);
-    RUN_TEST(what_a_prior_tells_leaves_degrees_of_freedom);
-    RUN_TEST(sigma_of_what_is_not_told_is_the_prior_of_each);
+    RUN_TEST(observed_noise_shrinks_like_stated_noise);
+    RUN_TEST(what_a_prior_determines_leaves_degrees_of_freedom);
+    RUN_TEST(sigma_of_what_is_not_determined_is_the_prior_of_each);
     RUN_TEST(noise_is_raised_only_where_a_prior_has_to_hold_something);
-    RUN_TEST(what_rounding_seems_to_tell_is_held_by_the_prior);
+    RUN_TEST(what_rounding_seems_to_show_is_held_by_the_prior);
     RUN_TEST(a_prior_that_is_true_leaves_the_solution_alone);
     RUN_TEST(a_prior_weighs_the_same_in_any_unit);
     RUN_TEST(unusable_arguments_are_refused_and_the_outputs_left_alone);

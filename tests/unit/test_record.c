@@ -36,7 +36,7 @@ static const uint8_t golden[SIZE] = {
     0xFA, 0xED, 0x6B, 0x3A, 0x70, 0x3D, 0x06, 0x34,
 };
 
-/* As version 1 wrote it: 48 bytes more before sigma. */
+/* As version 1 wrote it: with 48 more bytes before sigma. */
 static const uint8_t golden_1[SIZE + 48] = {
     0xCA, 0x01, 0xB8, 0x00, 0x53, 0x4E, 0x2D, 0x30, 0x30, 0x30, 0x34, 0x32, 0x0F, 0x21, 0x43, 0x65,
     0x12, 0x00, 0x01, 0x01, 0x82, 0x00, 0x02, 0x01, 0x00, 0x00, 0x1D, 0x41, 0x00, 0x00, 0x00, 0x3B,
@@ -126,7 +126,7 @@ static void assert_not_encoded(invcal_status expected, const invcal_record *r)
     TEST_ASSERT_EQUAL_INT(expected, invcal_record_encode(r, bytes));
 }
 
-/* As a program does that may find either version. */
+/* Like a program that may find either version. */
 static invcal_status decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
 {
     return size >= 2 && bytes[1] == 1 ? invcal_record_decode_v1(bytes, size, out)
@@ -220,7 +220,7 @@ static void a_record_comes_back_as_it_was(void)
     }
 }
 
-/* Largest, smallest, subnormal, and both zeros: wherever a calibration does not need another. */
+/* Largest, smallest, subnormal, and both zeros: wherever a calibration allows them. */
 static void reals_at_the_limits_of_float_come_back(void)
 {
     static const float limit[] = {FLT_MAX, -FLT_MAX, FLT_MIN, 1.4e-45f, -1.4e-45f, 0, -0.0f};
@@ -240,7 +240,7 @@ static void reals_at_the_limits_of_float_come_back(void)
     }
 }
 
-static void a_new_record_holds_what_is_known_and_says_of_the_rest_that_it_is_not(void)
+static void a_new_record_holds_what_is_known_and_marks_the_rest_as_unknown(void)
 {
     invcal_record expected = golden_record();
     invcal_record r;
@@ -285,7 +285,7 @@ static void a_record_of_version_1_is_read_over_field(void)
     assert_equal_records(&expected, &r);
 }
 
-static void a_field_of_version_1_that_is_none_is_refused(void)
+static void an_invalid_field_of_version_1_is_refused(void)
 {
     uint8_t bytes[sizeof golden_1];
 
@@ -295,7 +295,7 @@ static void a_field_of_version_1_that_is_none_is_refused(void)
     TEST_ASSERT_TRUE(is_refused(INVCAL_BAD_NOMINAL, bytes, sizeof bytes));
 }
 
-/* What a program does not call it does not link: either function knows one. */
+/* A program does not link what it does not call: each function knows one version. */
 static void each_version_has_its_function(void)
 {
     invcal_record r;
@@ -305,7 +305,7 @@ static void each_version_has_its_function(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_record_decode_v1(golden, SIZE, &r));
 }
 
-static void bytes_behind_a_record_are_not_looked_at(void)
+static void bytes_after_a_record_are_ignored(void)
 {
     uint8_t bytes[SIZE + MARGIN];
 
@@ -372,7 +372,7 @@ static void a_number_beyond_float_is_not_encoded(void)
     r.calibration.matrix[1][2] = 0;
     assert_not_encoded(INVCAL_BAD_NOMINAL, &r);
 #else
-    TEST_ASSERT_TRUE(INVCAL_REAL_MAX <= FLT_MAX); /* there is none */
+    TEST_ASSERT_TRUE(INVCAL_REAL_MAX <= FLT_MAX); /* there is no such parameter */
 #endif
 }
 
@@ -452,7 +452,7 @@ static void any_wrong_bit_is_noticed(void)
 {
     uint8_t bytes[SIZE + MARGIN];
 
-    for (unsigned tail = 0; tail <= MARGIN; tail += MARGIN) { /* and in a larger buffer */
+    for (unsigned tail = 0; tail <= MARGIN; tail += MARGIN) { /* also in a larger buffer */
         memset(bytes, 0, sizeof bytes);
         memcpy(bytes, golden, SIZE);
         for (unsigned bit = 0; bit < 8 * SIZE; bit++) {
@@ -490,7 +490,7 @@ static void any_four_wrong_bits_are_noticed(void)
         uint8_t bytes[SIZE];
         memcpy(bytes, golden, SIZE);
         bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
-        check[bit] = crc_by_table(bytes, SIZE); /* of a sound record the same, whatever it holds */
+        check[bit] = crc_by_table(bytes, SIZE); /* the same for any sound record */
         check[bit] ^= crc_by_table(golden, SIZE);
         for (unsigned other = 0; other < bit; other++) {
             pair[pairs++] = check[bit] ^ check[other];
@@ -529,14 +529,14 @@ static void any_two_bytes_exchanged_are_noticed(void)
 static void a_record_without_its_end_is_noticed(void)
 {
     for (uint32_t size = 0; size < SIZE; size++) {
-        uint8_t *exact = malloc(size + 1); /* so that a sanitizer sees a read behind it */
+        uint8_t *exact = malloc(size + 1); /* so that a sanitizer sees a read beyond it */
         memcpy(exact + 1, golden, size);
         TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, exact + 1, size));
         free(exact);
     }
 }
 
-static void blank_and_random_bytes_are_no_record(void)
+static void blank_and_random_bytes_are_not_a_record(void)
 {
     random_source random = random_start(2);
     uint8_t bytes[SIZE + MARGIN];
@@ -644,7 +644,7 @@ static int is_loaded_v1(invcal_status expected, invcal_calibration *calibration)
     return is_loaded_by(invcal_load_v1, expected, calibration);
 }
 
-/* The golden calibration, and a quality that may go with it. */
+/* The golden calibration, and a possible quality. */
 static invcal_status save_golden(uint8_t verdict)
 {
     const invcal_record r = golden_record();
@@ -705,7 +705,7 @@ static void what_is_saved_is_the_record_that_init_makes(void)
     TEST_ASSERT_EQUAL_HEX8_ARRAY(expected, bytes, SIZE);
 }
 
-static void a_failure_of_either_side_is_told_and_leaves_all_as_it_was(void)
+static void a_failure_of_either_side_is_reported_and_changes_nothing(void)
 {
     static const uint8_t other[INVCAL_RECORD_SIZE_V1 + 1] = {1};
     invcal_calibration c;
@@ -752,11 +752,11 @@ int main(void)
     RUN_TEST(the_bytes_of_the_table_give_the_record);
     RUN_TEST(a_record_comes_back_as_it_was);
     RUN_TEST(reals_at_the_limits_of_float_come_back);
-    RUN_TEST(a_new_record_holds_what_is_known_and_says_of_the_rest_that_it_is_not);
+    RUN_TEST(a_new_record_holds_what_is_known_and_marks_the_rest_as_unknown);
     RUN_TEST(a_record_of_version_1_is_read_over_field);
-    RUN_TEST(a_field_of_version_1_that_is_none_is_refused);
+    RUN_TEST(an_invalid_field_of_version_1_is_refused);
     RUN_TEST(each_version_has_its_function);
-    RUN_TEST(bytes_behind_a_record_are_not_looked_at);
+    RUN_TEST(bytes_after_a_record_are_ignored);
     RUN_TEST(a_number_that_is_not_finite_is_neither_encoded_nor_decoded);
     RUN_TEST(a_number_beyond_float_is_not_encoded);
     RUN_TEST(a_singular_matrix_is_neither_encoded_nor_decoded);
@@ -766,12 +766,12 @@ int main(void)
     RUN_LONG_TEST(any_four_wrong_bits_are_noticed);
     RUN_SLOW_TEST(any_two_bytes_exchanged_are_noticed);
     RUN_TEST(a_record_without_its_end_is_noticed);
-    RUN_TEST(blank_and_random_bytes_are_no_record);
+    RUN_TEST(blank_and_random_bytes_are_not_a_record);
     RUN_SLOW_TEST(a_sound_record_of_another_kind_or_version_is_named_so);
     RUN_TEST(a_length_shorter_than_any_record_is_refused);
     RUN_TEST(a_calibration_that_was_saved_is_loaded_and_so_is_its_record);
     RUN_TEST(what_is_saved_is_the_record_that_init_makes);
-    RUN_TEST(a_failure_of_either_side_is_told_and_leaves_all_as_it_was);
+    RUN_TEST(a_failure_of_either_side_is_reported_and_changes_nothing);
     RUN_TEST(what_0_1_0_saved_is_loaded_by_its_own_function);
     return UNITY_END() != 0;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What must never come out as a calibration: families of random members, each with noise and
- * without, seen by a triad with errors of up to 5 % and from a random side.
+ * What must never give a calibration: families of random members, each with noise and without, seen
+ * by a triad with errors of up to 5 % and from a random side.
  */
 #include <math.h>
 #include <string.h>
@@ -124,8 +124,8 @@ static void fewer_than_nine(random_source *random, int member, double v[][3], un
     }
 }
 
-/* Calibrates a set and demands a refusal of the kind expected, outputs untouched. Returns the
- * number of members that were delivered all the same. */
+/* Calibrates a set and requires the expected refusal, with outputs untouched. Returns the number of
+ * members that were accepted anyway. */
 static unsigned assert_refused(const reading_set *set, invcal_status expected)
 {
     invcal_calibration calibration;
@@ -238,9 +238,9 @@ static void about_a_cone(uint32_t seed, triad_truth *truth, reading_set *set)
     read_positions(truth, (const double(*)[3])v, count, 0, &random, set);
 }
 
-/* Where rounding has made the solution, readings calibrated by it may look well spread: of such
- * sets one in ten thousand came out in float as merely weak, wrong by half the field. The sums
- * tell. */
+/* If rounding has made the solution, readings calibrated by it may look well spread: of such sets
+ * one in ten thousand came out in float as merely weak, wrong by half the field. The sums show
+ * it. */
 static void what_rounding_has_determined_is_refused(void)
 {
     static const uint32_t seed[] = {5485, 20836, 21174, 25622, 109839};
@@ -262,7 +262,7 @@ static void what_rounding_has_determined_is_refused(void)
     }
 }
 
-/* With noise such a set may look determined; then its sigma must say what it is worth. */
+/* With noise such a set may look determined; then its sigma must be honest. */
 static void assert_noisy_family_never_good(family make, double noise)
 {
     random_source random = random_start(2);
@@ -378,8 +378,8 @@ static void no_position_leaves_everything_open(void)
     TEST_ASSERT_EQUAL_HEX16(ANY, invcal_undetermined(&raw[3], 1, &nominal));
 }
 
-/* Eight positions leave one combination open, and those that are no readings do not count. */
-static void positions_that_are_no_readings_are_passed_over(void)
+/* Eight positions leave one combination open, and those that are not readings do not count. */
+static void positions_that_are_not_readings_are_skipped(void)
 {
     const invcal_calibration nominal = unit_nominal();
     invcal_real raw[8][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {-1, 0, 0},
@@ -546,7 +546,7 @@ int main(void)
     RUN_TEST(six_faces_name_the_three_angles);
     RUN_TEST(a_parameter_beyond_a_thousand_is_refused_and_beyond_ten_weak);
     RUN_TEST(no_position_leaves_everything_open);
-    RUN_TEST(positions_that_are_no_readings_are_passed_over);
+    RUN_TEST(positions_that_are_not_readings_are_skipped);
     RUN_TEST(nothing_is_open_in_a_good_set);
     RUN_TEST(readings_on_no_ellipsoid_are_refused);
     RUN_TEST(clouds_and_cubes_are_refused);

@@ -30,9 +30,9 @@ typedef struct {
     double noise;  /* g, each axis */
     double drift;  /* g/s on the x axis */
     int32_t low, high;
-    unsigned stuck; /* 1, 2, 3: this axis reads one and the same number */
+    unsigned stuck; /* 1, 2, 3: this axis always reads the same number */
     random_source random;
-    /* what is done to its counts: these must not matter */
+    /* transforms of its counts, which must not matter */
     int32_t scale;
     int32_t shift[3];
     unsigned order;
@@ -45,7 +45,7 @@ typedef struct {
     /* what was found */
     unsigned taken, ready, refused[INVCAL_STATUS_COUNT];
     unsigned ready_before; /* since the position before */
-    int is_held;           /* READY, and neither taken nor refused since */
+    int is_held;           /* READY, and since then neither taken nor refused */
     unsigned seen[INVCAL_REFUSED + 1];
     invcal_rest rest[RESTS];
     uint32_t events; /* a checksum of all of them */
@@ -88,7 +88,7 @@ static void check_mean(const invcal_rest *rest, const invcal_real mean[3])
     }
 }
 
-/* What is to be read after an event: the rest that is READY and held, or was just TAKEN. */
+/* What can be read after an event: the rest that is READY and held, or was just TAKEN. */
 static void note(invcal_event event)
 {
     invcal_rest rest;
@@ -145,7 +145,7 @@ static void end_of_stream(void)
 {
     const invcal_event event = invcal_rests_finish(&b.detector);
 
-    if (event != INVCAL_MOVING) { /* what was taken just before is still to be read */
+    if (event != INVCAL_MOVING) { /* what was just taken can still be read */
         note(event);
     }
 }
@@ -179,7 +179,7 @@ static const double none[3] = {0, 0, 0};
 static const double face[6][3] = {{0, 0, 1},       {0.6, 0.8, 0},    {-0.8, 0.36, 0.48},
                                   {0, -0.6, -0.8}, {0.7, 0.1, -0.7}, {-0.5, 0.7, -0.5}};
 
-/* The rest goes on. */
+/* The rest continues. */
 static void keep(unsigned k, double seconds)
 {
     for (long i = 0; i < (long)(seconds * b.rate); i++) {
@@ -229,7 +229,7 @@ static void freeze(double seconds)
     }
 }
 
-/* Six rests, with moves before and behind. */
+/* Six rests, with moves before and after. */
 static void six_rests(double seconds)
 {
     turn(5, 0, 2);
@@ -308,7 +308,7 @@ static void random_streams_give_all_their_rests_and_nothing_else(void)
         }
         end_of_stream();
         check_windows(15, seed % 2 ? 3 : 1.2);
-        /* One that has never changed is dismissed as frozen until the motion behind it. */
+        /* One that has never changed is dismissed as frozen until the motion after it. */
         TEST_ASSERT_EQUAL_UINT(15, b.ready + b.refused[INVCAL_REST_FROZEN]);
         TEST_ASSERT_TRUE(b.ready >= 14);
     }
@@ -367,7 +367,7 @@ static void a_swinging_device_does_not_rest(void)
 
 /* ---- what is summed --------------------------------------------------------------------------- */
 
-/* The same stream twice: the second time the samples of one window are summed here. */
+/* The same stream twice: the second time, the samples of one window are summed here. */
 static void sums_are_exact(void)
 {
     static const double counts[] = {128, 16384, 134217728.0, 2147483000.0};
@@ -447,7 +447,7 @@ static double add_to_block(block_sums *k, unsigned size, const double centre[3],
     return scatter / (size - 1);
 }
 
-/* Samples until something is said of the first block. */
+/* Samples until the first block gives an event. */
 static unsigned block_size(unsigned rate)
 {
     invcal_rests detector;
@@ -494,7 +494,7 @@ static unsigned check_rest(unsigned rate, const double centre[3], double sigma, 
         return 0;
     }
     random = random_start(seed);
-    for (unsigned i = 0; i < 24 * size; i++) { /* the newest two tell of the variance too */
+    for (unsigned i = 0; i < 24 * size; i++) { /* the newest two count for the variance, too */
         noisy(&random, centre, sigma, raw);
         variance += i < r->begin ? 0 : add_to_block(&k, size, centre, raw);
         for (unsigned a = 0; a < 3 && i >= r->begin && i < r->end; a++) {
@@ -608,7 +608,7 @@ static void no_square_is_lost_in_a_block_of_any_size(void)
     }
 }
 
-static void samples_too_far_from_the_first_are_no_rest(void)
+static void samples_too_far_from_the_first_are_not_a_rest(void)
 {
     static const int32_t value[][2] = {{0, WIDE},
                                        {0, -WIDE},
@@ -630,7 +630,7 @@ static void samples_too_far_from_the_first_are_no_rest(void)
     }
 }
 
-/* What came before a gap is in no sum of the block that begins behind it. */
+/* Samples before a gap are not in the sums of the block that begins after it. */
 static void a_dropped_block_leaves_nothing_in_the_next(void)
 {
     const int32_t other[3] = {INT32_MIN, 70000, -1};
@@ -761,7 +761,7 @@ static void unit_offset_and_order_of_the_axes_do_not_matter(void)
     }
 }
 
-static void a_copy_of_the_state_goes_on_alike(void)
+static void a_copy_of_the_state_behaves_the_same(void)
 {
     static bench half;
     invcal_rests copy;
@@ -799,7 +799,7 @@ static unsigned all_refused(void)
     return n;
 }
 
-/* Holds what creeps along x at 4 mg/s, 0.2 degrees/s, from one second to another. */
+/* Holds a device that creeps along x at 4 mg/s, 0.2 degrees/s, between two times. */
 static void creep(unsigned k, double from, double to)
 {
     for (double t = from; t < to; t += 1 / b.rate) {
@@ -829,7 +829,7 @@ static void a_slow_turn_is_refused_for_drift_while_it_lasts(void)
     TEST_ASSERT_EQUAL_UINT(b.refused[INVCAL_REST_DRIFT], all_refused());
 }
 
-/* What has been READY is not refused before it is seen to creep for 1.5 s. */
+/* A rest that has been READY is not refused until it has crept for 1.5 s. */
 static void a_position_that_creeps_as_it_is_left_is_one(void)
 {
     for (int tenths = 5; tenths < 40; tenths += 4) {
@@ -847,7 +847,7 @@ static void a_position_that_creeps_as_it_is_left_is_one(void)
     }
 }
 
-static void a_sensor_that_warms_up_does_rest(void)
+static void a_sensor_that_warms_up_is_at_rest(void)
 {
     static const double noises[] = {5e-4, 5e-5, 2e-5};
 
@@ -861,7 +861,7 @@ static void a_sensor_that_warms_up_does_rest(void)
     }
 }
 
-/* 54 mg in all: the rest is expected where its trend leads. */
+/* 54 mg in total: the rest is expected where its trend leads. */
 static void a_warming_sensor_may_rest_for_minutes_at_first(void)
 {
     setup(100, 16384, 2e-4);
@@ -874,7 +874,7 @@ static void a_warming_sensor_may_rest_for_minutes_at_first(void)
     TEST_ASSERT_EQUAL_UINT(0, all_refused());
 }
 
-/* The events of so many seconds of shaking, and nothing before them. */
+/* The events in that many seconds of shaking, and none before. */
 static void shake(double seconds)
 {
     memset(b.seen, 0, sizeof b.seen);
@@ -1052,7 +1052,7 @@ static void a_sensor_that_never_speaks_is_frozen_and_says_so_once(void)
     }
 }
 
-/* Its noise would be some counts, and it has none: not read, or at a rail that nobody stated. */
+/* Its noise would be some counts, but it has none: not read, or at a rail that was not stated. */
 static void an_axis_that_stands_still_amid_noise_is_refused_as_frozen(void)
 {
     for (unsigned axis = 1; axis <= 3; axis++) {
@@ -1322,7 +1322,7 @@ static void a_fan_switched_on_is_a_new_noise_level(void)
     }
     end_of_stream();
     check_windows(6, 2);
-    b.noise = 3e-4; /* and off again */
+    b.noise = 3e-4; /* and away again */
     for (unsigned k = 1; k < 6; k++) {
         hold(k, 4);
         turn(k, (k + 1) % 6, 1);
@@ -1332,7 +1332,7 @@ static void a_fan_switched_on_is_a_new_noise_level(void)
 
 /* ---- how long to hold -------------------------------------------------------------------------- */
 
-/* Seconds that were measured when READY was said. */
+/* The seconds that had been measured at READY. */
 static double seconds_at_ready(unsigned rate, unsigned milliseconds)
 {
     invcal_rest rest = {{0}, 0, 0, 0, 0};
@@ -1387,7 +1387,7 @@ static void no_time_to_hold_is_cut_short_at_any_rate(void)
     }
 }
 
-/* And its place is not one that has been taken. */
+/* And its place does not count as taken. */
 static void a_rest_left_before_its_time_is_refused_as_short(void)
 {
     setup(100, 16384, 1e-3);
@@ -1415,7 +1415,7 @@ static void the_time_to_hold_may_change_in_the_midst_of_a_rest(void)
     setup(100, 16384, 1e-3);
     hold(1, 2);
     TEST_ASSERT_EQUAL_UINT(1, b.ready);
-    invcal_rests_hold(&b.detector, 500); /* no longer than it has been: READY as before */
+    invcal_rests_hold(&b.detector, 500); /* no longer than it has lasted: READY as before */
     TEST_ASSERT_EQUAL_UINT(100, invcal_rests_progress(&b.detector));
     invcal_rests_hold(&b.detector, 4000);
     TEST_ASSERT_EQUAL_INT(0, invcal_rests_get(&b.detector, &rest));
@@ -1441,8 +1441,8 @@ static void the_time_to_hold_may_change_in_the_midst_of_a_rest(void)
     TEST_ASSERT_EQUAL_UINT(0, all_refused());
 }
 
-/* Nobody waits for a minute to hear that the first second was no good. */
-static void faults_are_told_before_the_time_has_passed(void)
+/* Nobody has to wait a minute to learn that the first second was bad. */
+static void faults_are_reported_before_the_time_has_passed(void)
 {
     setup(100, 16384, 5e-4);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, -16380, 16380));
@@ -1473,7 +1473,7 @@ static void an_hour_is_the_longest_time_to_hold(void)
     }
 }
 
-/* ---- what is told meanwhile ------------------------------------------------------------------- */
+/* ---- what is reported meanwhile -------------------------------------------------------------- */
 
 static void progress_rises_to_100_at_ready_and_falls_with_motion(void)
 {
@@ -1494,7 +1494,7 @@ static void progress_rises_to_100_at_ready_and_falls_with_motion(void)
     TEST_ASSERT_EQUAL_UINT(0, b.progress);
 }
 
-static void the_position_in_the_making_can_be_read_from_ready_on(void)
+static void the_current_position_can_be_read_from_ready_on(void)
 {
     uint32_t count = 0;
 
@@ -1553,8 +1553,8 @@ static void finish_answers_in_every_state(void)
     }
 }
 
-/* The next begins behind as many blocks as behind any motion. */
-static void a_rest_that_goes_on_behind_finish_is_another_one(void)
+/* The next begins after as many blocks as after any motion. */
+static void a_rest_that_continues_after_finish_is_another_one(void)
 {
     setup(100, 16384, 1e-3);
     hold(1, 3);
@@ -1608,7 +1608,7 @@ static void init_refuses_rates_and_rails_out_of_range(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&detector, 0, 1));
 }
 
-static void random_bits_and_alternating_extremes_are_no_rest(void)
+static void random_bits_and_alternating_extremes_are_not_a_rest(void)
 {
     for (unsigned kind = 0; kind < 3; kind++) {
         setup(kind == 2 ? 8000 : 100, 1, 0);
@@ -1718,15 +1718,15 @@ int main(void)
     RUN_LONG_TEST(sums_are_exact_and_variance_too_for_any_offset_and_noise);
     RUN_TEST(nothing_overflows_at_the_largest_distance);
     RUN_SLOW_TEST(no_square_is_lost_in_a_block_of_any_size);
-    RUN_TEST(samples_too_far_from_the_first_are_no_rest);
+    RUN_TEST(samples_too_far_from_the_first_are_not_a_rest);
     RUN_TEST(a_dropped_block_leaves_nothing_in_the_next);
     RUN_TEST(a_coarse_sensor_is_summed_and_clipped_after_minutes_too);
     RUN_TEST(means_hold_all_bits_there_are);
     RUN_SLOW_TEST(unit_offset_and_order_of_the_axes_do_not_matter);
-    RUN_TEST(a_copy_of_the_state_goes_on_alike);
+    RUN_TEST(a_copy_of_the_state_behaves_the_same);
     RUN_TEST(a_slow_turn_is_refused_for_drift_while_it_lasts);
     RUN_TEST(a_position_that_creeps_as_it_is_left_is_one);
-    RUN_LONG_TEST(a_sensor_that_warms_up_does_rest);
+    RUN_LONG_TEST(a_sensor_that_warms_up_is_at_rest);
     RUN_SLOW_TEST(a_warming_sensor_may_rest_for_minutes_at_first);
     RUN_TEST(what_is_shaken_is_moving_and_does_not_settle);
     RUN_TEST(a_few_counts_for_a_while_do_not_end_a_rest);
@@ -1757,14 +1757,14 @@ int main(void)
     RUN_SLOW_TEST(no_time_to_hold_is_cut_short_at_any_rate);
     RUN_TEST(a_rest_left_before_its_time_is_refused_as_short);
     RUN_TEST(the_time_to_hold_may_change_in_the_midst_of_a_rest);
-    RUN_TEST(faults_are_told_before_the_time_has_passed);
+    RUN_TEST(faults_are_reported_before_the_time_has_passed);
     RUN_LONG_TEST(an_hour_is_the_longest_time_to_hold);
     RUN_TEST(progress_rises_to_100_at_ready_and_falls_with_motion);
-    RUN_TEST(the_position_in_the_making_can_be_read_from_ready_on);
+    RUN_TEST(the_current_position_can_be_read_from_ready_on);
     RUN_TEST(finish_answers_in_every_state);
-    RUN_TEST(a_rest_that_goes_on_behind_finish_is_another_one);
+    RUN_TEST(a_rest_that_continues_after_finish_is_another_one);
     RUN_TEST(init_refuses_rates_and_rails_out_of_range);
-    RUN_SLOW_TEST(random_bits_and_alternating_extremes_are_no_rest);
+    RUN_SLOW_TEST(random_bits_and_alternating_extremes_are_not_a_rest);
     RUN_TEST(jumps_through_all_of_int32_overflow_nothing);
     RUN_LONG_TEST(ten_million_equal_samples_and_life_after);
     RUN_LONG_TEST(a_rest_stops_growing_before_its_counters_overflow);

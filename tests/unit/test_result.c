@@ -14,7 +14,7 @@ void tearDown(void)
 {
 }
 
-/* A nominal calibration that is nothing in particular, 1000 counts per field or so. */
+/* A nominal calibration of no particular kind, about 1000 counts per field. */
 static invcal_calibration random_nominal(random_source *random)
 {
     double rotation[3][3];
@@ -89,7 +89,7 @@ static void nominal_itself_deviates_by_nothing(void)
     }
 }
 
-/* M'M of a calibration behind nominal: of A = M N^-1. */
+/* A'A of a calibration after nominal, A = M N^-1. */
 static void correction_of(const invcal_calibration *calibration, const invcal_calibration *nominal,
                           double a[3][3])
 {
@@ -152,7 +152,7 @@ static void a_diagonal_nominal_gives_an_upper_triangular_matrix(void)
     TEST_ASSERT_TRUE(calibration.matrix[0][0] > 0 && calibration.matrix[2][2] < 0);
 }
 
-static void what_is_no_calibration_is_not_turned(void)
+static void what_is_not_a_calibration_is_not_turned(void)
 {
     const invcal_calibration nominal = unit_nominal();
     invcal_calibration calibration = {{0, 0, 0}, {{1, 0, 0}, {0, (invcal_real)NAN, 0}, {0, 0, 1}}};
@@ -162,7 +162,7 @@ static void what_is_no_calibration_is_not_turned(void)
     TEST_ASSERT_EQUAL_MEMORY(&before, &calibration, sizeof before);
 }
 
-/* In any field unit: its squares alone would overflow a float, or vanish. */
+/* In any field unit: its squares would overflow a float, or vanish. */
 static void the_offset_sigma_is_that_of_delta_in_counts(void)
 {
     invcal_quality quality = {.sigma = {INVCAL_REAL(1e-3), INVCAL_REAL(2e-3), INVCAL_REAL(5e-4)}};
@@ -236,7 +236,7 @@ static void a_sigma_that_is_small_by_luck_does_not_win(void)
     TEST_ASSERT_EQUAL_INT(1, invcal_improves(&lucky, &sound));
 }
 
-static void what_is_no_number_never_improves(void)
+static void what_is_not_a_number_never_improves(void)
 {
     const invcal_quality nan = {
         .sigma = {(invcal_real)NAN}, .sigma_dof = 9, .verdict = INVCAL_GOOD};
@@ -252,12 +252,12 @@ int main(void)
     RUN_TEST(nominal_itself_deviates_by_nothing);
     RUN_TEST(the_two_frames_differ_by_a_rotation_only);
     RUN_TEST(a_diagonal_nominal_gives_an_upper_triangular_matrix);
-    RUN_TEST(what_is_no_calibration_is_not_turned);
+    RUN_TEST(what_is_not_a_calibration_is_not_turned);
     RUN_TEST(the_offset_sigma_is_that_of_delta_in_counts);
     RUN_TEST(the_offset_sigma_goes_through_the_inverse_of_nominal);
     RUN_TEST(of_equal_verdicts_the_smaller_sigma_improves);
     RUN_TEST(a_worse_verdict_never_improves);
     RUN_TEST(a_sigma_that_is_small_by_luck_does_not_win);
-    RUN_TEST(what_is_no_number_never_improves);
+    RUN_TEST(what_is_not_a_number_never_improves);
     return UNITY_END() != 0;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A simulated sensor is turned and held like a real one; what it calibrates must be the truth.
+ * A simulated sensor is turned and held like a real one; its calibration must be true.
  */
 #include <math.h>
 #include <string.h>
@@ -29,7 +29,7 @@ enum { EVENTS = INVCAL_REFUSED + 1, DAYS = 88 };
 static const double zero[3] = {120, -340, 51}; /* counts of the nominal sensor in no field */
 
 typedef struct {
-    invcal_background background; /* the session lives in it; used as such where is_background */
+    invcal_background background; /* contains the session; used as a whole if is_background */
     invcal_session *s;
     int is_background;
     /* the sensor */
@@ -37,11 +37,11 @@ typedef struct {
     double noise;   /* g */
     double bias[3]; /* g: a magnet, a hand on the case */
     double creep;   /* g/s on the x axis */
-    double up[3];   /* where it points */
+    double up[3];   /* its orientation */
     double rest_time;
     int32_t rail; /* counts; 0: none */
     random_source random;
-    /* what was said */
+    /* its events */
     unsigned seen[EVENTS];
     unsigned refused[INVCAL_STATUS_COUNT];
     unsigned progress;
@@ -73,7 +73,7 @@ static void begin(double size, uint32_t seed)
     b.s = &b.background.session;
     b.noise = NOISE;
     b.rest_time = 2.5;
-    b.up[0] = 0.36; /* no position of any test */
+    b.up[0] = 0.36; /* not a position of any test */
     b.up[1] = 0.48;
     b.up[2] = -0.8;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(b.s, &sheet, (unsigned)RATE));
@@ -88,7 +88,7 @@ static void begin_background(double size, uint32_t seed)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_background_init(&b.background, &sheet, (unsigned)RATE));
 }
 
-/* An event, whatever it is, agrees with what can be asked. */
+/* Any event agrees with what the session reports. */
 static void note(invcal_event event)
 {
     TEST_ASSERT_TRUE(event > INVCAL_NOTHING && (unsigned)event < EVENTS);
@@ -152,7 +152,8 @@ static double dot(const double a[3], const double c[3])
     return a[0] * c[0] + a[1] * c[1] + a[2] * c[2];
 }
 
-/* Part s of the way from a to c on the sphere; where they are opposite, by way of a third. */
+/* The point at a fraction s of the way from a to c on the sphere; if they are opposite, via a
+ * third. */
 static void between(const double a[3], const double c[3], double s, double out[3])
 {
     double side[3];
@@ -190,14 +191,14 @@ static void turn(const double to[3])
     memcpy(b.up, to, sizeof b.up);
 }
 
-/* Goes there and holds still. */
+/* Moves there and holds still. */
 static void reach(const double to[3])
 {
     turn(to);
     hold(b.rest_time);
 }
 
-/* Goes away, so that the position is closed; not to where the next one will be. */
+/* Moves away, so that the position ends; not to where the next one will be. */
 static void leave(void)
 {
     const double away[3] = {0.6 * b.up[0] - 0.8 * b.up[1], 0.6 * b.up[1] + 0.8 * b.up[0], b.up[2]};
@@ -233,7 +234,7 @@ static void astray(const double from[3], double degrees, double out[3])
     between(from, other, degrees / 57.29577951308232 / angle, out);
 }
 
-/* What it calibrates, against the truth: the largest error of a length, over random directions. */
+/* The calibration against the truth: the largest error of a length, over random directions. */
 static double worst_length(const invcal_calibration *calibration)
 {
     double worst = 0;
@@ -349,7 +350,7 @@ static void the_mean_is_that_of_the_readings(void)
     }
 }
 
-static void who_leaves_before_the_time_to_hold_is_told(void)
+static void leaving_before_the_time_to_hold_is_reported(void)
 {
     begin(0, 5);
     invcal_session_hold(b.s, 4000);
@@ -365,7 +366,7 @@ static void who_leaves_before_the_time_to_hold_is_told(void)
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
 }
 
-static void what_the_detector_refuses_is_handed_on(void)
+static void what_the_detector_refuses_is_passed_on(void)
 {
     begin(0, 6);
     visit(expected_plan18[0]);
@@ -392,7 +393,7 @@ static void what_lies_at_the_rails_is_refused(void)
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
 }
 
-static void a_mean_that_is_no_reading_of_the_field_is_refused_at_once_and_when_it_is_left(void)
+static void a_mean_that_is_not_a_reading_of_the_field_is_refused_at_once_and_at_its_end(void)
 {
     begin(0, 8);
     b.bias[2] = 12; /* g */
@@ -420,7 +421,7 @@ static void finish_takes_the_position_that_is_held_and_nothing_that_is_not_ready
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
 }
 
-static void samples_that_were_lost_are_told_and_the_rest_goes_on(void)
+static void lost_samples_are_reported_and_the_rest_continues(void)
 {
     begin(0, 10);
     reach(expected_plan18[0]);
@@ -429,7 +430,7 @@ static void samples_that_were_lost_are_told_and_the_rest_goes_on(void)
     leave();
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
     turn(expected_plan18[1]);
-    hold(1); /* too short, and it is said why */
+    hold(1); /* too short, with that reason */
     invcal_session_gap(b.s);
     leave();
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
@@ -454,7 +455,7 @@ static void advice_that_is_followed_determines_everything(void)
     TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(5e-4, worst_length(&calibration));
 }
 
-static void a_hand_that_errs_by_ten_degrees_does_hardly_worse(void)
+static void a_hand_that_errs_by_ten_degrees_is_hardly_worse(void)
 {
     for (uint32_t seed = 1; seed <= SOME(20); seed++) {
         invcal_calibration calibration;
@@ -558,7 +559,7 @@ static void it_is_good_from_twelve_positions_on(void)
     TEST_ASSERT_FALSE(invcal_session_is_good(b.s)); /* asked again */
 }
 
-static void with_a_stated_noise_one_position_to_spare_is_enough(void)
+static void with_a_stated_noise_one_redundant_position_is_enough(void)
 {
     begin(0.05, 16);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)1e-4));
@@ -570,8 +571,8 @@ static void with_a_stated_noise_one_position_to_spare_is_enough(void)
     }
 }
 
-/* The session must end, whatever one rest is worth: what says enough sees what solve sees. */
-static void a_rest_that_is_wrong_does_not_keep_the_end_away(void)
+/* The session must end, however good one rest is: is_good and solve use the same data. */
+static void a_wrong_rest_does_not_prevent_the_end(void)
 {
     for (unsigned wrong = 0; wrong < 9; wrong += 2) {
         invcal_calibration calibration;
@@ -708,7 +709,7 @@ static void where_the_table_is_full_the_oldest_position_goes(void)
 
 /* ---- in the background ------------------------------------------------------------------------ */
 
-static void a_well_covered_direction_is_passed_over_and_a_new_one_is_not(void)
+static void a_well_covered_direction_is_skipped_and_a_new_one_is_not(void)
 {
     begin_background(0.03, 24);
     visit_plan(0, 18);
@@ -726,7 +727,7 @@ static void a_well_covered_direction_is_passed_over_and_a_new_one_is_not(void)
     TEST_ASSERT_EQUAL_UINT(before + 1, b.s->count);
 }
 
-static void a_full_table_drops_what_tells_least(void)
+static void a_full_table_drops_what_adds_least(void)
 {
     begin_background(0.03, 26);
     for (unsigned i = 0; b.s->count < INVCAL_MAX_POSITIONS - 1u; i++) {
@@ -767,7 +768,7 @@ static void positions_vanish_after_their_days_and_younger_ones_stay(void)
     TEST_ASSERT_EQUAL_UINT(0, b.s->count);
 }
 
-static void an_old_position_gives_way_before_a_new_one(void)
+static void an_old_position_is_dropped_before_a_new_one(void)
 {
     begin_background(0.03, 28);
     for (unsigned i = 0; i < 9; i++) {
@@ -783,12 +784,12 @@ static void an_old_position_gives_way_before_a_new_one(void)
         visit(to);
     }
     TEST_ASSERT_EQUAL_UINT(
-        0, b.background.age[b.s->count - 1]); /* that of one that has gone was not */
+        0, b.background.age[b.s->count - 1]); /* that of one that was dropped was not */
     unsigned young = 0;
     for (unsigned i = 0; i < b.s->count; i++) {
         young += b.background.age[i] == 0;
     }
-    TEST_ASSERT_EQUAL_UINT(b.seen[INVCAL_TAKEN] - old, young); /* none of them has gone */
+    TEST_ASSERT_EQUAL_UINT(b.seen[INVCAL_TAKEN] - old, young); /* none of them was dropped */
 }
 
 /* ---- settings, and all of it ------------------------------------------------------------------ */
@@ -900,21 +901,21 @@ int main(void)
     RUN_TEST(it_is_what_the_array_of_its_means_gives);
     RUN_TEST(a_rest_settles_is_ready_once_and_is_taken_when_it_is_left);
     RUN_TEST(the_mean_is_that_of_the_readings);
-    RUN_TEST(who_leaves_before_the_time_to_hold_is_told);
-    RUN_TEST(what_the_detector_refuses_is_handed_on);
+    RUN_TEST(leaving_before_the_time_to_hold_is_reported);
+    RUN_TEST(what_the_detector_refuses_is_passed_on);
     RUN_TEST(what_lies_at_the_rails_is_refused);
-    RUN_TEST(a_mean_that_is_no_reading_of_the_field_is_refused_at_once_and_when_it_is_left);
+    RUN_TEST(a_mean_that_is_not_a_reading_of_the_field_is_refused_at_once_and_at_its_end);
     RUN_TEST(finish_takes_the_position_that_is_held_and_nothing_that_is_not_ready);
-    RUN_TEST(samples_that_were_lost_are_told_and_the_rest_goes_on);
+    RUN_TEST(lost_samples_are_reported_and_the_rest_continues);
     RUN_TEST(advice_that_is_followed_determines_everything);
-    RUN_SLOW_TEST(a_hand_that_errs_by_ten_degrees_does_hardly_worse);
+    RUN_SLOW_TEST(a_hand_that_errs_by_ten_degrees_is_hardly_worse);
     RUN_TEST(a_position_that_is_ready_counts_as_taken);
     RUN_TEST(the_next_direction_has_its_words);
     RUN_TEST(a_position_is_at_a_direction_within_twenty_degrees);
     RUN_TEST(a_position_that_is_ready_is_where_it_is);
     RUN_TEST(it_is_good_from_twelve_positions_on);
-    RUN_TEST(with_a_stated_noise_one_position_to_spare_is_enough);
-    RUN_SLOW_TEST(a_rest_that_is_wrong_does_not_keep_the_end_away);
+    RUN_TEST(with_a_stated_noise_one_redundant_position_is_enough);
+    RUN_SLOW_TEST(a_wrong_rest_does_not_prevent_the_end);
     RUN_TEST(a_wrong_position_is_named_and_left_out);
     RUN_TEST(among_fewer_than_eleven_no_outlier_is_looked_for);
     RUN_SLOW_TEST(a_target_is_reached_when_every_sigma_is_within_it);
@@ -922,10 +923,10 @@ int main(void)
     RUN_TEST(too_few_positions_and_positions_on_a_plane_are_refused);
     RUN_TEST(a_solution_does_not_change_the_session);
     RUN_TEST(where_the_table_is_full_the_oldest_position_goes);
-    RUN_SLOW_TEST(a_well_covered_direction_is_passed_over_and_a_new_one_is_not);
-    RUN_SLOW_TEST(a_full_table_drops_what_tells_least);
+    RUN_SLOW_TEST(a_well_covered_direction_is_skipped_and_a_new_one_is_not);
+    RUN_SLOW_TEST(a_full_table_drops_what_adds_least);
     RUN_TEST(positions_vanish_after_their_days_and_younger_ones_stay);
-    RUN_SLOW_TEST(an_old_position_gives_way_before_a_new_one);
+    RUN_SLOW_TEST(an_old_position_is_dropped_before_a_new_one);
     RUN_TEST(unusable_settings_are_refused_by_name_and_nothing_is_written);
     RUN_TEST(to_begin_again_forgets_everything);
     RUN_TEST(a_session_may_be_moved_at_any_time);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sessions that are fed samples, kept, and go on: by their bytes, and through a simulated NOR flash
- * that loses power.
+ * Sessions that are fed samples, saved, and resumed: by their bytes, and through a simulated NOR
+ * flash that loses power.
  */
 #include <stddef.h>
 #include <string.h>
@@ -84,7 +84,7 @@ static invcal_event feed(invcal_session *session, const scene *s, const double e
     return invcal_session_feed(session, raw);
 }
 
-/* Turns eta by 0.2 rad towards other, which is no noise. */
+/* Turns eta by 0.2 rad towards other, which is not noise. */
 static void turn(double eta[3], double other[3])
 {
     for (unsigned i = 0; i < 3; i++) {
@@ -94,7 +94,7 @@ static void turn(double eta[3], double other[3])
     }
 }
 
-/* Holds eta, and leaves it. */
+/* Holds eta, then moves away. */
 static invcal_event hold_once(invcal_session *session, const scene *s, const double up[3],
                               random_source *random)
 {
@@ -132,7 +132,7 @@ static void hold(invcal_session *session, const scene *s, unsigned n)
     TEST_FAIL_MESSAGE("the position was not taken");
 }
 
-/* What is not kept: a stream begins. */
+/* What is not saved: the stream starts. */
 static void forget_stream(invcal_session *session)
 {
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&session->rests, (unsigned)session->rate));
@@ -154,7 +154,7 @@ static invcal_session session_after(const scene *s, unsigned positions)
 
 /* ---- keeping, and going on ---------------------------------------------------------------------- */
 
-/* What was said last is said no more. */
+/* The last event is not reported again. */
 static uint32_t keep(const invcal_session *session, uint8_t bytes[SIZE])
 {
     const uint32_t size = invcal_session_size(session);
@@ -185,7 +185,7 @@ static void assert_refused(invcal_status expected, const invcal_session *session
     TEST_ASSERT_EQUAL_INT(expected, invcal_session_resume(&s, size));
 }
 
-/* All but what it knows of the stream: that is as after its beginning. */
+/* Everything except its state of the stream: that is as after its start. */
 static void assert_same(const invcal_session *before, const invcal_session *after)
 {
     invcal_session fresh = *before;
@@ -252,7 +252,7 @@ static void the_length_depends_on_the_positions(void)
     TEST_ASSERT_EQUAL_UINT32(INVCAL_SESSION_SIZE, invcal_session_size(&session));
 }
 
-/* Nothing in between is left to chance. */
+/* Nothing in between is random. */
 static void what_lasts_has_no_gaps(void)
 {
     const size_t words = 4 * sizeof(uint32_t) + sizeof(int32_t) + 4;
@@ -285,7 +285,7 @@ static void a_session_comes_back_as_it_was(void)
     TEST_ASSERT_GREATER_THAN_INT(4 * SCENES, results);
 }
 
-/* Twins: only the stream of one is forgotten, the other is stored as well. */
+/* Twins: one only forgets its stream, the other is also stored. */
 static void a_session_goes_on_as_if_there_had_been_no_reset(void)
 {
     for (uint32_t seed = 20; seed < 20 + SCENES; seed++) {
@@ -310,7 +310,7 @@ static void a_session_goes_on_as_if_there_had_been_no_reset(void)
     }
 }
 
-/* Also in the worst moment: in the middle of a rest, of which nothing must be left. */
+/* Also at the worst moment: in the middle of a rest, of which nothing must remain. */
 static void a_rest_that_was_going_on_is_forgotten(void)
 {
     const scene s = make_scene(PLAIN, 3);
@@ -345,7 +345,7 @@ static void rails_of_any_kind_come_back(void)
     }
 }
 
-/* However long a rest was asked for: what comes back is what was stated, and what holds is the same. */
+/* However long the stated rest: it is restored as stated, and has the same effect. */
 static void every_rate_and_time_to_hold_comes_back(void)
 {
     static const uint32_t milliseconds[] = {0,     1,       599,     600,        601,
@@ -385,7 +385,7 @@ static void a_number_that_is_not_finite_is_refused(void)
     }
 }
 
-static void contents_that_no_session_has_are_refused(void)
+static void contents_that_a_session_cannot_have_are_refused(void)
 {
     static const uint32_t rates[] = {0, 7, 8001, 0xFFFF};
     const invcal_session good = golden_session();
@@ -493,12 +493,12 @@ static struct {
 
 static invcal_store store; /* its driver */
 static random_source chance;
-static long steps; /* that are still done before power fails within one */
+static long steps; /* that still complete before power fails in one */
 static long power; /* the same in bytes */
 static int dead;
 static int rules_broken;
 
-/* How many of all bytes are done before power fails. */
+/* How many of all bytes are written before power fails. */
 static uint32_t done_of(uint32_t all)
 {
     uint32_t done = all;
@@ -655,8 +655,8 @@ static void finish_life(invcal_session *session, unsigned n)
     }
 }
 
-/* The save of state n + 1 is cut; then the session goes on, and its next save is cut too.
- * Returns 1 if the first was not cut, having come to its end. */
+/* The save of state n + 1 is cut; then the session goes on, and its next save is cut, too. Returns
+ * 1 if the first was not cut, but completed. */
 static int cut_and_go_on(unsigned n, int to_the_end, int found[2])
 {
     static invcal_session session;
@@ -733,7 +733,7 @@ static void a_power_cut_at_any_byte_of_a_save_loses_no_position(void)
     TEST_ASSERT_TRUE(found[0] > 14 * SLOT && found[1] >= 14);
 }
 
-/* Nothing is there yet: what is found is nothing, or the session that was begun. */
+/* Nothing is stored yet: nothing is found, or the session that was begun. */
 static void a_power_cut_in_the_first_save_leaves_nothing_or_the_session(void)
 {
     const int step = 1 + TEST_SHORT / 16;
@@ -757,8 +757,8 @@ static void a_power_cut_in_the_first_save_leaves_nothing_or_the_session(void)
     TEST_ASSERT_GREATER_THAN_UINT((unsigned)(SLOT / step), none);
 }
 
-/* And whatever stands there instead. */
-static void what_is_no_session_is_not_loaded(void)
+/* And with any other contents. */
+static void what_is_not_a_session_is_not_loaded(void)
 {
     static const uint8_t large[SIZE + 1] = {0xC5, 1}; /* as release 0.1.0 began */
     static const struct {
@@ -796,13 +796,13 @@ int main(void)
     RUN_TEST(rails_of_any_kind_come_back);
     RUN_TEST(every_rate_and_time_to_hold_comes_back);
     RUN_TEST(a_number_that_is_not_finite_is_refused);
-    RUN_TEST(contents_that_no_session_has_are_refused);
+    RUN_TEST(contents_that_a_session_cannot_have_are_refused);
     RUN_TEST(a_length_that_is_not_that_of_the_table_is_refused);
     RUN_TEST(another_layout_is_named_so);
     RUN_LONG_TEST(any_content_does_no_harm);
     RUN_LONG_TEST(a_power_cut_in_any_step_of_a_save_loses_no_position);
     RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_loses_no_position);
     RUN_TEST(a_power_cut_in_the_first_save_leaves_nothing_or_the_session);
-    RUN_TEST(what_is_no_session_is_not_loaded);
+    RUN_TEST(what_is_not_a_session_is_not_loaded);
     return UNITY_END() != 0;
 }

@@ -68,7 +68,8 @@ static void faces_of_square_axes_give_offsets_and_scales_exactly(void)
     }
 }
 
-/* With A the identity K is 1/2 for each: two positions show an axis. Nothing is left to check it. */
+/* With A the identity, K is 1/2 for each: two positions show an axis. Nothing remains to check
+ * it. */
 static void sigma_is_the_noise_stated_and_that_of_the_sheet(void)
 {
     const triad_truth none = {{0}};
@@ -123,7 +124,7 @@ static void cross_terms_move_no_offset_and_a_scale_by_their_squares(void)
     }
 }
 
-/* What an angle that was held at 0 does to the length in a direction. */
+/* The effect of an angle that was held at 0 on the length in a direction. */
 static double wrong_by(unsigned angle, double gamma, const double eta[3])
 {
     triad_truth truth = {{0}};
@@ -139,7 +140,7 @@ static double wrong_by(unsigned angle, double gamma, const double eta[3])
     return calibrated_length(&o.calibration, &truth, up) - 1;
 }
 
-/* What angles of independent 0.01 do: the root of the sum of the squares of each. */
+/* The effect of angles with independent 0.01: the root of the sum of their squares. */
 static double cost_at(const double eta[3])
 {
     double square = 0;
@@ -217,7 +218,8 @@ static void what_is_held_counts_by_its_kind(void)
     }
 }
 
-/* Each face twice: six to spare, less what noise seems to tell of the angles; they are held all the same. */
+/* Each face twice: a redundancy of six, less what noise seems to show of the angles; these are held
+ * anyway. */
 static void faces_visited_twice_check_each_other(void)
 {
     random_source random = random_start(4);
@@ -238,7 +240,7 @@ static void faces_visited_twice_check_each_other(void)
 
 /* x up and down, tilted by 0.018 to y and to -y, says of xy: four rows of 0.018, K = 770, so 2.8 mrad beside
  * the sheet's 10. That is more than the sheet says, and little; it is held, and no verdict is spoilt. */
-static void an_angle_that_is_hardly_told_is_held(void)
+static void an_angle_that_hardly_shows_is_held(void)
 {
     const triad_truth none = {{0}};
     double directions[10][3];
@@ -260,8 +262,8 @@ static void an_angle_that_is_hardly_told_is_held(void)
     TEST_ASSERT_LESS_THAN_DOUBLE(0.005, (double)o.quality.sigma[INVCAL_GAMMA_XY]);
 }
 
-/* Faces and edges tell everything, and the sheet's 1 % is nothing beside that. */
-static void positions_that_tell_the_angles_are_believed(void)
+/* Faces and edges determine everything, and the sheet's 1 % is negligible. */
+static void positions_that_show_the_angles_are_believed(void)
 {
     random_source random = random_start(5);
     const triad_truth truth = triad_random(&random, 0.01);
@@ -322,7 +324,7 @@ static void sigma_holds_for_faces_that_are_tilted(void)
 
 /* z up twice and never down: its offset and its scale are one. With z down by a little they are two, and
  * badly known; the angles, which are held, are nobody's fault. */
-static void what_is_no_six_faces_is_refused_or_weak(void)
+static void what_is_not_six_faces_is_refused_or_weak(void)
 {
     const triad_truth none = {{0}};
     double directions[6][3];
@@ -388,10 +390,10 @@ int main(void)
     RUN_TEST(the_interval_of_a_sheet_is_not_widened_by_few_positions);
     RUN_TEST(what_is_held_counts_by_its_kind);
     RUN_TEST(faces_visited_twice_check_each_other);
-    RUN_TEST(an_angle_that_is_hardly_told_is_held);
-    RUN_TEST(positions_that_tell_the_angles_are_believed);
+    RUN_TEST(an_angle_that_hardly_shows_is_held);
+    RUN_TEST(positions_that_show_the_angles_are_believed);
     RUN_LONG_TEST(sigma_holds_for_faces_that_are_tilted);
-    RUN_TEST(what_is_no_six_faces_is_refused_or_weak);
+    RUN_TEST(what_is_not_six_faces_is_refused_or_weak);
     RUN_TEST(unusable_arguments_are_refused);
     return UNITY_END() != 0;
 }

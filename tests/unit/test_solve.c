@@ -27,8 +27,8 @@ static void solve_plan18(const triad_truth *truth, invcal_calibration *out)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&sums, &nominal, out));
 }
 
-/* Must reach: |calibrated| - 1 on 1000 unseen orientations, errors up to 10 %. */
-static void unseen_orientations_come_out_with_unit_length(void)
+/* Required: |calibrated| - 1 in 1000 other orientations, errors up to 10 %. */
+static void other_orientations_have_unit_length(void)
 {
     random_source random = random_start(1);
 
@@ -52,7 +52,7 @@ static void unseen_orientations_come_out_with_unit_length(void)
     }
 }
 
-/* Errors up to 20 %: to the last digits of the number type. */
+/* Errors up to 20 %: right to the last digits of the number type. */
 static void the_nine_parameters_are_those_of_the_triad(void)
 {
     random_source random = random_start(2);
@@ -275,7 +275,7 @@ static void any_regular_matrix_may_be_nominal(void)
     }
 }
 
-static void the_solution_may_take_the_place_of_nominal(void)
+static void the_solution_may_overwrite_nominal(void)
 {
     random_source random = random_start(11);
     const triad_truth truth = triad_random(&random, 0.1);
@@ -311,7 +311,7 @@ static void fewer_than_nine_positions_are_too_few(void)
     TEST_ASSERT_EQUAL_MEMORY(&nominal, &calibration, sizeof nominal);
 }
 
-/* Whatever it is solved with: a result that is no number is none. */
+/* Whatever it is solved with: a result that is not finite does not count. */
 static void a_nominal_without_an_inverse_is_refused(void)
 {
     const invcal_calibration singular = {{0, 0, 0}, {{1, 2, 3}, {2, 4, 6}, {0, 0, 1}}};
@@ -333,8 +333,9 @@ static void a_nominal_without_an_inverse_is_refused(void)
     }
 }
 
-/* Newton's iteration halves what is far above 1 at each step: it ends before a flat matrix does. */
-static void a_matrix_of_no_triad_ends_as_well(void)
+/* Newton's iteration halves what is far above 1 at each step: it ends before a singular matrix
+ * converges. */
+static void a_matrix_of_no_triad_terminates_as_well(void)
 {
     invcal_real a[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, (invcal_real)1e-6}};
     invcal_real work[INVCAL_WORK];
@@ -370,7 +371,7 @@ static void unreal_sums_are_refused(void)
 }
 
 /* A semi-axis of 0.1 to 10 of nominal is a triad's. Readings are kept between 0.1 and 10, too. */
-static void semi_axes_beyond_their_limits_are_no_triads(void)
+static void semi_axes_beyond_their_limits_are_not_triads(void)
 {
     static const struct {
         int r;
@@ -405,18 +406,18 @@ static void semi_axes_beyond_their_limits_are_no_triads(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(unseen_orientations_come_out_with_unit_length);
+    RUN_TEST(other_orientations_have_unit_length);
     RUN_TEST(the_nine_parameters_are_those_of_the_triad);
     RUN_TEST(the_correction_is_symmetric);
     RUN_TEST(a_rotation_of_the_case_does_not_change_lengths);
     RUN_TEST(the_order_of_the_positions_does_not_matter);
     RUN_TEST(a_magnetometer_is_calibrated_like_an_accelerometer);
     RUN_TEST(any_regular_matrix_may_be_nominal);
-    RUN_TEST(the_solution_may_take_the_place_of_nominal);
+    RUN_TEST(the_solution_may_overwrite_nominal);
     RUN_TEST(fewer_than_nine_positions_are_too_few);
     RUN_TEST(a_nominal_without_an_inverse_is_refused);
-    RUN_TEST(a_matrix_of_no_triad_ends_as_well);
+    RUN_TEST(a_matrix_of_no_triad_terminates_as_well);
     RUN_TEST(unreal_sums_are_refused);
-    RUN_TEST(semi_axes_beyond_their_limits_are_no_triads);
+    RUN_TEST(semi_axes_beyond_their_limits_are_not_triads);
     return UNITY_END() != 0;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the library promises about its own errors, tried on thousands of noisy draws.
+ * The library's claims about its own errors, tested with thousands of noisy draws.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include "support.h"
 #include "unity.h"
 
-/* Slow machines may take fewer; the bounds below are for these. */
+/* Slow machines may use fewer; the bounds below are for these numbers. */
 #ifndef SPREAD_DRAWS
 #define SPREAD_DRAWS 8000
 #endif
@@ -353,12 +353,12 @@ static void tilts_alone_with_a_prior(double noise, double stated, double *covere
             within += fabs(parameter(&calibration, r) - truth.x[r]) <= 3 * s;
         }
         *from_prior |= bits;
-        TEST_ASSERT_TRUE(bits != 0x1FF); /* the data told something */
+        TEST_ASSERT_TRUE(bits != 0x1FF); /* the data determined something */
     }
     *covered = within / (9.0 * DRAWS);
 }
 
-static void a_prior_holds_what_tilts_alone_cannot_tell(void)
+static void a_prior_holds_what_tilts_alone_cannot_determine(void)
 {
     static const double noise[] = {1e-4, 1e-3};
 
@@ -371,7 +371,7 @@ static void a_prior_holds_what_tilts_alone_cannot_tell(void)
     }
 }
 
-/* The residuals tell that there is ten times the noise stated: the prior counts for more. */
+/* The residuals show ten times the stated noise: the prior gets more weight. */
 static void a_prior_is_not_overruled_by_understated_noise(void)
 {
     double covered;
@@ -382,7 +382,7 @@ static void a_prior_is_not_overruled_by_understated_noise(void)
 }
 
 /* Priors so wide that they hardly matter, and a stated noise that is far too small: the residuals
- * tell the noise, and that it is rough, so intervals are Student's all the same. */
+ * show the noise, and that it is rough, so intervals are Student's anyway. */
 static void intervals_follow_student_with_a_prior_too(void)
 {
     static const unsigned positions[] = {10, 12, 18};
@@ -493,7 +493,7 @@ static void offsets_spread_as_reported_whatever_the_nominal(void)
     }
 }
 
-/* An earlier calibration as nominal; three positions; only the offsets have moved, by 5 mg. */
+/* An earlier calibration as nominal; three positions; only the offsets have changed, by 5 mg. */
 static void three_positions_renew_the_offsets_of_an_earlier_calibration(void)
 {
     static const double known[9] = {0.02, 0.02, 0.02, 1e-4, 1e-4, 1e-4, 1e-4, 1e-4, 1e-4};
@@ -550,7 +550,7 @@ int main(void)
     RUN_LONG_TEST(random_sets_are_good_only_when_they_are);
     RUN_LONG_TEST(without_stated_noise_intervals_follow_student);
     RUN_SLOW_TEST(the_comparison_in_the_readme_is_true);
-    RUN_LONG_TEST(a_prior_holds_what_tilts_alone_cannot_tell);
+    RUN_LONG_TEST(a_prior_holds_what_tilts_alone_cannot_determine);
     RUN_LONG_TEST(a_prior_is_not_overruled_by_understated_noise);
     RUN_LONG_TEST(intervals_follow_student_with_a_prior_too);
     RUN_LONG_TEST(a_wide_prior_does_not_hurt_the_others);

@@ -47,7 +47,7 @@ static void an_unknown_status_has_a_text_too(void)
     TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)6));
 }
 
-/* A mean that is no number was refused for the same reason as one that is too large. */
+/* A mean that is not finite was refused for the same reason as one that is too large. */
 static void any_other_refusal_is_a_reading_far_from_the_field(void)
 {
     const char *far_away = invcal_refusal_text(INVCAL_OUT_OF_RANGE);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The store on a simulated NOR flash that obeys its rules strictly, loses power at any byte of any
- * operation, and has cells that are worn, torn or deaf.
+ * The store on a simulated NOR flash that enforces its rules, loses power at any byte of any
+ * operation, and has cells that are worn, torn or dead.
  */
 #include <string.h>
 
@@ -16,7 +16,7 @@
 enum { SLOT = 512, MARGIN = 16 };
 #define NEVER 1000000L
 
-/* How an erasure looks that lost power: bytes from the start, from the end, any, or any bits. */
+/* The result of an interrupted erasure: bytes from the start, from the end, any, or any bits. */
 enum { FROM_START, FROM_END, ANY_BYTES, ANY_BITS, TEARS };
 
 typedef struct {
@@ -33,13 +33,13 @@ typedef struct {
     int dead;                             /* no power */
     int reads, erases, programs;          /* calls so far */
     int bad_read, bad_erase, bad_program; /* the call that fails; 0: none */
-    int deaf_erase, deaf_program;         /* they do nothing, and say it went well */
+    int deaf_erase, deaf_program;         /* they do nothing, and report success */
     int lying_read;                       /* the call that reads one bit wrong */
     int unreadable[2];
     int rules_broken;
 } memory;
 
-static memory flash; /* of the test that runs */
+static memory flash; /* of the running test */
 
 static uint8_t any_bits(void)
 {
@@ -75,7 +75,7 @@ static int flash_read(void *context, unsigned slot, uint32_t offset, uint8_t *by
     return 0;
 }
 
-/* Power fails within an erasure of which done bytes of all are done. */
+/* Power fails in an erasure when `done` bytes of all are erased. */
 static void tear_erasure(unsigned slot, uint32_t done)
 {
     const uint32_t all = flash.store.slot_size;
@@ -110,7 +110,7 @@ static int flash_erase(void *context, unsigned slot)
     memset(flash.bytes[slot], 0xFF, flash.store.slot_size);
     memset(flash.used[slot], 0, SLOT);
     memset(flash.torn[slot], 0, SLOT);
-    flash.unreadable[slot] = 0; /* error correction agrees with a blank slot */
+    flash.unreadable[slot] = 0; /* error correction accepts a blank slot */
     return 0;
 }
 
@@ -181,8 +181,8 @@ static const uint32_t granularities[] = {1, 4, 8, 32};
 static const uint32_t sizes[] = {1, 3, 4, 12, 19, 20, 21, 51, 52, 53, 84, 184};
 enum { GRANULARITIES = 4, SIZES = 12 };
 
-/* The bytes of record number n, which hold the number: no two are alike. Some look like erased
- * flash at their end, and the first byte tells the number. */
+/* The bytes of record number n, which contain the number: no two are alike. Some look like erased
+ * flash at their end, and the first byte shows the number. */
 static const uint8_t *record(unsigned n, uint32_t size)
 {
     static uint8_t bytes[RECORD_MAX];
@@ -282,7 +282,7 @@ static void put_crc(uint8_t *at, uint32_t crc)
     }
 }
 
-/* The slot of a record. Returns where its confirmation begins. */
+/* Writes the slot of a record. Returns where its confirmation begins. */
 static uint32_t write_slot(unsigned slot, uint32_t sequence, unsigned n, uint32_t size,
                            int confirmed)
 {
@@ -488,7 +488,7 @@ static void a_size_that_cannot_be_stored_is_refused(void)
                                     0x7FFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFF0u};
 
     save(1, 20);
-    flash.store.slot_size = 0xFFFFFFFFu; /* so that only the size speaks against it */
+    flash.store.slot_size = 0xFFFFFFFFu; /* so that only the size is wrong */
     const int calls = flash.erases + flash.programs;
     for (unsigned i = 0; i < 6; i++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE,
@@ -537,7 +537,7 @@ static void settings_that_cannot_work_are_refused(void)
 
 /* ---- nothing and garbage ---------------------------------------------------------------------- */
 
-static void a_memory_without_a_record_says_so_and_takes_one(void)
+static void a_memory_without_a_record_says_so_and_accepts_one(void)
 {
     for (unsigned kind = 0; kind < 40; kind++) {
         new_flash(4);
@@ -558,8 +558,8 @@ static void a_memory_without_a_record_says_so_and_takes_one(void)
     }
 }
 
-/* Sound by its CRC, and yet no record of this version and memory. */
-static void a_header_that_makes_no_sense_is_no_record(void)
+/* Sound by its CRC, but not a record of this version and memory. */
+static void a_nonsensical_header_is_not_a_record(void)
 {
     static const struct {
         unsigned at;
@@ -607,7 +607,7 @@ static void any_wrong_bit_in_a_record_brings_back_the_other_or_none(void)
                 }
                 flash.bytes[slot][bit / 8] ^= (uint8_t)(1u << bit % 8);
             }
-            for (uint32_t bit = 8 * end; bit < 8 * SLOT; bit++) { /* behind it, none matters */
+            for (uint32_t bit = 8 * end; bit < 8 * SLOT; bit++) { /* after it, none matters */
                 flash.bytes[slot][bit / 8] ^= (uint8_t)(1u << bit % 8);
                 assert_loads(2, 41);
                 flash.bytes[slot][bit / 8] ^= (uint8_t)(1u << bit % 8);
@@ -694,7 +694,7 @@ static void cut_everywhere(uint32_t granularity, const uint32_t size[4], int tea
     save(1, size[1]);
     before = flash;
     for (int power = 0; power <= work_of(size[2]); power++) {
-        const random_source random = flash.random; /* goes on */
+        const random_source random = flash.random; /* continues */
         flash = before;
         flash.random = random;
         const int enough = save_until(power, 2, size[2]);
@@ -789,7 +789,7 @@ static void the_first_save_may_be_cut_too(void)
     }
 }
 
-/* A cut leaves granules that error correction refuses to read. */
+/* A cut leaves granules that error correction cannot read. */
 static void a_slot_that_a_cut_made_unreadable_is_used_again(void)
 {
     for (unsigned first = 0; first < 3; first++) { /* 1, 2: the other is blank */
@@ -803,7 +803,7 @@ static void a_slot_that_a_cut_made_unreadable_is_used_again(void)
         memset(flash.used[slot], 1, SLOT);
         flash.unreadable[slot] = 1;
         if (first) {
-            assert_refuses(INVCAL_IO); /* who knows what is there */
+            assert_refuses(INVCAL_IO); /* anything may be there */
         } else {
             assert_loads(2, 41);
         }
@@ -909,12 +909,12 @@ static void a_callback_that_fails_leaves_the_old_record_or_the_new_one(void)
             save(4, 103);
             assert_loads(4, 103);
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, status); /* there are not so many calls */
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, status); /* there are no more calls */
         TEST_ASSERT_EQUAL_INT(kind == READ ? 1 + 5 + 6 : kind == ERASE ? 1 : 5, refused);
     }
 }
 
-/* The memory has done what it was told, and reports a failure all the same. */
+/* The memory has executed the command, but reports a failure. */
 static int erase_but_fail(void *context, unsigned slot)
 {
     (void)flash_erase(context, slot);
@@ -994,7 +994,7 @@ static void one_read_that_fails_or_lies_never_gives_a_wrong_record(void)
     }
 }
 
-/* The second look finds another size: it must not write past what fits. */
+/* The second read finds another size: it must not write beyond the buffer. */
 static int read_that_grows(void *context, unsigned slot, uint32_t offset, uint8_t *bytes,
                            uint32_t size)
 {
@@ -1019,7 +1019,7 @@ static void a_record_that_grows_while_it_is_loaded_does_not_overrun_the_buffer(v
     }
 }
 
-/* Between the first look and the second, somebody else saves. */
+/* Between the first and the second read, somebody else saves. */
 static int read_that_finds_another(void *context, unsigned slot, uint32_t offset, uint8_t *bytes,
                                    uint32_t size)
 {
@@ -1090,7 +1090,7 @@ static void a_confirmation_that_cannot_be_programmed_is_noticed(void)
     }
 }
 
-/* A protected memory may take every command and do nothing. */
+/* A protected memory may accept every command and do nothing. */
 static void a_memory_that_ignores_commands_is_noticed(void)
 {
     for (int deaf = 1; deaf < 4; deaf++) {
@@ -1133,8 +1133,8 @@ int main(void)
     RUN_TEST(a_size_that_cannot_be_stored_is_refused);
     RUN_TEST(a_buffer_that_is_too_small_stays_untouched);
     RUN_TEST(settings_that_cannot_work_are_refused);
-    RUN_TEST(a_memory_without_a_record_says_so_and_takes_one);
-    RUN_TEST(a_header_that_makes_no_sense_is_no_record);
+    RUN_TEST(a_memory_without_a_record_says_so_and_accepts_one);
+    RUN_TEST(a_nonsensical_header_is_not_a_record);
     RUN_SLOW_TEST(any_wrong_bit_in_a_record_brings_back_the_other_or_none);
     RUN_TEST(a_record_without_its_last_bytes_brings_back_the_other);
     RUN_LONG_TEST(a_power_cut_at_any_byte_leaves_the_old_record_or_the_new_one);

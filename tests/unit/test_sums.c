@@ -119,7 +119,7 @@ static void a_tenth_and_ten_times_the_field_are_readings(void)
     }
 }
 
-static void readings_that_are_no_numbers_are_refused(void)
+static void readings_that_are_not_numbers_are_refused(void)
 {
     static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
 
@@ -130,7 +130,7 @@ static void readings_that_are_no_numbers_are_refused(void)
     }
 }
 
-static void readings_are_refused_whatever_number_of_the_nominal_is_none(void)
+static void readings_are_refused_whichever_number_of_the_nominal_is_invalid(void)
 {
     for (int i = 0; i < 12; i++) {
         const invcal_real raw[3] = {(invcal_real)0.5, (invcal_real)0.5, (invcal_real)0.5};
@@ -292,8 +292,8 @@ int main(void)
     RUN_TEST(a_reading_is_what_the_nominal_calibration_makes_of_it);
     RUN_TEST(readings_that_cannot_be_of_this_field_are_refused);
     RUN_TEST(a_tenth_and_ten_times_the_field_are_readings);
-    RUN_TEST(readings_that_are_no_numbers_are_refused);
-    RUN_TEST(readings_are_refused_whatever_number_of_the_nominal_is_none);
+    RUN_TEST(readings_that_are_not_numbers_are_refused);
+    RUN_TEST(readings_are_refused_whichever_number_of_the_nominal_is_invalid);
     RUN_TEST(sums_built_row_by_row_are_those_of_the_matrix);
     RUN_TEST(a_position_added_is_its_row_added);
     RUN_TEST(order_does_not_matter);

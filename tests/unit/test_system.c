@@ -124,7 +124,7 @@ static void leverage_is_the_variance_of_a_combination(void)
     TEST_ASSERT_DOUBLE_WITHIN(tiny, 2, (double)invcal_leverage(a, h));
 }
 
-/* The elements on the diagonal are 1 2 ... n; a NaN is neither of the largest nor of a sum. */
+/* The elements on the diagonal are 1 2 ... n; the largest ignores a NaN. */
 static void trace_and_largest_element_are_of_the_diagonal(void)
 {
     invcal_real a[SUMS];
@@ -251,7 +251,7 @@ static void a_nan_beside_the_diagonal_is_refused(void)
     }
 }
 
-/* A floor relative to the pivot's own diagonal element would let this one through. */
+/* A floor relative to the pivot's own diagonal element would accept this one. */
 static void the_floor_is_relative_to_the_largest_diagonal_element(void)
 {
     const invcal_real floor = (invcal_real)1e-3;
@@ -274,7 +274,7 @@ static void the_floor_does_not_depend_on_the_unit(void)
     }
 }
 
-static void a_floor_that_is_no_number_refuses_everything(void)
+static void a_floor_that_is_not_a_number_refuses_everything(void)
 {
     invcal_real a[SUMS];
 
@@ -299,6 +299,6 @@ int main(void)
     RUN_TEST(a_nan_beside_the_diagonal_is_refused);
     RUN_TEST(the_floor_is_relative_to_the_largest_diagonal_element);
     RUN_TEST(the_floor_does_not_depend_on_the_unit);
-    RUN_TEST(a_floor_that_is_no_number_refuses_everything);
+    RUN_TEST(a_floor_that_is_not_a_number_refuses_everything);
     return UNITY_END() != 0;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * For every INVCAL_THERMAL_DEGREE: what a degree cannot do, its tests pass over.
+ * For every INVCAL_THERMAL_DEGREE: tests skip what a degree cannot do.
  */
 #include <math.h>
 #include <string.h>
@@ -74,7 +74,7 @@ static void take_three(const sensor *s, double sigma, random_source *random)
 
 static const invcal_thermal_prior nothing_known;
 
-/* What came of the positions. */
+/* The result from the positions. */
 static invcal_thermal found;
 static invcal_quality quality;
 
@@ -152,7 +152,7 @@ static invcal_calibration calibration_at(double temperature)
     return calibration;
 }
 
-/* The mean square of |calibrated| - 1 over all directions: an icosahedron has it exactly. */
+/* The mean square of |calibrated| - 1 over all directions: an icosahedron gives it exactly. */
 static double square_error(const invcal_calibration *calibration, const triad_truth *truth)
 {
     double squares = 0;
@@ -164,7 +164,7 @@ static double square_error(const invcal_calibration *calibration, const triad_tr
     return squares;
 }
 
-/* A noise stated counts as four residuals: what is left of it beside exact readings. */
+/* A stated noise counts as four residuals: what remains of it with exact readings. */
 static double beside_none(double stated, double dof)
 {
     return stated * sqrt(4 / (4 + dof));
@@ -243,7 +243,7 @@ static void slopes_of_a_sensor_without_noise_come_out(void)
     }
 }
 
-/* As the header says. */
+/* As the header states. */
 static void two_solves_leave_nothing_that_matters_of_steep_slopes(void)
 {
     random_source unused = random_start(0);
@@ -283,7 +283,7 @@ static void two_solves_leave_as_little_of_steep_slopes_of_any_signs(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.05e-6, 1.96e-6, most);
 }
 
-/* Wherever in the span the temperatures lie; with nominal errors of 18 % too. */
+/* Wherever in the span the temperatures are; with nominal errors of 18 %, too. */
 static void a_part_of_the_span_and_a_bad_nominal_are_as_good(void)
 {
     static const double stations[][STATIONS] = {{25, 47, 70}, {-20, -5, 40}, {10, 45, 70}};
@@ -365,7 +365,7 @@ static void a_bent_sensor_comes_to_the_bound_of_27_parameters(void)
     }
 }
 
-/* ---- what the temperatures do not tell ---------------------------------------------------- */
+/* ---- what the temperatures do not show ---------------------------------------------------- */
 
 /* The same as without temperature, and no slopes. */
 static void assert_like_nine_parameters(double noise, invcal_verdict verdict)
@@ -418,7 +418,7 @@ static void at_one_temperature_there_are_no_slopes_and_it_says_so(void)
 
 /* But offsets move by 0.5 mg, five times the noise, and no nine parameters follow them: that is
  * rough. */
-static void two_temperatures_half_a_kelvin_apart_tell_no_slopes_and_it_says_so(void)
+static void two_temperatures_half_a_kelvin_apart_give_no_slopes_and_it_says_so(void)
 {
     const sensor s = straight(0);
     random_source random = random_start(4);
@@ -536,7 +536,7 @@ static void a_lower_degree_is_fitted_where_it_is_wanted(void)
 
 /* ---- at a temperature --------------------------------------------------------------------- */
 
-static void outside_the_range_seen_the_edge_is_held_and_said(void)
+static void outside_the_observed_range_the_edge_is_held_and_reported(void)
 {
     const sensor s = straight(0);
     random_source random = random_start(9);
@@ -555,7 +555,7 @@ static void outside_the_range_seen_the_edge_is_held_and_said(void)
     }
 }
 
-static void what_is_no_temperature_is_refused_and_nothing_written(void)
+static void what_is_not_a_temperature_is_refused_and_nothing_written(void)
 {
     const sensor s = straight(2);
     random_source random = random_start(10);
@@ -608,7 +608,7 @@ static void a_damaged_calibration_is_refused_at_any_temperature(void)
 }
 
 /* Semi-axes of I + S: by its elements, its trace, or its determinant. */
-static void what_is_no_triad_is_refused_at_any_temperature(void)
+static void what_is_not_a_triad_is_refused_at_any_temperature(void)
 {
     static const double bad[][INVCAL_PARAMETERS] = {
         {0, 0, 0, 9.1},          {0, 0, 0, -0.91},
@@ -657,8 +657,8 @@ static void raw_counts_give_the_right_lengths_at_every_temperature(void)
     }
 }
 
-/* Programs and libraries of different choices do not link. */
-static void the_choices_stand_in_the_names(void)
+/* Programs and libraries with different choices do not link. */
+static void the_names_contain_the_choices(void)
 {
 #define NAME(function) INVCAL_TEXT(function)
     const char *const kind = INVCAL_DOUBLE ? "double" : "float";
@@ -736,7 +736,7 @@ static void sigma_of_a_line_has_its_closed_form(void)
     }
 }
 
-/* Outside the range the value at its edge is held, and its sigma. */
+/* Outside the range, the value at its edge and its sigma are held. */
 static void beyond_the_range_it_is_judged_at_its_edge(void)
 {
     const sensor s = straight(0);
@@ -802,7 +802,7 @@ static void what_is_weak_anywhere_is_weak(void)
 
 /* ---- priors ------------------------------------------------------------------------------- */
 
-/* What a degree cannot do is not held. */
+/* Coefficients above the degree are not held. */
 static void hold(invcal_thermal_prior *prior, int power, int r, double sigma)
 {
     if (power <= DEGREE) {
@@ -810,7 +810,7 @@ static void hold(invcal_thermal_prior *prior, int power, int r, double sigma)
     }
 }
 
-/* Of which parameters the prior has told more than the positions did, at the reference. */
+/* For which parameters the prior contributes more than the positions, at the reference. */
 static unsigned from_prior(const invcal_thermal_prior *prior)
 {
     unsigned mask = 0;
@@ -822,7 +822,7 @@ static unsigned from_prior(const invcal_thermal_prior *prior)
     return mask;
 }
 
-/* Positions at t = 1/2 only tell x0 + x1/2. The prior shares it out by its variances. */
+/* Positions at t = 1/2 only determine x0 + x1/2. The prior divides it by its variances. */
 static void a_prior_on_slopes_holds_what_one_temperature_leaves_open(void)
 {
     const double sigma0 = 0.02;
@@ -894,11 +894,11 @@ static void a_slope_prior_alone_is_enough_at_a_constant_temperature(void)
 }
 
 /* The delta of 3 x 18 positions without noise: H'H is 18 for its constant, 12 for its slope, and
- * nothing beside. A prior of ratio R = (noise / sigma)^2 shrinks either to H'H / (H'H + R), and
- * that is the share of it that the data told. What is lacking of delta, x in all six, stays in the
- * residuals; of these and the noise stated comes another noise, with which all is made again. */
+ * nothing else. A prior of ratio R = (noise / sigma)^2 shrinks either to H'H / (H'H + R), which is
+ * the share from the data. The missing part of delta, x in all six, stays in the residuals; these
+ * and the stated noise give another noise, with which everything is computed again. */
 typedef struct {
-    double ratio, told, told_slope, dof, noise;
+    double ratio, share, share_of_slope, dof, noise;
 } shrunk;
 
 static shrunk shrink_at(double weighed, double stated, double sigma, double x)
@@ -906,10 +906,11 @@ static shrunk shrink_at(double weighed, double stated, double sigma, double x)
     shrunk s;
 
     s.ratio = weighed * weighed / (sigma * sigma);
-    s.told = 18 / (18 + s.ratio);
-    s.told_slope = 12 / (12 + s.ratio);
-    s.dof = MOST - 12 - 3 * s.told - 3 * s.told_slope;
-    const double squares = 3 * x * x * (18 * pow(1 - s.told, 2) + 12 * pow(1 - s.told_slope, 2));
+    s.share = 18 / (18 + s.ratio);
+    s.share_of_slope = 12 / (12 + s.ratio);
+    s.dof = MOST - 12 - 3 * s.share - 3 * s.share_of_slope;
+    const double squares =
+        3 * x * x * (18 * pow(1 - s.share, 2) + 12 * pow(1 - s.share_of_slope, 2));
     s.noise = sqrt((4 * stated * stated + squares) / (4 + s.dof));
     return s;
 }
@@ -938,8 +939,8 @@ static void a_prior_shrinks_and_counts_by_the_closed_form(void)
     const shrunk first = shrink_at(stated, stated, sigma0, x);
     const shrunk second = shrink_at(first.noise, stated, sigma0, x);
     for (int r = 0; r < 3; r++) {
-        TEST_ASSERT_DOUBLE_WITHIN(0.01 * x, second.told * constant[r], (double)found.x[0][r]);
-        TEST_ASSERT_DOUBLE_WITHIN(0.01 * x, second.told_slope * slope[r],
+        TEST_ASSERT_DOUBLE_WITHIN(0.01 * x, second.share * constant[r], (double)found.x[0][r]);
+        TEST_ASSERT_DOUBLE_WITHIN(0.01 * x, second.share_of_slope * slope[r],
                                   (double)found.x[DEGREE > 0][r]);
     }
     TEST_ASSERT_EQUAL_UINT((unsigned)second.dof, quality.dof);
@@ -1008,7 +1009,7 @@ static invcal_thermal_prior equal_prior(double sigma)
     return prior;
 }
 
-/* Noise stated at a thousandth: what comes out is as if it had been stated as it is. */
+/* Noise stated as a thousandth: the result is as if the true one had been stated. */
 static void a_prior_counts_for_more_where_the_data_are_noisier_than_stated(void)
 {
     const sensor still = {expected_thermal_constant, NULL, NULL};
@@ -1030,7 +1031,7 @@ static void a_prior_counts_for_more_where_the_data_are_noisier_than_stated(void)
     }
 }
 
-/* Readings that tell nothing: sigma is that of the prior, and X its centre. */
+/* Readings without information: sigma is that of the prior, and X its centre. */
 static void noise_as_large_as_the_field_leaves_everything_to_the_prior(void)
 {
     const sensor still = {expected_thermal_constant, NULL, NULL};
@@ -1049,7 +1050,7 @@ static void noise_as_large_as_the_field_leaves_everything_to_the_prior(void)
     }
 }
 
-static void a_prior_that_is_none_or_has_no_noise_is_refused(void)
+static void an_invalid_prior_or_one_without_noise_is_refused(void)
 {
     const double bad[] = {-1, NOT_A_NUMBER, INFINITE, 1e-44};
     const sensor s = straight(0);
@@ -1113,7 +1114,7 @@ static void renewing_at_one_temperature_keeps_the_slopes_and_the_range(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_THERMAL_AS_ASKED, found.fallback); /* no slopes were wanted */
 }
 
-/* Where what is kept holds grows with what is seen. */
+/* The range of the stored calibration grows with the positions. */
 static void renewing_beyond_the_range_widens_it(void)
 {
     static const double at[2] = {-40, 95};
@@ -1236,7 +1237,7 @@ static void unusable_arguments_are_named(void)
     invcal_thermal_positions p = positions(1e-4);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
                           invcal_thermal_fit(&p, NULL, &base, DEGREE + 1, &found, &quality));
-    p.count = UINT16_MAX; /* that are not looked at */
+    p.count = UINT16_MAX; /* which are not checked */
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
                           invcal_thermal_fit(&p, NULL, &base, DEGREE, &found, &quality));
     nominal.matrix[0][0] = 0;
@@ -1266,7 +1267,7 @@ static void eight_positions_and_a_plane_are_refused_as_without_temperature(void)
     assert_refused(INVCAL_TOO_FEW, 1e-4);
 }
 
-static void a_reading_that_is_none_is_refused(void)
+static void an_invalid_reading_is_refused(void)
 {
     const double bad[] = {NOT_A_NUMBER, INFINITE, 11, 0.01};
     const sensor s = straight(0);
@@ -1318,7 +1319,7 @@ static void take_quadric(double c, double temperature, random_source *random)
 
 /* c is a line or, in the last row, a parabola of temperature; p follows it exactly. A prior, on
  * everything, does not bend the readings. */
-static void what_is_no_ellipsoid_at_some_temperature_is_refused(void)
+static void what_is_not_an_ellipsoid_at_some_temperature_is_refused(void)
 {
     const double form[][STATIONS] = {
         {-0.5, -0.5, -0.5}, {-0.5, 0.25, 1}, {1, 0.25, -0.5}, {1, -0.5, 1}};
@@ -1354,7 +1355,7 @@ static void a_plane_with_noise_is_undetermined_rather_than_no_ellipsoid(void)
     }
 }
 
-/* Six faces and twelve edges, but those between x and y all at +x and only `tilt` off it. */
+/* Six faces and twelve edges, but those between x and y are all at +x and only `tilt` off it. */
 static void take_with_a_hidden_angle(double tilt)
 {
     all.count = 0;
@@ -1384,7 +1385,7 @@ static void an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it(void)
 
     take_with_a_hidden_angle(tilt);
     assert_refused(INVCAL_UNDETERMINED, 1e-6);
-    assert_refused_with_prior(INVCAL_UNDETERMINED, 1e-6, &prior); /* which knows nothing */
+    assert_refused_with_prior(INVCAL_UNDETERMINED, 1e-6, &prior); /* which has no information */
     hold(&prior, 0, INVCAL_GAMMA_XY, 1e-4);
     const invcal_thermal base = centred();
     fit_with_prior(1e-6, &prior, &base);
@@ -1396,8 +1397,8 @@ static void an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it(void)
     TEST_ASSERT_DOUBLE_WITHIN(0.02 * both, both, (double)quality.sigma[INVCAL_GAMMA_XY]);
 }
 
-/* However much wider than the noise it is: alone it is never hopeless. */
-static void what_only_a_prior_tells_has_its_sigma(void)
+/* However much wider than the noise: the prior alone never makes the system singular. */
+static void what_only_a_prior_determines_has_its_sigma(void)
 {
     invcal_thermal_prior prior = nothing_known;
 
@@ -1421,7 +1422,7 @@ static void a_prior_on_one_parameter_is_none_on_another(void)
 
 /* A sensor of a fifth of the scale, and a prior that knows better by 800 sigma. The residuals say
  * how noisy the readings are; weighed again it takes more away than is there. */
-static void a_prior_that_nothing_can_be_reconciled_with_is_refused(void)
+static void an_irreconcilable_prior_is_refused(void)
 {
     const double scale[INVCAL_PARAMETERS] = {0, 0, 0, -0.8, -0.8, -0.8};
     const sensor s = {scale, NULL, NULL};
@@ -1434,7 +1435,7 @@ static void a_prior_that_nothing_can_be_reconciled_with_is_refused(void)
     assert_refused_with_prior(INVCAL_NOT_ELLIPSOID, 1e-5, &prior);
 }
 
-/* Lengths of 0.7 and 1.3: a sphere goes between them, but no sensor reads like that. */
+/* Lengths of 0.7 and 1.3: a sphere fits between them, but no sensor reads like that. */
 static void readings_of_two_fields_are_refused_though_a_prior_solves_them(void)
 {
     const sensor s = straight(0);
@@ -1529,7 +1530,7 @@ static void the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1, drift_limit(5e-4, 0));
     const double limit = drift_limit(5e-4, 2e-4);
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 5, limit);
-    /* The sensor warms evenly by the limit; the thermometer still tells where it began. */
+    /* The sensor warms steadily by the limit; the thermometer still shows where it began. */
     double error = 0;
     for (int i = 0; i < 1000; i++) {
         error += 2e-4 * limit * (i + 0.5) / 1000 / 1000;
@@ -1537,8 +1538,8 @@ static void the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 5e-4, error);
 }
 
-/* 0.1.0 took a noise or a slope that is no number for one that is not known: 0.2 K. */
-static void no_drift_is_allowed_where_noise_or_slope_are_no_numbers(void)
+/* 0.1.0 took an invalid noise or slope for an unknown one: 0.2 K. */
+static void no_drift_is_allowed_if_noise_or_slope_is_invalid(void)
 {
     const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, -1};
 
@@ -1574,18 +1575,18 @@ int main(void)
     RUN_LONG_TEST(the_error_is_the_cramer_rao_bound_and_that_of_nine_parameters_hundreds_of_it);
     RUN_LONG_TEST(a_bent_sensor_comes_to_the_bound_of_27_parameters);
     RUN_TEST(at_one_temperature_there_are_no_slopes_and_it_says_so);
-    RUN_TEST(two_temperatures_half_a_kelvin_apart_tell_no_slopes_and_it_says_so);
+    RUN_TEST(two_temperatures_half_a_kelvin_apart_give_no_slopes_and_it_says_so);
     RUN_TEST(too_few_positions_for_slopes_are_enough_for_fewer);
     RUN_TEST(what_the_positions_leave_open_is_left_out_and_named);
     RUN_TEST(slopes_that_pass_for_other_errors_are_not_called_good);
     RUN_TEST(slopes_of_a_small_part_of_the_span_are_open);
     RUN_TEST(a_lower_degree_is_fitted_where_it_is_wanted);
-    RUN_TEST(outside_the_range_seen_the_edge_is_held_and_said);
-    RUN_TEST(what_is_no_temperature_is_refused_and_nothing_written);
+    RUN_TEST(outside_the_observed_range_the_edge_is_held_and_reported);
+    RUN_TEST(what_is_not_a_temperature_is_refused_and_nothing_written);
     RUN_TEST(a_damaged_calibration_is_refused_at_any_temperature);
-    RUN_TEST(what_is_no_triad_is_refused_at_any_temperature);
+    RUN_TEST(what_is_not_a_triad_is_refused_at_any_temperature);
     RUN_TEST(raw_counts_give_the_right_lengths_at_every_temperature);
-    RUN_TEST(the_choices_stand_in_the_names);
+    RUN_TEST(the_names_contain_the_choices);
     RUN_LONG_TEST(sigma_at_every_temperature_is_that_of_the_error);
     RUN_TEST(sigma_of_a_line_has_its_closed_form);
     RUN_TEST(beyond_the_range_it_is_judged_at_its_edge);
@@ -1597,7 +1598,7 @@ int main(void)
     RUN_TEST(rounding_gives_no_degree_of_freedom);
     RUN_TEST(a_prior_counts_for_more_where_the_data_are_noisier_than_stated);
     RUN_TEST(noise_as_large_as_the_field_leaves_everything_to_the_prior);
-    RUN_TEST(a_prior_that_is_none_or_has_no_noise_is_refused);
+    RUN_TEST(an_invalid_prior_or_one_without_noise_is_refused);
     RUN_TEST(renewing_at_one_temperature_keeps_the_slopes_and_the_range);
     RUN_TEST(renewing_beyond_the_range_widens_it);
     RUN_TEST(temperatures_beyond_two_spans_are_refused);
@@ -1605,19 +1606,19 @@ int main(void)
     RUN_TEST(the_order_of_the_positions_does_not_matter);
     RUN_TEST(unusable_arguments_are_named);
     RUN_TEST(eight_positions_and_a_plane_are_refused_as_without_temperature);
-    RUN_TEST(a_reading_that_is_none_is_refused);
+    RUN_TEST(an_invalid_reading_is_refused);
     RUN_TEST(a_reading_that_is_absurd_once_it_is_calibrated_is_refused);
-    RUN_TEST(what_is_no_ellipsoid_at_some_temperature_is_refused);
+    RUN_TEST(what_is_not_an_ellipsoid_at_some_temperature_is_refused);
     RUN_TEST(a_plane_with_noise_is_undetermined_rather_than_no_ellipsoid);
-    RUN_TEST(what_only_a_prior_tells_has_its_sigma);
+    RUN_TEST(what_only_a_prior_determines_has_its_sigma);
     RUN_TEST(an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it);
     RUN_TEST(a_prior_on_one_parameter_is_none_on_another);
     RUN_TEST(readings_of_two_fields_are_refused_though_a_prior_solves_them);
-    RUN_TEST(a_prior_that_nothing_can_be_reconciled_with_is_refused);
+    RUN_TEST(an_irreconcilable_prior_is_refused);
     RUN_TEST(semi_axes_beyond_their_limits_are_refused_together);
     RUN_TEST(what_cannot_be_judged_is_refused_and_the_quality_left_alone);
     RUN_TEST(the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position);
-    RUN_TEST(no_drift_is_allowed_where_noise_or_slope_are_no_numbers);
+    RUN_TEST(no_drift_is_allowed_if_noise_or_slope_is_invalid);
     RUN_TEST(every_fallback_has_its_words);
     return UNITY_END() != 0;
 }

@@ -62,7 +62,7 @@ static const uint8_t golden[FLAT] = {
     0x00, 0x00, 0x00, 0x00, 0xAC, 0xDD, 0x4F, 0xAF,
 };
 
-/* What 0.1.0 made of the same numbers, in m/s^2: 0xCA, 1, 184 and 0xCB, 1, 296. */
+/* The same numbers as 0.1.0 encoded them, in m/s^2: 0xCA, 1, 184 and 0xCB, 1, 296. */
 static const uint8_t golden_of_version_1[OLD] = {
     0xCB, 0x01, 0x28, 0x01, 0xCA, 0x01, 0xB8, 0x00, 0x53, 0x4E, 0x2D, 0x30, 0x30, 0x30, 0x34, 0x32,
     0x0F, 0x21, 0x43, 0x65, 0x36, 0x00, 0x01, 0x01, 0x82, 0x00, 0x02, 0x01, 0x00, 0x00, 0x1D, 0x41,
@@ -134,7 +134,7 @@ static invcal_thermal_record golden_record(void)
     return r;
 }
 
-/* The calibration at the reference, as the record has to have it. */
+/* The calibration at the reference, as the record must have it. */
 static void settle(invcal_thermal_record *r)
 {
     invcal_thermal_place place;
@@ -186,7 +186,7 @@ static void assert_not_encoded(invcal_status expected, const invcal_thermal_reco
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, bytes + SIZE, MARGIN);
 }
 
-/* As a program does that may find either version. */
+/* Like a program that may find either version. */
 static invcal_status decode(const uint8_t *bytes, uint32_t size, invcal_thermal_record *out)
 {
     return size >= 2 && bytes[1] == 1 ? invcal_thermal_record_decode_v1(bytes, size, out)
@@ -341,8 +341,8 @@ static void a_triangular_record_of_version_1_is_read_and_kept(void)
     assert_rounded(&turned[0][0], &back.record.calibration.matrix[0][0], 9);
 }
 
-/* Coefficient i of t^k stands at 208 + 36 k + 4 i, as a binary32. */
-static void the_coefficients_of_every_power_stand_where_the_table_says(void)
+/* Coefficient i of t^k is at 208 + 36 k + 4 i, as a binary32. */
+static void the_coefficients_of_every_power_are_where_the_table_says(void)
 {
     random_source random = random_start(1);
     const invcal_thermal_record r = random_record(&random);
@@ -405,7 +405,7 @@ static void what_holds_at_the_reference_is_a_record_of_its_own(void)
     }
 }
 
-static void bytes_behind_a_record_are_not_looked_at(void)
+static void bytes_after_a_record_are_ignored(void)
 {
     uint8_t bytes[FLAT + MARGIN];
     invcal_thermal_record r;
@@ -532,8 +532,8 @@ static void what_is_never_encoded_is_not_decoded(void)
     }
 }
 
-/* Whose record is it? 0.1.0 did not ask: a device that knows its temperature read one calibration, and
- * one that does not another. */
+/* Whose record is it? 0.1.0 did not check: a device that knows its temperature read one
+ * calibration, and one that does not another. */
 static void a_record_of_another_calibration_is_refused(void)
 {
     random_source random = random_start(7);
@@ -565,8 +565,8 @@ static void a_record_of_another_calibration_is_refused(void)
     }
 }
 
-/* A nominal matrix of 1e-38 to 1e38 has an inverse, what comes of it at the reference has none: a
- * fuzzer found that such a record came in and could not go out again. */
+/* A nominal matrix of 1e-38 to 1e38 has an inverse, but the calibration at the reference has none:
+ * a fuzzer found that such a record was decoded and could not be encoded again. */
 static void a_calibration_without_inverse_is_refused(void)
 {
     static const uint8_t matrix[36] = {0x12, 0x13, 0x14, 0x15, 0x16, 0x17, 0x18, 0x19, 0x1A,
@@ -581,7 +581,7 @@ static void a_calibration_without_inverse_is_refused(void)
     assert_refused(INVCAL_BAD_NOMINAL, bytes, FLAT);
 }
 
-/* Sound as a whole, but what stands at byte 4 is not. */
+/* Sound as a whole, but the record at byte 4 is not. */
 static void a_damaged_part_is_damage(void)
 {
     uint8_t bytes[FLAT];
@@ -592,7 +592,7 @@ static void a_damaged_part_is_damage(void)
     assert_refused(INVCAL_DAMAGED, bytes, FLAT);
 }
 
-/* A record of version 1 within version 2, or the other way round, has another size. */
+/* A record of version 1 within version 2, or vice versa, has another size. */
 static void versions_are_not_mixed(void)
 {
     uint8_t bytes[OLD];
@@ -672,10 +672,10 @@ int main(void)
     RUN_TEST(the_bytes_of_version_1_give_the_record_over_field);
     RUN_TEST(each_version_has_its_function);
     RUN_TEST(a_triangular_record_of_version_1_is_read_and_kept);
-    RUN_TEST(the_coefficients_of_every_power_stand_where_the_table_says);
+    RUN_TEST(the_coefficients_of_every_power_are_where_the_table_says);
     RUN_TEST(a_record_comes_back_as_it_was);
     RUN_TEST(what_holds_at_the_reference_is_a_record_of_its_own);
-    RUN_TEST(bytes_behind_a_record_are_not_looked_at);
+    RUN_TEST(bytes_after_a_record_are_ignored);
     RUN_TEST(a_record_begins_with_what_was_fitted);
     RUN_TEST(a_number_that_is_not_finite_is_not_encoded);
     RUN_TEST(a_number_that_is_not_finite_is_not_decoded);

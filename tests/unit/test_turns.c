@@ -56,7 +56,8 @@ static double at(unsigned r, unsigned c)
     return (double)t.sum[r < c ? INVCAL_PACKED(c, r) : INVCAL_PACKED(r, c)];
 }
 
-/* Gauss with the largest pivot, in double. Returns the rank; the determinant of what is of full rank. */
+/* Gaussian elimination with the largest pivot, in double. Returns the rank; the determinant if the
+ * rank is full. */
 static unsigned rank_of(double *log_det)
 {
     double a[18][18];
@@ -98,7 +99,7 @@ static unsigned rank(void)
     return rank_of(&log_det);
 }
 
-/* Up is a direction to 1e-4; after a turn it is one to rounding. */
+/* Up is a unit vector to 1e-4; after a turn it is one to rounding. */
 static void up_does_not_drift(void)
 {
     static const invcal_real longer[3] = {0, 0, INVCAL_REAL(1.00009)};
@@ -111,7 +112,7 @@ static void up_does_not_drift(void)
 
 /* ---- the gyroscope beside a calibrated accelerometer --------------------------------------------- */
 
-static void the_tour_tells_scale_and_misalignment_as_closed_form_does(void)
+static void the_tour_determines_scale_and_misalignment_as_closed_form_says(void)
 {
     invcal_real sigma[18];
     uint32_t open = 1;
@@ -198,12 +199,12 @@ static void the_tour_determines_all_18(void)
     expect_sigma(tour16_sigma);
 }
 
-/* Of the rests alone three gammas stay open: what lengths do not tell, the turns do. */
+/* From the rests alone three gammas stay open: the turns determine what lengths do not. */
 static void the_lengths_of_six_faces_alone_have_rank_6(void)
 {
     static const invcal_imu_settings deaf = {0, 0, INVCAL_REAL(0.9), 0, 0};
 
-    tour(&deaf, INVCAL_TOUR); /* a turn tells 3000 times less than a rest */
+    tour(&deaf, INVCAL_TOUR); /* a turn has 3000 times less information than a rest */
     TEST_ASSERT_EQUAL_UINT(6, rank());
 }
 
@@ -240,7 +241,7 @@ static void add_word(const invcal_real up[3], char *path)
     *end = '\0';
 }
 
-/* Follows the guidance, which must go where it is expected. Returns det^(1/n). */
+/* Follows the guidance, which must give the expected turns. Returns det^(1/n). */
 static double follow(const invcal_imu_settings *settings, unsigned turns, const char *expected)
 {
     char path[200] = "+z";
@@ -259,7 +260,7 @@ static double follow(const invcal_imu_settings *settings, unsigned turns, const 
     return exp(log_det / t.n);
 }
 
-static void guidance_goes_where_most_is_told(void)
+static void guidance_goes_where_it_learns_most(void)
 {
     const double within = FLOAT_OR_DOUBLE(1e-4, 1e-5);
 
@@ -271,7 +272,7 @@ static void guidance_goes_where_most_is_told(void)
 
 /* Per turn and over the noise of a turn, of which the variance is 2: the figures of mathematics_imu.md. The tour has
  * (pi^2)^(3/9) 4^(6/9) of twelve turns. */
-static void twelve_turns_of_it_tell_more_than_the_tour(void)
+static void twelve_turns_of_it_add_more_than_the_tour(void)
 {
     double log_det;
 
@@ -296,7 +297,7 @@ static void of_any_rest_there_is_a_next_turn(void)
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, from, NULL));
         TEST_ASSERT_DOUBLE_WITHIN(1e-8, 3e-4, (double)t.noise);
-        t.seconds = (invcal_real)(k % 2); /* or so fast that no noise of the gyroscope counts */
+        t.seconds = (invcal_real)(k % 2); /* or so fast that gyroscope noise does not count */
         for (unsigned i = 0; i < 6; i++) {
             invcal_turns_next(&t, &turn);
             const double angle = (double)turn.degrees;
@@ -307,8 +308,8 @@ static void of_any_rest_there_is_a_next_turn(void)
     }
 }
 
-/* Nearly half a turn tells most, but not of directions whose sine, squared, is below 0.09 (17.46 degrees). So it
- * goes to any of 26, from this side of that and not from the other. */
+/* Nearly half a turn adds most, but not for directions whose sine, squared, is below 0.09 (17.46
+ * degrees). So it goes to any of 26, from this side of that and not from the other. */
 static void guidance_goes_as_far_as_it_may(void)
 {
     static const double aside[3] = {-0.01, -0.85, -0.52};
@@ -347,8 +348,8 @@ static void guidance_goes_as_far_as_it_may(void)
     }
 }
 
-/* A plan that was overwritten. */
-static void of_nonsense_there_is_no_next_turn(void)
+/* An overwritten plan. */
+static void nonsense_has_no_next_turn(void)
 {
     invcal_turn turn;
 
@@ -376,7 +377,7 @@ static unsigned face_of(const invcal_real up[3])
     return 6;
 }
 
-/* Where up is after a turn, by the mathematics of the tests. */
+/* Up after a turn, by the mathematics of the tests. */
 static void turned(const invcal_real from[3], const invcal_turn *turn, double up[3])
 {
     double th[3], c[3][3], was[3];
@@ -453,8 +454,8 @@ static void the_shortest_turn_is_that_of_closed_form(void)
     }
 }
 
-/* No turn is the shortest whose sine is 0.001 or less. */
-static void of_opposite_directions_no_turn_is_the_shortest(void)
+/* With a sine of 0.001 or less there is no shortest turn. */
+static void opposite_directions_have_no_shortest_turn(void)
 {
     static const double square[4] = {0.97e-6, 1.03e-6, 0.97e-6, 1.03e-6};
 
@@ -522,9 +523,9 @@ static void bad_arguments_are_refused(void)
     }
 }
 
-/* About x by an angle, z up: of E x the turn tells x by the angle, and y by sin y - (1 - cos) z, the rest is about
- * up. The variance is 2. */
-static void turns_of_any_angle_tell_what_closed_form_says(void)
+/* About x by an angle, z up: the turn shows the x of E x by the angle, and y by sin y - (1 - cos)
+ * z; the rest is about up. The variance is 2. */
+static void turns_of_any_angle_agree_with_closed_form(void)
 {
     static const double degrees[] = {-720, -700, -541, -539, -450, -361, -200, -179, -100, -30,
                                      30,   100,  179,  200,  361,  450,  539,  541,  700,  720};
@@ -537,17 +538,17 @@ static void turns_of_any_angle_tell_what_closed_form_says(void)
         for (unsigned a = 0; a < 3; a++) {
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-12), up[a], (double)t.up[a]);
         }
-        const double told[3] = {angle, sin(angle), cos(angle) - 1};
+        const double row[3] = {angle, sin(angle), cos(angle) - 1};
         for (unsigned r = 0; r < 3; r++) {
             for (unsigned c = 0; c <= r; c++) {
-                const double expected = c == 0 && r > 0 ? 0 : told[r] * told[c] / 2;
+                const double expected = c == 0 && r > 0 ? 0 : row[r] * row[c] / 2;
                 TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-12), expected, at(3 * r, 3 * c));
             }
         }
     }
 }
 
-/* Next to z, up or down: of a turn about x the angle is told but for the part of x along up. */
+/* Next to z, up or down: a turn about x shows the angle, except for the part of x along up. */
 static void next_to_the_vertical_nothing_is_lost(void)
 {
     for (unsigned k = 0; k < 2; k++) {
@@ -612,9 +613,9 @@ static void a_prior_is_information(void)
     prior[17] = INVCAL_REAL(0.0003);
     settings.prior = prior;
     begin(&settings);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.01, at(4, 4)); /* of a noise of 0.0003 */
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.01, at(4, 4)); /* with a noise of 0.0003 */
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, 1, at(17, 17));
-    TEST_ASSERT_DOUBLE_WITHIN(0, 0, at(3, 3)); /* none is none */
+    TEST_ASSERT_DOUBLE_WITHIN(0, 0, at(3, 3)); /* none gives none */
     settings.held = 1;
     prior[9] = INVCAL_REAL(0.0003);
     begin(&settings);
@@ -671,8 +672,8 @@ static void sigma_is_judged_at_its_bounds(void)
     TEST_ASSERT_TRUE(sigma[18] == 7);
 }
 
-/* All are known, but to 3000 times the noise: that is open. */
-static void what_only_a_wide_prior_tells_is_open(void)
+/* All are known, but only to 3000 times the noise: that is open. */
+static void what_only_a_wide_prior_determines_is_open(void)
 {
     invcal_real prior[18];
     invcal_real sigma[18];
@@ -688,7 +689,7 @@ static void what_only_a_wide_prior_tells_is_open(void)
     TEST_ASSERT_EQUAL_HEX32(0x1FF, open);
 }
 
-static void a_prospect_is_what_the_turn_then_brings(void)
+static void a_prospect_is_what_the_turn_then_achieves(void)
 {
     invcal_real sigma[2][18];
     uint32_t open[2];
@@ -731,8 +732,8 @@ static void what_is_known_too_little_is_named(void)
 /* ---- beside the solver --------------------------------------------------------------------------- */
 
 static world w;
-static const invcal_imu_settings told = {0, INVCAL_REAL(3e-4), INVCAL_REAL(1e-4), INVCAL_REAL(1e-4),
-                                         0};
+static const invcal_imu_settings stated = {0, INVCAL_REAL(3e-4), INVCAL_REAL(1e-4),
+                                           INVCAL_REAL(1e-4), 0};
 
 /* The tour by steady turns, without errors. Returns how long a turn is by its segments. */
 static double make_tour(invcal_real raw[WORLD_RESTS][3])
@@ -761,18 +762,18 @@ static double make_tour(invcal_real raw[WORLD_RESTS][3])
     return time / (double)INVCAL_TOUR;
 }
 
-/* What is planned, and what is there once it is done: the same. */
+/* The plan and its result are the same. */
 static void after_the_turns_it_knows_what_it_had_planned(void)
 {
     const invcal_calibration unit = unit_nominal();
-    invcal_imu_settings held = told;
+    invcal_imu_settings held = stated;
     invcal_real raw[WORLD_RESTS][3];
     invcal_real expected[171];
     invcal_real sigma[2][18];
     uint32_t open;
     invcal_imu imu;
 
-    begin(&told);
+    begin(&stated);
     t.seconds = (invcal_real)make_tour(raw);
     for (unsigned i = 0; i < INVCAL_TOUR; i++) {
         invcal_turn turn;
@@ -781,7 +782,7 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
     }
     memcpy(expected, t.sum, sizeof expected);
     (void)invcal_turns_sigma(&t, NULL, sigma[0], &open);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &told));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &stated));
     TEST_ASSERT_DOUBLE_WITHIN(1e-4, 1, (double)t.up[2]);
     for (unsigned i = 0; i < 171; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(0.02 * (1 + fabs((double)expected[i])), (double)expected[i],
@@ -791,18 +792,18 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
     for (unsigned r = 0; r < 18; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(0.02, (double)sigma[0][r], (double)sigma[1][r]);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(raw[0], 13, &unit, &w.moves, &told, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(raw[0], 13, &unit, &w.moves, &stated, &imu));
     held.held = 1;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &held));
     TEST_ASSERT_EQUAL_UINT(9, rank());
     TEST_ASSERT_DOUBLE_WITHIN(0.02 * (double)expected[0], (double)expected[0], at(0, 0));
 }
 
-/* It may have any contents before. A rest of half the length: up is a direction all the same. */
+/* It may have any contents before. A rest of half the length: up is still a unit vector. */
 static void it_begins_where_the_last_rest_is(void)
 {
     const invcal_calibration unit = unit_nominal();
-    invcal_imu_settings held = told;
+    invcal_imu_settings held = stated;
     invcal_real raw[WORLD_RESTS][3];
     struct {
         invcal_turns t;
@@ -828,7 +829,7 @@ static void it_begins_where_the_last_rest_is(void)
 static void bad_rests_are_refused(void)
 {
     const invcal_calibration unit = unit_nominal();
-    invcal_imu_settings bad = told;
+    invcal_imu_settings bad = stated;
     invcal_real raw[WORLD_RESTS][3];
 
     (void)make_tour(raw);
@@ -836,14 +837,14 @@ static void bad_rests_are_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE,
                           invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &bad));
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
-                          invcal_turns_after(&t, raw[0], 0, &unit, &w.moves, &told));
+                          invcal_turns_after(&t, raw[0], 0, &unit, &w.moves, &stated));
     raw[12][2] = 30;
     TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE,
-                          invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &told));
+                          invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &stated));
 }
 
-/* Errors of the tour in a hand that wobbles, over the sigma that the plan says: 1.07 at most of 300 runs, as the
- * solution weighs rests and moves by residuals of 37 rows. */
+/* Errors of the tour in a hand that wobbles, over the sigma of the plan: 1.07 at most in 300 runs,
+ * as the solution weights rests and moves by residuals of 37 rows. */
 static void errors_are_what_the_plan_says(void)
 {
     enum { RUNS = 20 };
@@ -887,27 +888,27 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(up_does_not_drift);
-    RUN_TEST(the_tour_tells_scale_and_misalignment_as_closed_form_does);
+    RUN_TEST(the_tour_determines_scale_and_misalignment_as_closed_form_says);
     RUN_TEST(ranks_are_those_of_the_number_of_axes);
     RUN_TEST(the_tour_determines_all_18);
     RUN_TEST(the_lengths_of_six_faces_alone_have_rank_6);
     RUN_SLOW_TEST(one_axis_leaves_open_what_the_script_names);
-    RUN_SLOW_TEST(guidance_goes_where_most_is_told);
-    RUN_SLOW_TEST(twelve_turns_of_it_tell_more_than_the_tour);
+    RUN_SLOW_TEST(guidance_goes_where_it_learns_most);
+    RUN_SLOW_TEST(twelve_turns_of_it_add_more_than_the_tour);
     RUN_SLOW_TEST(of_any_rest_there_is_a_next_turn);
     RUN_SLOW_TEST(guidance_goes_as_far_as_it_may);
-    RUN_TEST(of_nonsense_there_is_no_next_turn);
+    RUN_TEST(nonsense_has_no_next_turn);
     RUN_TEST(the_tour_takes_each_edge_once_about_horizontal_axes);
     RUN_TEST(the_shortest_turn_is_that_of_closed_form);
-    RUN_TEST(of_opposite_directions_no_turn_is_the_shortest);
+    RUN_TEST(opposite_directions_have_no_shortest_turn);
     RUN_TEST(bad_arguments_are_refused);
-    RUN_TEST(turns_of_any_angle_tell_what_closed_form_says);
+    RUN_TEST(turns_of_any_angle_agree_with_closed_form);
     RUN_TEST(next_to_the_vertical_nothing_is_lost);
     RUN_TEST(the_noise_of_a_turn_is_that_of_the_design);
     RUN_TEST(a_prior_is_information);
     RUN_TEST(sigma_is_judged_at_its_bounds);
-    RUN_TEST(what_only_a_wide_prior_tells_is_open);
-    RUN_SLOW_TEST(a_prospect_is_what_the_turn_then_brings);
+    RUN_TEST(what_only_a_wide_prior_determines_is_open);
+    RUN_SLOW_TEST(a_prospect_is_what_the_turn_then_achieves);
     RUN_TEST(what_is_known_too_little_is_named);
     RUN_SLOW_TEST(after_the_turns_it_knows_what_it_had_planned);
     RUN_SLOW_TEST(it_begins_where_the_last_rest_is);

@@ -6,8 +6,8 @@
 #     [CC=cc] [CFLAGS=-std=c99] [UNITY=dir] [LDLIBS=-lm] [EXEC=emulator] ./selftest.sh builddir
 #
 # UNITY holds unity.h and unity.c; the default is this script's own folder. For another
-# implementation only the recorded outputs of the original are compared. Prints one line per check
-# and a count; exits with 1 if any check failed, 2 if it was called wrongly.
+# implementation, only the recorded outputs of the original are compared. Prints one line per check
+# and a count; exits with 1 if any check failed, with 2 if it was called wrongly.
 # CFLAGS must not configure Unity: the checks do that.
 set -u
 unset CDPATH
@@ -25,11 +25,11 @@ fi
 here=$(cd -- "$(dirname -- "$0")" && pwd) || exit 2
 unity=$(cd -- "${UNITY:-$here}" && pwd) || exit 2
 mkdir -p -- "$1" && build=$(cd -- "$1" && pwd) || exit 2
-cd -- "$here/golden" || exit 2 # the outputs contain the file name as the compiler is given it
+cd -- "$here/golden" || exit 2 # the outputs contain file names as passed to the compiler
 
 own=no
 grep -q UNITY_STRICT "$unity/unity.c" && own=yes
-[ "$own" = yes ] || CFLAGS="$CFLAGS -w" # another's warnings are not ours to judge
+[ "$own" = yes ] || CFLAGS="$CFLAGS -w" # warnings in another implementation do not matter here
 
 passed=0
 failed=0
@@ -47,8 +47,8 @@ check() {
     fi
 }
 
-# run SOURCE [FLAG...]: builds and runs a program; its output goes to $build/out.txt. The exit status
-# of the program, its number of failures, says nothing here; a crash shows in the output.
+# run SOURCE [FLAG...]: builds and runs a program; its output goes to $build/out.txt. Ignores the
+# program's exit status, its number of failures; a crash shows in the output.
 run() {
     source=$1
     shift
@@ -68,7 +68,7 @@ same() {
     run "$@" && diff "$golden" "$build/out.txt"
 }
 
-# Everything compiles under many warnings, also the macros in the tests. (Nothing is linked.)
+# Everything compiles with many warnings on, including the macros in the tests. (Nothing is linked.)
 no_warnings() {
     for flags in '' -DUNITY_STRICT -DUNITY_INCLUDE_DOUBLE -DUNITY_EXCLUDE_FLOAT \
         -DUNITY_EXCLUDE_SETJMP_H; do
@@ -118,7 +118,7 @@ if [ "$own" = yes ]; then
         -DUNITY_EXCLUDE_SETJMP_H
     check 'probe without float' no_float
     printf 'int main(void) { return 0; }\n' >"$build/empty.c"
-    # A compiler that does not know these options has nothing to say about them.
+    # Only with a compiler that knows these options.
     # shellcheck disable=SC2086
     if $CC $CFLAGS $WARNINGS -c "$build/empty.c" -o "$build/out.o" 2>/dev/null; then
         check 'no warnings' no_warnings

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who cannot see it, has no mouse, has a phone, likes it dark.
+// For users who cannot see the page, have no mouse, use a phone, or prefer it dark.
 import { once } from "node:events";
 import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -8,7 +8,7 @@ import { test, expect, equal, PAGE } from "./harness.mjs";
 
 const GOOD = "invcal.session()?.result?.mayStop";
 
-test("one file, of less than 700 kB, its live part below 100 kB, that asks nobody for anything", async () => {
+test("one file of less than 700 kB, its live part below 100 kB, that requests nothing", async () => {
     const page = readFileSync(new URL(PAGE), "utf8");
     expect(page.length < 700e3, `${page.length} bytes`);
     const tool = /id="tool-wasm">[^<]*/.exec(page)[0].length + /id="worker">[^]*?<\/script>/.exec(page)[0].length;
@@ -20,18 +20,18 @@ test("one file, of less than 700 kB, its live part below 100 kB, that asks nobod
     }
 });
 
-test("what blocks the network: a request is refused by the page itself", async (open) => {
+test("the network is blocked: the page itself refuses a request", async (open) => {
     const page = await open();
     const refused = await page.evaluate(async () => {
-        const told = new Promise((done) => addEventListener("securitypolicyviolation", (event) => done(event.effectiveDirective)));
+        const violated = new Promise((done) => addEventListener("securitypolicyviolation", (event) => done(event.effectiveDirective)));
         fetch("data:text/plain,x").catch(() => {});
-        return told;
+        return violated;
     });
     page.trouble.length = 0; // the browser says so on its console
     equal(refused, "connect-src", "directive");
 });
 
-test("from a web server, too: one request, and all works", async (open) => {
+test("from a web server, too: one request, and everything works", async (open) => {
     const asked = [];
     const server = createServer((request, response) => {
         asked.push(request.url);
@@ -52,7 +52,7 @@ test("from a web server, too: one request, and all works", async (open) => {
     page.trouble = page.trouble.filter((text) => !/^request: http:\/\/127\.0\.0\.1:\d+\/invcal\.html$/.test(text)); // the one that was asked for
 });
 
-test("every control has a name, and the keyboard reaches it; the focus shows", async (open) => {
+test("every control has a name, and the keyboard reaches it; the focus is visible", async (open) => {
     const page = await open();
     await page.evaluate(() => (document.querySelector("#settings").open = true));
     const nameless = await page.evaluate(() => [...document.querySelectorAll("button, input, select, iframe, canvas, progress")].filter((e) => !(e.textContent.trim() && e.tagName === "BUTTON") && !e.ariaLabel && !e.labels?.[0]?.textContent.trim() && !e.title && e.id !== "progress").map((e) => e.outerHTML.slice(0, 60)));
@@ -70,7 +70,7 @@ test("every control has a name, and the keyboard reaches it; the focus shows", a
     equal(wanted.filter((id) => !reached.has(id)), [], "not reached");
 });
 
-test("begun and stopped by the keyboard alone", async (open) => {
+test("started and stopped by the keyboard alone", async (open) => {
     const page = await open();
     await page.focus("#simulator");
     await page.keyboard.press("Enter");
@@ -91,14 +91,14 @@ test("a screen reader hears each position, where to turn, and when to stop; not 
     await page.select("#speed", "16");
     await page.click("#simulator");
     await page.until(GOOD, "good");
-    await page.until('window.heard.at(-1).includes("you may stop")', "told to stop");
+    await page.until('window.heard.at(-1).includes("you may stop")', "may stop");
     const heard = await page.evaluate(() => window.heard);
     expect(heard.some((text) => /^Position 3 taken/.test(text)) && heard.some((text) => /Turn to [+−][xyz] up/.test(text)), heard.join(" | "));
     const n = await page.evaluate(() => invcal.session().positions.length);
     expect(heard.length <= 4 * n, `${heard.length} sentences for ${n} positions`);
 });
 
-test("without motion nothing glides", async (open) => {
+test("with reduced motion nothing glides", async (open) => {
     const page = await open({ still: true });
     equal(await page.$eval(".bar u", (e) => getComputedStyle(e).transitionDuration), "0s", "transition");
 }, { only: "chromium" });
@@ -120,7 +120,7 @@ test("on paper: the result, its table as a whole, and nothing to press", async (
     expect((await page.evaluate(() => document.body.innerText)).includes("Good: you may stop"), "the verdict");
 }, { only: "chromium" });
 
-// Contrast of WCAG 2: relative luminance of what is seen.
+// Contrast by WCAG 2: relative luminance of what is visible.
 const contrasts = () => {
     const canvas = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
     const rgb = (colour) => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Browsers, pages and checks for the tests of the page. A page that says an error on its console, or asks the network
-// for anything, fails its test.
+// Browsers, pages and checks for the tests of the page. A page that logs an error on its console, or requests anything
+// from the network, fails its test.
 import { createRequire } from "node:module";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync, rmSync, mkdirSync } from "node:fs";
@@ -63,7 +63,7 @@ export function native(...args) {
 export const file = (name) => readFileSync(`${work}/${name}`, "utf8");
 export const put = (name, text) => writeFileSync(`${work}/${name}`, text);
 
-// A page, loaded. `before` runs in it before its own script.
+// Loads a page. `before` runs in it before its own script.
 export async function open({ before, width = 1280, height = 900, dark = false, still = false } = {}) {
     const page = await browser.newPage();
     page.trouble = [];
@@ -85,7 +85,7 @@ export async function open({ before, width = 1280, height = 900, dark = false, s
     page.text = (selector) => page.$eval(selector, (element) => element.textContent);
     page.until = (condition, what, timeout = 30000) =>
         page.waitForFunction(condition, { timeout, polling: 50 }).catch(async () => {
-            throw new Failed(`${what}: not within ${timeout / 1000} s; the page says "${await page.text("#say")}", "${await page.text("#notice")}"`);
+            throw new Failed(`${what}: not after ${timeout / 1000} s; the page says "${await page.text("#say")}", "${await page.text("#notice")}"`);
         });
     page.picture = (name) => page.screenshot({ path: `${pictures}/${browserName}-${name}.png`, fullPage: true });
     page.drop = async (...names) => {
@@ -95,7 +95,7 @@ export async function open({ before, width = 1280, height = 900, dark = false, s
     return page;
 }
 
-// A pattern may ask for tests that only the other browser has; web.sh wants one to have any.
+// A pattern may match tests of only the other browser; web.sh fails if neither has any.
 export async function runAll() {
     if (tests.length === 0) {
         console.log("0 passed, 0 failed");

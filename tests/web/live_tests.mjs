@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Live calibrations: simulator, replayed logs, a phone; what is taken away; speed.
+// Live calibrations: simulator, replayed logs, a phone; what can be saved; speed.
 import { test, expect, equal, close, native, file, put, sleep } from "./harness.mjs";
 import { DIRECTIONS, SENSOR, noise, reads, samples, unit } from "./sensor.mjs";
 
@@ -17,10 +17,10 @@ async function simulate(page, speed = "Infinity") {
     await page.click("#simulator");
 }
 
-// What the simulated sensor is wrong by, as the page's source states it.
+// The offsets of the simulated sensor, as the page's source states them.
 const SIMULATED = [327.7, -245.8, 491.5];
 
-test("simulator to Good: it says when to stop, and what it found is true", async (open) => {
+test("simulator to Good: it says when to stop, and its results are true", async (open) => {
     const page = await open();
     await page.picture("idle");
     await simulate(page, "16");
@@ -57,7 +57,7 @@ test("report and files of a live calibration agree with what was shown", async (
     await page.picture("taken-away");
 });
 
-test("stopped and started again, each time from nothing", async (open) => {
+test("stopped and started again, each time from scratch", async (open) => {
     const page = await open();
     for (let i = 0; i < 3; i++) {
         await simulate(page);
@@ -113,7 +113,7 @@ test("a log that cannot be replayed says so", async (open) => {
     await page.until('document.querySelector("#notice").textContent.startsWith("No line of this log")', "no samples");
 });
 
-test("tones: one for each position, and when to stop; none if they are not wanted", async (open) => {
+test("tones: one for each position, and when to stop; none if they are switched off", async (open) => {
     const page = await open({ before: () => {
         window.tones = [];
         const start = OscillatorNode.prototype.start;
@@ -124,7 +124,7 @@ test("tones: one for each position, and when to stop; none if they are not wante
     } });
     await simulate(page);
     await page.until(GOOD, "good");
-    await page.until("window.tones.includes(1100)", "told to stop");
+    await page.until("window.tones.includes(1100)", "may stop");
     const [tones, n] = await page.evaluate(() => [window.tones.filter((pitch) => pitch === 880).length, invcal.session().positions.length]);
     expect(tones >= n && tones <= n + 3, `${tones} tones of ${n} positions`);
     await page.evaluate(() => document.querySelector("#sound").click());
@@ -136,7 +136,7 @@ test("tones: one for each position, and when to stop; none if they are not wante
 
 // ---- a phone ---------------------------------------------------------------------------------------
 
-// DeviceMotion by events, as a browser sends them: rounded, 60 a second. Time is that of the test.
+// DeviceMotion events as a browser sends them: rounded, 60 a second. The test makes the time.
 const hold = (page, readings, rounded) => page.evaluate(async ([rows, step]) => {
     let t = performance.now() + 1e6;
     for (const [x, y, z] of rows) {
@@ -154,14 +154,14 @@ async function begin(page) {
 
 const inHand = (sigma) => [...samples(DIRECTIONS.map((up) => up.map((v) => 9.81 * v)), { rest: 200, turn: 60, sigma, seed: 9 })];
 
-test("a phone that rounds to 0.1 m/s²: calibrated, and what that means is said", async (open) => {
+test("a phone that rounds to 0.1 m/s²: it is calibrated, and the page says what that means", async (open) => {
     const page = await open();
     await begin(page);
     await hold(page, inHand(0.04), 0.1);
     await page.until(TAKEN(15), "positions");
     const facts = await page.text("#facts");
     expect(facts.includes("rounds the readings to 10 mg") && facts.includes("not for measuring"), facts);
-    const { offset, sigma } = await result(page); // of a sensor that is wrong by nothing
+    const { offset, sigma } = await result(page); // of a sensor without errors
     expect(sigma[0] > 1e-4, `sigma of offsets ${sigma[0]}`);
     offset.forEach((v, i) => close(v / 9.80665, 0, 2 * sigma[0], `offset ${i}, g`));
     await page.picture("phone-sensors");
@@ -176,7 +176,7 @@ test("a phone that rounds to 0.1 m/s²: calibrated, and what that means is said"
     expect(!(await page.text("#facts")).includes("rounds"), "nothing is rounded");
 });
 
-test("motion sensors that Chromium emulates, and rounds itself: a position is taken, and the rounding is told", async (open) => {
+test("motion sensors that Chromium emulates, and rounds itself: a position is taken, and the rounding is reported", async (open) => {
     const page = await open();
     const browser = await page.createCDPSession();
     for (const type of ["accelerometer", "linear-acceleration", "gyroscope"]) {
@@ -202,17 +202,17 @@ test("motion sensors that Chromium emulates, and rounds itself: a position is ta
         await shaking;
     }
     expect((await page.text("#facts")).includes("rounds the readings to 10 mg"), await page.text("#facts"));
-    await page.click("#stop"); // what is held counts
+    await page.click("#stop"); // the position that is held counts
     equal(await page.evaluate(() => invcal.session().positions.length), 1, "positions");
 }, { only: "chromium" });
 
 test("a device without motion sensors says so", async (open) => {
     const page = await open();
     await page.click("#phone");
-    await page.until('document.querySelector("#notice").textContent.startsWith("No readings arrive")', "told", 5000);
+    await page.until('document.querySelector("#notice").textContent.startsWith("No readings arrive")', "notice", 5000);
 });
 
-test("sensors that plain http hides, and sensors that the person denied: each is told", async (open) => {
+test("sensors that plain http hides, and sensors that the user denied: each is reported", async (open) => {
     const insecure = await open({ before: 'Object.defineProperty(window, "isSecureContext", { value: false });' });
     await insecure.click("#phone");
     const denied = await open({ before: 'DeviceMotionEvent.requestPermission = async () => "denied";' });

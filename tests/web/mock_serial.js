@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A board behind a serial port, for the tests: runs in the page before its script. board.print(text) is what the board
-// prints, in the pieces that the caller makes; board.heard what was sent to it.
+// A board at a serial port, for the tests: runs in the page before its script. board.print(text) makes the board print,
+// in the pieces that the caller chooses; board.heard is what was sent to it.
 {
     const listeners = { connect: new Set(), disconnect: new Set() };
     let controller = null;

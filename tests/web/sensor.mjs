@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A sensor on a bench, for logs and for boards: rests in given readings, and turns between.
+// A sensor on a bench, for logs and for boards: rests with given readings, and turns between them.
 
-// xorshift32, and a sum of twelve: near enough to normal.
+// xorshift32, and a sum of twelve, which is close enough to normal.
 export function noise(seed = 1) {
     let state = seed;
     const uniform = () => {
@@ -35,7 +35,7 @@ for (const x of [-1, 0, 1]) {
     }
 }
 
-// What the sensor is wrong by; readings are counts. calibrated = (1/scale) (reading - offset): no cross terms.
+// The sensor's errors; readings are counts. calibrated = (1/scale) (reading - offset): no cross terms.
 export const SENSOR = { offset: [150, -320, 410], scale: [16600, 16250, 16420] };
 export const reads = (up) => up.map((u, i) => SENSOR.offset[i] + SENSOR.scale[i] * u);
 

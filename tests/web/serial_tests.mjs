@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A board at a serial port, by a mock of WebSerial (mock_serial.js).
+// A board at a serial port, with a mock of WebSerial (mock_serial.js).
 import { readFileSync } from "node:fs";
 import { test, expect, equal, close, sleep } from "./harness.mjs";
 import { DIRECTIONS, SENSOR, reads, samples } from "./sensor.mjs";
@@ -22,7 +22,7 @@ function crc32(bytes) {
 const lines = (readings, print, options) => [...samples(readings, options)].map((v) => `${print(v.map(Math.round))}\r\n`);
 const commas = (v) => v.join(",");
 
-// Opens a port at RATE readings a second, stated: the test prints faster than a board.
+// Opens a port with a stated rate of readings, as the test prints faster than a board.
 async function connect(open, { rate = "100", unit = "16384", page = null } = {}) {
     page ??= await open({ before: mock });
     await page.evaluate((r) => (document.querySelector("#rate").value = r), rate);
@@ -52,7 +52,7 @@ const good = async (page) => {
     result.offset.forEach((v, i) => close(v, SENSOR.offset[i], 5, `offset ${i}`));
 };
 
-// Firefox's own serial ports are newer than the one that is tested: of the mock it gets these tests only.
+// The Firefox that is tested has no serial ports yet: of the tests with the mock it runs only those without this.
 const CHROMIUM = { only: "chromium" };
 
 const LAYOUTS = {
@@ -79,7 +79,7 @@ for (const [name, layout] of Object.entries(LAYOUTS)) {
     }, name.startsWith("Raw") ? {} : CHROMIUM);
 }
 
-test("serial: units are found out", async (open) => {
+test("serial: units are recognized", async (open) => {
     const cases = [[1, "g", 5], [1000, "mg", 2], [9.80665, "m/s²", 4], [16384, "16384 counts/g", 0], [8192, "8192 counts/g", 0], [256, "256 counts/g", 0]];
     const page = await open({ before: mock });
     for (const [length, name, digits] of cases) {
@@ -115,13 +115,13 @@ test("serial: chunks of 1 to 7 bytes, a torn first line, garbage", async (open) 
     equal((await state(page)).samples, all.length - broken, "samples");
 }, CHROMIUM);
 
-test("serial: a line without an end is thrown away", async (open) => {
+test("serial: a line without an end is discarded", async (open) => {
     const page = await connect(open);
     await print(page, `${"7".repeat(100000)}\r\n${lines([reads([0, 0, 1])], commas).join("")}`);
     await arrived(page, 290);
 }, CHROMIUM);
 
-test("serial: unplugged and plugged in again, it goes on", async (open) => {
+test("serial: unplugged and plugged in again, it continues", async (open) => {
     const page = await connect(open);
     const readings = DIRECTIONS.map(reads);
     await print(page, `torn\r\n${lines(readings.slice(0, 9), commas).join("")}`);
@@ -129,10 +129,10 @@ test("serial: unplugged and plugged in again, it goes on", async (open) => {
     const before = (await state(page)).positions;
     expect(before >= 8, `${before} positions`);
     await page.evaluate(() => board.unplug());
-    await page.until('document.querySelector("#notice").textContent.includes("Plug it in again")', "told");
+    await page.until('document.querySelector("#notice").textContent.includes("Plug it in again")', "notice");
     await page.picture("unplugged");
     await page.evaluate(() => board.plug());
-    await page.until('document.querySelector("#notice").textContent.includes("is back")', "told");
+    await page.until('document.querySelector("#notice").textContent.includes("is back")', "notice");
     const n = (await state(page)).samples;
     await print(page, `,12\r\n${lines(readings.slice(8), commas, { seed: 5 }).join("")}`);
     await arrived(page, n + 9 * 300);
@@ -162,7 +162,7 @@ test("serial: 1,000 lines a second for three seconds, none lost, rate measured",
     equal(taken, 3000, "samples");
 }, CHROMIUM);
 
-test("serial: the calibration is sent as a record that the library's format describes", async (open) => {
+test("serial: the calibration is sent as a record in the library's format", async (open) => {
     const page = await connect(open);
     const all = lines(DIRECTIONS.map(reads), commas);
     await print(page, `torn\r\n${all.join("")}`);
@@ -198,16 +198,16 @@ test("serial: stopped, and started again; the port is closed between", async (op
     await page.until("board.closed === 4 && invcal.session().samples > 0", "another source");
 }, CHROMIUM);
 
-test("serial: silence and a wrong baud rate are told, and taken back", async (open) => {
+test("serial: silence and a wrong baud rate are reported, until lines arrive", async (open) => {
     const page = await connect(open);
-    const told = (text) => page.until(`document.querySelector("#notice").textContent.includes(${JSON.stringify(text)})`, text, 6000);
-    await told("Nothing arrives from the board");
+    const notices = (text) => page.until(`document.querySelector("#notice").textContent.includes(${JSON.stringify(text)})`, text, 6000);
+    await notices("Nothing arrives from the board");
     await page.picture("silent");
     await print(page, "\u0001\u0002\ufffd\n".repeat(50));
-    await told("Is 115200 baud right");
+    await notices("Is 115200 baud right");
     await print(page, lines([reads([0, 0, 1])], commas).join(""));
-    await page.until('document.querySelector("#notice").textContent === ""', "taken back once lines come", 6000);
-    await told("has stopped printing");
+    await page.until('document.querySelector("#notice").textContent === ""', "cleared once lines arrive", 6000);
+    await notices("has stopped printing");
     await page.click("#stop");
 }, CHROMIUM);
 
@@ -218,13 +218,13 @@ test("a browser without WebSerial says what to do", async (open) => {
     expect(said.includes("Chrome, Edge, Opera or a recent Firefox") && said.includes("drop it here"), said);
 });
 
-test("serial: a page from plain http says so", async (open) => {
+test("serial: a page from plain http says what to do", async (open) => {
     const page = await open({ before: 'Object.defineProperty(navigator, "serial", { value: undefined }); Object.defineProperty(window, "isSecureContext", { value: false });' });
     await page.click("#serial");
     expect((await page.text("#notice")).includes("Save this page, and open the saved file"), await page.text("#notice"));
 }, CHROMIUM);
 
-test("serial: no port chosen, a port denied, a busy port: each is told, and the calibration from before is kept", async (open) => {
+test("serial: no port chosen, a port denied, a busy port: each is reported, and the previous calibration is kept", async (open) => {
     const page = await connect(open);
     const all = lines(DIRECTIONS.map(reads), commas);
     await print(page, `torn\r\n${all.join("")}`);
@@ -244,7 +244,7 @@ test("serial: no port chosen, a port denied, a busy port: each is told, and the 
         await page.click("#serial");
         await page.until(`document.querySelector("#notice").textContent.includes(${JSON.stringify(text)})`, text);
         equal((await state(page)).result.offset, before, "what was there before");
-        equal(await page.$eval("#take", (element) => element.hidden), false, "it can still be taken away");
+        equal(await page.$eval("#take", (element) => element.hidden), false, "it can still be saved");
     }
     await page.picture("busy");
 }, CHROMIUM);
@@ -266,13 +266,13 @@ test("serial: after Stop, Send opens the port, waits until the board prints, and
     await print(page, "invcal: stored\r\n");
     await page.until('document.querySelector("#sent").textContent === "The board says: stored"', "the answer");
     await page.until("board.closed === 2", "closed again");
-    equal((await state(page)).samples, n, "samples that came meanwhile");
+    equal((await state(page)).samples, n, "samples that arrived meanwhile");
     await page.evaluate(() => (board.isBusy = true));
     await page.click("#send");
     await page.until('document.querySelector("#sent").textContent.startsWith("Not sent. The port cannot be opened")', "a port that has become busy");
 }, CHROMIUM);
 
-// The statements that print a sample in the examples, as they stand there.
+// The statements that print a sample in the examples, taken from their sources.
 test("the lines that the examples print are read", async (open) => {
     const source = (name) => readFileSync(new URL(`../../port/${name}`, import.meta.url), "utf8");
     const printed = {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Logs: what the page makes of them are the bytes that the native tool writes.
+// Logs: the page makes the same bytes of them as the native tool.
 import { readFileSync, createWriteStream, statSync } from "node:fs";
 import { once } from "node:events";
 import { fileURLToPath } from "node:url";
@@ -10,7 +10,7 @@ import { samples } from "./sensor.mjs";
 const data = fileURLToPath(new URL("../data/", import.meta.url));
 const FORMATS = ["c", "c-arrays", "fusion", "imu_tk", "ros", "px4", "ardupilot"];
 
-// What the page offers to save, by its name, instead of a download.
+// Keeps what the page offers to save, by its name, instead of a download.
 const catchFiles = () => {
     window.saved = {};
     HTMLAnchorElement.prototype.click = function () {
@@ -43,7 +43,7 @@ async function calibrated(page, name, options, others = []) {
 
 const args = (options) => options.split(" ").filter(Boolean);
 
-// One number comes of sines and cosines: length95_most of six faces, whose last digit is another one in each libc.
+// One number comes from sines and cosines, length95_most of six faces: its last digits depend on the libc.
 const withoutLast = (json) => json.replace(/("length95_most": [\d.]{16})\d*/, "$1");
 
 // Table, report, CAL.json and all exports.
@@ -109,7 +109,7 @@ test("the report is shown in the page", async (open) => {
     await page.picture("report");
 });
 
-test("an earlier calibration beside the log; a name with a blank", async (open) => {
+test("an earlier calibration with the log; a name with a blank", async (open) => {
     put("a log.csv", native("simulate", "--plan", "edges", "--seed", "5").stdout);
     native("calibrate", "edges.csv", "--out", "before.json");
     put("edges.csv", native("simulate", "--plan", "edges").stdout);
@@ -122,7 +122,7 @@ test("an earlier calibration beside the log; a name with a blank", async (open) 
     equal(await save(page, '[data-save="report.html"]', "report.html"), file("report.html"), "report.html");
 });
 
-test("what the tool refuses, the page refuses in its words, and goes on", async (open) => {
+test("what the tool refuses, the page refuses in the same words, and goes on", async (open) => {
     const page = await open({ before: catchFiles });
     put("bad.csv", "x,y,z\n1,2,3\n1,two,3\n");
     put("edges.csv", native("simulate", "--plan", "edges").stdout);
@@ -134,7 +134,7 @@ test("what the tool refuses, the page refuses in its words, and goes on", async 
     equal(await page.text("#trouble"), native("calibrate", "edges.csv", "--gravty", "9.8").stderr.trim(), "an unknown option");
     await page.evaluate(() => (document.querySelector("#options").value = ""));
     await page.click("#run");
-    await page.until('!document.querySelector("#made").hidden', "after that a good one");
+    await page.until('!document.querySelector("#made").hidden', "a good one after that");
 });
 
 test("more than 2 GB is refused with the native command", async (open) => {
@@ -192,6 +192,6 @@ test("a log of 100 MB: no freeze, progress, same bytes; cancelled and run again"
         equal(await save(page, '[data-save="CAL.json"]', "CAL.json"), file("CAL.json"), "CAL.json");
     }
     const [longest, shares] = await page.evaluate(() => [window.longest, window.shares.size]);
-    expect(longest < 500, `the page stood still for ${longest} ms`);
+    expect(longest < 500, `the page froze for ${longest} ms`);
     expect(shares > 10, `${shares} steps of progress`);
 });

@@ -2,15 +2,15 @@
  *
  *     board MCU IMAGE [gyroscope]
  *
- * The board on which the sketch Calibrate runs, or Gyroscope, around a simulated processor (libsimavr): an
+ * The board on which the sketch Calibrate or Gyroscope runs, around a simulated processor (libsimavr): an
  * MPU-6050 on the I2C bus, an EEPROM that takes its time, a power supply, and a hand that turns the sensor
  * as the words on the serial port say. The image is the one that is flashed. In the middle of Calibrate the
  * processor is reset, one position is wrong, and power fails while the EEPROM is written; in Gyroscope one
- * turn is too quick, and during another the processor stands still. When the calibration is stored the board
- * is switched off and on again, with an MPU-9250 in place of the MPU-6050; after some calibrated readings
- * (and the request to begin again, to Gyroscope) the truth is printed, for the reader of the log.
+ * turn is too quick, and during another the processor stands still. Once the calibration is stored, the
+ * board is switched off and on again, with an MPU-9250 in place of the MPU-6050; after some calibrated
+ * readings (and, for Gyroscope, the request to begin again) it prints the truth, for whatever reads the log.
  *
- * Exit status 0 if it came to that.
+ * Exit status 0 if it gets that far.
  */
 #include <math.h>
 #include <simavr/avr_eeprom.h>
@@ -29,7 +29,7 @@ enum { CLOCK = 16000000 };                             /* of the processor */
 enum { RATE = HAND_RATE, SAMPLE_US = 1000000 / RATE }; /* of the sensor */
 enum { PATIENCE = 200 * RATE };                        /* samples */
 enum { READINGS = 10 };                                /* calibrated ones, at the end */
-/* What happens when so many positions have been taken: */
+/* When what happens, as a number of positions taken: */
 enum { RESET_AT = 4, PULLED_AT = 7, CUT_AT = 10 }; /* to Calibrate */
 enum { CUT_AFTER = 100 };                          /* bytes written to the EEPROM since then */
 enum { HURRY_AT = 4, STALL_AT = 7 };               /* to Gyroscope */
@@ -57,8 +57,8 @@ static const double gyro_offset[3] = {-280.6, 133.2, 43};
 static const double gyro_gain[3][3] = {
     {0.975, 0.012, -0.004}, {-0.015, 1.018, 0.007}, {0.003, -0.009, 1.009}};
 
-static unsigned samples; /* in all, */
-static unsigned moving;  /* and since the device was taken up; 0: it is held */
+static unsigned samples; /* in total */
+static unsigned moving;  /* since the device was picked up; 0: it is held */
 static int is_pulled;    /* somebody pulls at the cable: all readings are 50 mg wrong */
 
 static void feel(double force[3], double rate[3])
@@ -105,10 +105,10 @@ enum { TWCR = 0xBC, TWINT = 0x80 }; /* of the processor */
 
 static avr_irq_t *bus;
 static uint8_t registers[REGISTERS];
-static uint8_t at;      /* the register that is next */
+static uint8_t at;      /* the next register */
 static int is_selected; /* addressed since the last start */
 static int is_number;   /* the next byte written is a register's number */
-static unsigned lost;   /* samples that nobody has read */
+static unsigned lost;   /* samples that were never read */
 static uint8_t queue[1024];
 static unsigned oldest, waiting; /* bytes of the queue */
 
@@ -120,7 +120,7 @@ static void switch_chip_on(uint8_t which)
     waiting = 0;
 }
 
-/* Samples come only if it has been woken and set to 100 Hz: the filter on, and 1 kHz / (1 + 9). */
+/* There are samples only if it was woken and set to 100 Hz: the filter on, and 1 kHz / (1 + 9). */
 static int is_set_up(void)
 {
     const int filter = registers[registers[WHO_AM_I] == IS_MPU9250 ? ACCEL_CONFIG2 : CONFIG] & 7;
@@ -138,7 +138,7 @@ static void convert_axis(uint8_t address, double counts)
     registers[address + 1] = (uint8_t)(limited & 0xFF);
 }
 
-/* If it is full, the oldest byte makes room. */
+/* If it is full, drops the oldest byte. */
 static void put_in_queue(uint8_t byte)
 {
     if (waiting == sizeof queue) {
@@ -223,7 +223,7 @@ static void write_register(uint8_t value)
     }
 }
 
-/* The queue's register is read again and again; any other, and then the next. */
+/* The queue's register stays selected; after any other, the next one follows. */
 static uint8_t read_register(void)
 {
     registers[FIFO_COUNTH] = (uint8_t)(waiting >> 8);
@@ -310,7 +310,7 @@ static avr_cycle_count_t end_writing(avr_t *of, avr_cycle_count_t when, void *co
     return 0;
 }
 
-/* The simulator has written already. While power fails the byte becomes any. */
+/* The simulator has already written. If power fails, the byte becomes something else. */
 static void write_byte(avr_t *of, avr_io_addr_t address, uint8_t value, void *context)
 {
     static int is_cut;
@@ -332,11 +332,11 @@ static void write_byte(avr_t *of, avr_io_addr_t address, uint8_t value, void *co
     }
 }
 
-/* ---- the serial port, and who reads it ------------------------------------------------------------ */
+/* ---- the serial port, and its reader -------------------------------------------------------------- */
 
 static int is_reset;   /* somebody has pressed the button */
-static int is_stored;  /* the sketch has come to its end, */
-static int has_begun;  /* or begins (again) */
+static int is_stored;  /* the sketch has stored its calibration, */
+static int has_begun;  /* or begins one (again) */
 static unsigned shown; /* calibrated readings */
 
 static int begins(const char *line, const char *with)
@@ -399,7 +399,7 @@ static void hear_byte(avr_irq_t *irq, uint32_t value, void *context)
 
 /* ---- the power supply --------------------------------------------------------------------------- */
 
-enum { PAINT = 0xA5 }; /* what is in RAM when power comes */
+enum { PAINT = 0xA5 }; /* fills RAM at power-on */
 static unsigned deepest;
 
 static unsigned first_free(void)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * In place of ESP-IDF, for the example: on the bus there is an MPU-6050 that reads a log on standard
+ * A mock of ESP-IDF, for the example: on the bus there is an MPU-6050 that reads a log on standard
  * input (time, and counts), whose end ends the run; the flash is a file. What passes here may still
- * be wrong on ESP-IDF itself: these functions do what its documentation says, as it was understood.
+ * be wrong on ESP-IDF itself: these functions do what we understand its documentation to say.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -61,7 +61,7 @@ esp_err_t i2c_master_transmit(i2c_master_dev_handle_t i2c_dev, const uint8_t *wr
     return ESP_OK;
 }
 
-/* Awake, 2 g, the filter on, and 200 samples a second: set up otherwise it stays at zero. */
+/* Awake, 2 g, the filter on, and 200 samples a second: otherwise its readings stay zero. */
 static int is_set_up(const uint8_t *registers)
 {
     const unsigned filter = registers[CONFIG] & 7u;
@@ -100,7 +100,7 @@ esp_err_t i2c_master_transmit_receive(i2c_master_dev_handle_t i2c_dev, const uin
     return ESP_OK;
 }
 
-/* ---- time: nobody is ever late ---------------------------------------------------------------- */
+/* ---- time: no task is ever late --------------------------------------------------------------- */
 
 static TickType_t now;
 

@@ -2,7 +2,7 @@
 #
 # kconfig.py KCONFIG set [NAME=VALUE...]       the configuration, as CMake sees it: set(CONFIG_NAME VALUE)
 # kconfig.py KCONFIG options [NAME=VALUE...]   a line for each option of INVCAL_: NAME LEAST MOST DEFAULT
-# Whatever Kconfig warns of (out of range, no such option) is an error: one line, exit status 1.
+# Any warning of Kconfig (out of range, no such option) is an error: one line, exit status 1.
 import sys
 
 import kconfiglib

@@ -2,8 +2,8 @@
 # shellcheck shell=sh disable=SC2154 # package.sh sets what is not set here
 #
 # For packages whose options come from Kconfig: they are those of the headers, and they reach the
-# compiler. Set before: kconfig, the Kconfig file, and enable, what has to be chosen for them to be
-# there (INVCAL=y, or nothing).
+# compiler. The caller sets kconfig, the Kconfig file, and enable, which makes the options visible
+# (INVCAL=y, or nothing).
 
 kconfig_py() { # set or options, NAME=VALUE...
     command=$1
@@ -39,7 +39,7 @@ takes() { # NAME VALUE: does Kconfig? Its booleans are n and y.
     esac
 }
 
-# Kconfig and the headers agree on the least and the most, and on what is beyond.
+# Kconfig and the headers accept the same minimum and maximum, and refuse what is beyond.
 same_ranges() {
     while read -r option least most rest; do
         for value in "$least" "$most"; do

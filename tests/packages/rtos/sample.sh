@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=sh disable=SC2154 # package.sh sets what is not set here
 #
-# For the programs that come with Zephyr and ESP-IDF: run on a simulated log, they calibrate, and tell
-# the truth.
+# For the examples for Zephyr and ESP-IDF: run on a simulated log, they calibrate, and print the true
+# values.
 
 simulate() { # OPTION... of invcal simulate: $out/log.csv and $out/truth.json
     "$build/invcal" simulate --plan edges --offset 0.041,-0.025,0.062 --dk 0.012,-0.02,0.017 \
@@ -14,7 +14,7 @@ calibrates() { # PROGRAM
         grep -qx 'calibration stored' "$out/printed"
 }
 
-# Offsets and scale errors within 4 of the sigma printed with them.
+# Offsets and scale errors are true within 4 of the sigmas printed with them.
 near_truth() {
     tr -d '\n' < "$out/truth.json" > "$out/truth"
     awk '
@@ -38,7 +38,7 @@ near_truth() {
         END { exit good != 6 }' "$out/truth" "$out/printed"
 }
 
-# Started again it finds what was stored, and its first readings, at rest, are LENGTH within 2 %.
+# Started again, it finds what was stored, and its first readings, at rest, have LENGTH within 2 %.
 starts_again() { # PROGRAM LENGTH
     (cd "$out" && "$1" < log.csv > again) && grep -q '^stored calibration: found$' "$out/again" &&
         awk -v field="$2" '/^a, / && n++ < 5 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * In place of Zephyr, for the sample: the sensor is a log on standard input (time, and counts of
+ * A mock of Zephyr, for the sample: the sensor is a log on standard input (time, and counts of
  * 10 um/s^2), whose end ends the run; the settings are a file. What passes here may still be wrong
- * on Zephyr itself: these functions do what its documentation says, as it was understood.
+ * on Zephyr itself: these functions do what we understand its documentation to say.
  */
 #include <stdarg.h>
 #include <stdio.h>
