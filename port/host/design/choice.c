@@ -8,7 +8,7 @@
 #include "design/optimal.h"
 #include "design/order.h"
 
-#define WITHIN (1 + 1e-9) /* a limit that is met exactly is met, whatever rounding says */
+#define WITHIN (1 + 1e-9) /* of a limit, so that rounding does not refuse one that is just met */
 
 double choice_worst(const criteria *c, const double limits[3])
 {
@@ -37,7 +37,7 @@ static unsigned positions_allowed(const choice_request *request)
     /* n rests and n - 1 moves; plus 1e-9 of one, so that rounding keeps the last one */
     const double period = cost->settle + cost->dwell + cost->move;
     const double n = floor((request->budget - cost->warm_up + cost->move) / period + 1e-9);
-    return n < DESIGN_MAX ? (unsigned)fmax(n, 0) : DESIGN_MAX; /* all are within bounds: a number */
+    return n < DESIGN_MAX ? (unsigned)fmax(n, 0) : DESIGN_MAX; /* never a NaN: all are in range */
 }
 
 static int stand(design *d, unsigned per_group)
@@ -49,7 +49,7 @@ static int stand(design *d, unsigned per_group)
     return 1;
 }
 
-/* Programs become better with every N: the smallest within the limits is found by halving. */
+/* Sigma falls with N, so bisection finds the smallest program within the limits. */
 static int choose_stand(design *d, const choice_request *request, unsigned allowed)
 {
     const unsigned step = choice_stand_step(request->needs_axes);
@@ -80,8 +80,8 @@ static int choose_stand(design *d, const choice_request *request, unsigned allow
     return stand(d, step * high);
 }
 
-/* With every position more the worst ratio can only fall: the smallest number is found by
- * halving between the least there can be and `high`, which meets the limits. */
+/* One more position can only reduce the worst ratio, so bisection finds the smallest number between
+ * the minimum and `high`, which meets the limits. */
 static void choose_smallest(design *d, const choice_request *request, unsigned high)
 {
     double direction[OPTIMAL_MAX][3];
@@ -135,7 +135,7 @@ static void refuse(choice *c, const choice_request *request, unsigned allowed)
     }
 }
 
-/* Which of two sets, both there, is better. */
+/* The better of two sets that are both found. */
 static unsigned better(const choice *c, const choice_request *request)
 {
     const criteria *stand_set = &c->set[CHOICE_STAND]->criteria;

@@ -7,12 +7,12 @@
 
 enum { P = INVCAL_PARAMETERS };
 
-#define STEPS 20000u
-#define REACHED 1e-12 /* d_i above 9 by no more, relatively */
-#define NOTHING 1e-6
+#define MAX_STEPS 20000u
+#define TOLERANCE 1e-12 /* of the largest d_i / 9 above 1 */
+#define NEGLIGIBLE 1e-6
 
-/* A step of the multiplicative algorithm, p_i d_i / 9. Returns by how much the largest d_i / 9 is above
- * 1: det M is within its ninth power of the largest. */
+/* A step of the multiplicative algorithm, p_i d_i / 9. Returns the largest d_i / 9, minus 1: det M
+ * is within the ninth power of that factor of the maximum. */
 static double improve(const double (*direction)[3], unsigned count, double *share)
 {
     double K[P][P];
@@ -36,10 +36,11 @@ void weights_find(const double (*direction)[3], unsigned count, double *share)
     for (unsigned i = 0; i < count; i++) {
         share[i] = 1;
     }
-    for (unsigned step = 0; step < STEPS && improve(direction, count, share) > REACHED; step++) {
+    for (unsigned step = 0; step < MAX_STEPS && improve(direction, count, share) > TOLERANCE;
+         step++) {
     }
     for (unsigned i = 0; i < count; i++) {
-        share[i] = share[i] > NOTHING ? share[i] : 0;
+        share[i] = share[i] > NEGLIGIBLE ? share[i] : 0;
         sum += share[i];
     }
     for (unsigned i = 0; i < count; i++) {

@@ -153,7 +153,7 @@ static void write_summary(json_writer *w, const design *d, const choice_request 
     json_number(w, "labour", d->count);
     json_number(w, "redundancy", (double)d->count - (double)INVCAL_PARAMETERS);
     write_criteria(w, &d->criteria, d->is_solvable);
-    json_number(w, "drift_factor", isfinite(d->hidden) ? d->hidden : NUMBER_UNKNOWN);
+    json_number(w, "drift_factor", isfinite(d->drift_factor) ? d->drift_factor : NUMBER_UNKNOWN);
     write_axes(w, d->axes);
     json_list(w, "range");
     for (unsigned i = 0; i < 3; i++) {

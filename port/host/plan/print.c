@@ -67,9 +67,9 @@ static void print_sigmas(FILE *file, const design *d, double noise, told_style t
     print_sigma(file, "angles", c->sigma_gamma, noise, told_angle(told));
     wrapped_printf(file, 0, "condition %.4f (1 is best), ln det H'H %.4f (larger is better)",
                    c->condition, c->log_det);
-    if (isfinite(d->hidden)) {
+    if (isfinite(d->drift_factor)) {
         wrapped_printf(file, 0, "fitting a drift in this order multiplies sigma by at most %.2f",
-                       d->hidden);
+                       d->drift_factor);
     } else {
         wrapped_printf(file, 0,
                        "in this order, a drift cannot be distinguished from the nine parameters");

@@ -95,9 +95,9 @@ static void aim(const stage *s, int is_ready)
         return;
     }
     const program *p = is_ready ? live_program_foreseen(&followed) : &followed.now;
-    now.has_target = p->asked < p->set->count;
+    now.has_target = p->next < p->set->count;
     if (now.has_target) {
-        memcpy(now.target, p->set->position[p->asked].vertical, sizeof now.target);
+        memcpy(now.target, p->set->position[p->next].vertical, sizeof now.target);
     }
     (void)program_next_text(p, now.next);
     (void)live_program_good_text(&followed, p, now.good, sizeof now.good);

@@ -47,13 +47,13 @@ static void visit(const live_program *l, program *p, const invcal_calibration *k
 
     invcal_apply(known, counts, up);
     const unsigned found = program_find(p, up);
-    program_visit(p, found == PROGRAM_NOWHERE && is_zero_unknown(l) ? p->asked : found, up);
+    program_visit(p, found == PROGRAM_NO_POSITION && is_zero_unknown(l) ? p->next : found, up);
 }
 
 /* The last rest was not where it was asked to be. */
-static int is_astray(const program *now, unsigned asked)
+static int is_astray(const program *now, unsigned requested)
 {
-    return asked < now->set->count && now->here != asked && !now->is_again;
+    return requested < now->set->count && now->current != requested && !now->is_repeat;
 }
 
 /* A better calibration shows where earlier rests really were. Later it is hardly known
@@ -72,7 +72,7 @@ int live_program_take(live_program *l)
     const design *set = l->now.set;
     const unsigned first = first_to_visit(l);
 
-    l->wanted = l->now.asked;
+    l->wanted = l->now.next;
     if (first == 0) {
         program_begin(&l->now, set);
     }
@@ -84,7 +84,7 @@ int live_program_take(live_program *l)
         visit(l, &l->now, &known, counts);
     }
     l->astray = is_astray(&l->now, l->wanted) ? l->astray + 1 : 0;
-    return l->wanted < set->count && l->now.asked == set->count;
+    return l->wanted < set->count && l->now.next == set->count;
 }
 
 int live_program_scale(const live_program *l, double zero[3], double *length)
@@ -118,8 +118,8 @@ const char *live_program_good_text(const live_program *l, const program *soon, c
     char angles[PROGRAM_TEXT_MAX];
     char but[64] = "";
 
-    if (is_astray(soon, l->now.asked)) {
-        snprintf(but, sizeof but, ", but not position %u", l->now.asked + 1);
+    if (is_astray(soon, l->now.next)) {
+        snprintf(but, sizeof but, ", but not position %u", l->now.next + 1);
     }
     (void)program_angles_text(soon, angles);
     snprintf(text, size, "good%s: move on%s%s", but, *angles ? " to " : "", angles);
@@ -135,5 +135,5 @@ const char *live_program_wrong_text(const live_program *l, char text[PROGRAM_TEX
 const char *live_program_missing_text(const live_program *l, char text[PROGRAM_TEXT_MAX])
 {
     text[0] = '\0';
-    return l->now.asked < l->now.set->count ? program_missing_text(&l->now, text) : text;
+    return l->now.next < l->now.set->count ? program_missing_text(&l->now, text) : text;
 }
