@@ -242,8 +242,7 @@ static double minimise(const problem *p, vectors x)
     return f;
 }
 
-/* ---- starting points
- * --------------------------------------------------------------------------- */
+/* ---- starting points --------------------------------------------------------------------------- */
 
 /* A spiral from pole to pole: nearly equidistant directions. */
 static void spiral(unsigned n, vectors x)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * How wrong each parameter can be at most, whatever the errors are.
+ * The worst-case error of each parameter.
  */
 #include "design/bound.h"
 #include "design/parameters.h"

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Where the positions point, and how exactly every direction will be known.
+ * The directions of the positions, and the expected uncertainty in every direction.
  */
 #include "plan/facts.h"
 #include "plan/map.h"
 
 #define TEXT_MAX 600
-#define GROUPS 28.0 /* height of their legend */
+#define GROUPS_HEIGHT 28.0 /* of their legend */
 
 static void draw_half(FILE *file, const design *d, const sphere *map, unsigned half)
 {
@@ -39,8 +39,8 @@ void plan_draw_legend(FILE *file, const sphere_shading *shading, const char *uni
 {
     char text[TEXT_MAX];
 
-    svg_begin_inline(file, SPHERE_WIDTH, UNCERTAINTY_LEGEND + (has_groups ? GROUPS : 0), "Legend",
-                     "Meaning of colours and markers.");
+    svg_begin_inline(file, SPHERE_WIDTH, UNCERTAINTY_LEGEND + (has_groups ? GROUPS_HEIGHT : 0),
+                     "Legend", "Meaning of colours and markers.");
     snprintf(text, sizeof text, "σ of |a|, %s", unit);
     uncertainty_legend(file, shading, text);
     if (has_groups) {
