@@ -34,11 +34,11 @@ static int refuse(void)
     return message_usage("watch", "there is no terminal in a browser: calibrate live on the page");
 }
 
-int live_read(positions *p, const char *path, const live_wish *wish, turns *gyro,
+int live_read(positions *p, const char *path, const live_options *options, turns *gyro,
               rests_summary *summary)
 {
     (void)path;
-    (void)wish;
+    (void)options;
     (void)gyro;
     *p = (positions){0};
     memset(summary, 0, sizeof *summary);
@@ -46,11 +46,11 @@ int live_read(positions *p, const char *path, const live_wish *wish, turns *gyro
 }
 
 int wave_read(positions *p, const char *path, const invcal_calibration *nominal,
-              const live_wish *wish, waved *out)
+              const live_options *options, waved *out)
 {
     (void)path;
     (void)nominal;
-    (void)wish;
+    (void)options;
     *p = (positions){0};
     memset(out, 0, sizeof *out);
     return refuse();

@@ -4,12 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-#define LEAST 5u  /* rests: with fewer, neither unit nor axes can be found */
-#define SURE 12u  /* from this many on an error is certain */
-#define SPARE 6u  /* equations that confirm it */
-#define NEAR 0.97 /* cosine of 14 degrees */
+#define MIN_RESTS 5u      /* with fewer, neither unit nor axes can be found */
+#define CERTAIN_RESTS 12u /* from here on, an error is certain */
+#define MIN_DOF 6u        /* redundant equations */
+#define NEAR_COSINE 0.97  /* of 14 degrees */
 
-/* More moves do not help: it is reported at once. */
+/* Errors that more moves do not correct, and that are reported at once. */
 static int is_mistake(const char *word)
 {
     return strcmp(word, "axes") == 0 || strcmp(word, "unit") == 0 || strcmp(word, "stuck") == 0;
@@ -38,17 +38,17 @@ static unsigned count_moves(const gyro_fit *g)
     return count;
 }
 
-static int is_known(const watch_gyro *w, unsigned position)
+static int is_reported(const watch_gyro *w, unsigned position)
 {
-    for (unsigned i = 0; w->known[i] != 0; i++) {
-        if (w->known[i] == position) {
+    for (unsigned i = 0; w->reported[i] != 0; i++) {
+        if (w->reported[i] == position) {
             return 1;
         }
     }
     return 0;
 }
 
-/* Moves that do not count, if that has not been told. */
+/* Refused moves that have not been reported yet. */
 static void find_refused(watch_gyro *w, const gyro_fit *g)
 {
     unsigned now[INVCAL_MAX_MOVES + 1] = {0};
@@ -63,19 +63,19 @@ static void find_refused(watch_gyro *w, const gyro_fit *g)
             continue;
         }
         now[count++] = rest->position + 1;
-        if (!is_known(w, rest->position + 1)) {
+        if (!is_reported(w, rest->position + 1)) {
             snprintf(w->refused + length, sizeof w->refused - length,
                      "%sthe move from position %u to %u is refused: %s", length > 0 ? "; " : "",
                      rest[-1].position + 1, rest->position + 1,
                      gyro_move_reason(g, &g->move[i], why));
         }
     }
-    memcpy(w->known, now, sizeof now);
+    memcpy(w->reported, now, sizeof now);
 }
 
 /* ---- turns ------------------------------------------------------------------------------------- */
 
-/* One more rest, and the shortest turn to it. From the opposite side there is none: what was before is lost. */
+/* Adds a rest, and the shortest turn to it. If that is not unique, begins again with this rest. */
 static void add_rest(watch_gyro *w, const double up[3])
 {
     invcal_turn turn;
@@ -86,11 +86,11 @@ static void add_rest(watch_gyro *w, const double up[3])
     }
 }
 
-/* To the nearest of the faces, edges and corners of a cube, if it is near. */
+/* Replaces a direction by the nearest face, edge or corner of a cube, if it is near one. */
 static void snap(double up[3])
 {
     double best[3] = {0, 0, 0};
-    double most = NEAR;
+    double most = NEAR_COSINE;
 
     for (int i = 0; i < 27; i++) {
         const int v[3] = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
@@ -101,7 +101,7 @@ static void snap(double up[3])
         }
         most = cosine > most ? cosine : most;
     }
-    if (most > NEAR) {
+    if (most > NEAR_COSINE) {
         memcpy(up, best, sizeof best);
     }
 }
@@ -129,24 +129,24 @@ int watch_gyro_next(const watch_gyro *w, const double *held, double target[3],
 
 static void judge(watch_gyro *w, const gyro_fit *g, unsigned rests)
 {
-    char known[80];
+    char moves[80];
 
-    w->is_mistake = g->word && (rests >= SURE || is_mistake(g->word));
-    snprintf(known, sizeof known, "gyroscope: %u of %u moves", count_moves(g), g->moves);
+    w->is_mistake = g->word && (rests >= CERTAIN_RESTS || is_mistake(g->word));
+    snprintf(moves, sizeof moves, "gyroscope: %u of %u moves", count_moves(g), g->moves);
     if (w->is_mistake) {
         snprintf(w->text, sizeof w->text, "gyroscope: %.*s", WATCH_GYRO_MAX - 20, g->reason);
     } else if (g->word) {
         snprintf(w->text, sizeof w->text, "%s, too few so far; turn about all three axes",
-                 g->moves > 0 ? known : "gyroscope: no moves");
+                 g->moves > 0 ? moves : "gyroscope: no moves");
     } else {
-        snprintf(w->text, sizeof w->text, "%s; scale ± %.2g %%, cross ± %.2g degrees%s", known,
+        snprintf(w->text, sizeof w->text, "%s; scale ± %.2g %%, cross ± %.2g degrees%s", moves,
                  100 * worst(g, 1), worst(g, 0) / UNIT_DEGREE,
                  g->imu.open ? "; turn about other axes, too" : "");
-        w->is_good = g->imu.verdict == INVCAL_GOOD && g->imu.dof >= SPARE;
+        w->is_good = g->imu.verdict == INVCAL_GOOD && g->imu.dof >= MIN_DOF;
     }
 }
 
-void watch_gyro_take(watch_gyro *w, const turns *t, const gyro_wish *wish, unsigned rate,
+void watch_gyro_take(watch_gyro *w, const turns *t, const gyro_wish *options, unsigned rate,
                      const double *clip, const positions *p, const invcal_calibration *start,
                      const double up[3])
 {
@@ -156,8 +156,8 @@ void watch_gyro_take(watch_gyro *w, const turns *t, const gyro_wish *wish, unsig
     w->text[0] = '\0';
     w->refused[0] = '\0';
     w->is_good = 0;
-    if (t->readings == 0 || p->count < LEAST ||
-        gyro_make(&g, t, wish, rate, clip, p, &none, start) || !g.is_there) {
+    if (t->readings == 0 || p->count < MIN_RESTS ||
+        gyro_make(&g, t, options, rate, clip, p, &none, start) || !g.is_there) {
         add_rest(w, up);
         return;
     }
