@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The tool in a browser: what wasi-libc has not. Its files lie in the memory of the page: they have no
- * permissions, no symbolic links, and one folder. There is no terminal, either, so watch has nothing to read
- * from: the page leads through a live calibration itself (live.c).
+ * The tool in a browser: POSIX functions that wasi-libc lacks. Its files are in the memory of the
+ * page, without permissions or symbolic links, in one folder. There is no terminal, so watch is
+ * refused: the page has its own live calibration (live.c).
  */
 #include <stdio.h>
 #include <string.h>

@@ -212,7 +212,7 @@ refuses "refused: the standard input twice" 2 'only one input' compare - -
 in=old.json
 accepts "the standard input once" compare - middle.json
 in=/dev/null
-refuses "refused: another kinship" 2 '--as cousins: must be serial, history or fleet' compare old.json new.json --as cousins
+refuses "refused: unknown --as" 2 '--as cousins: must be serial, history or fleet' compare old.json new.json --as cousins
 "$tool" simulate --truth truth.json > /dev/null
 refuses "refused: no file of calibrate" 3 'truth\.json: the field or the frame is missing' compare truth.json old.json
 refuses "refused: no such file" 3 'none\.json: cannot be read' compare old.json none.json
