@@ -181,7 +181,7 @@ static void print_fleet(FILE *file, const compare_result *r)
     }
 }
 
-/* ---- all of it --------------------------------------------------------------------------------- */
+/* ---- the output -------------------------------------------------------------------------------- */
 
 static void print_units(FILE *file, const compare_result *r)
 {

@@ -24,8 +24,8 @@ static double r2_log_r(double r)
     return r > 0 ? r * r * log(r) : 0;
 }
 
-/* Mean square difference of two means whose begins are r times their length apart, for flicker
- * noise with B^2 / pi = 1. */
+/* Mean square difference of two means that begin r times their length apart, for flicker noise with
+ * B^2 / pi = 1. */
 static double flicker_step(double r)
 {
     return r2_log_r(r + 1) + r2_log_r(r - 1) - 2 * r2_log_r(r);
