@@ -4,7 +4,7 @@
 #include "imu_registers.h"
 #include "spi.h"
 
-#define MAX_POLLS 100000u /* of a register; at 8 MHz, some 0.2 s */
+#define POLLS_MAX 100000u /* of a register; at 8 MHz, some 0.2 s */
 
 static uint8_t get(uint8_t address)
 {
@@ -31,7 +31,7 @@ static int set_and_check(uint8_t address, uint8_t value)
 static int reset(void)
 {
     set(IMU_CTRL3, IMU_CTRL3_RESET);
-    for (unsigned poll = 0; poll < MAX_POLLS; poll++) {
+    for (unsigned poll = 0; poll < POLLS_MAX; poll++) {
         if (!(get(IMU_CTRL3) & IMU_CTRL3_RESET)) {
             return 1;
         }
@@ -76,7 +76,7 @@ static imu_status read_sample(int32_t raw[3])
 /* On your board: sleep until the interrupt of the queue. */
 imu_status imu_next(int32_t raw[3])
 {
-    for (unsigned poll = 0; poll < MAX_POLLS; poll++) {
+    for (unsigned poll = 0; poll < POLLS_MAX; poll++) {
         uint8_t bytes[3] = {IMU_FIFO_STATUS1 | IMU_READ};
         spi_transfer(bytes, sizeof bytes);
         if (bytes[2] & IMU_FIFO_STATUS2_OVERRUN) {

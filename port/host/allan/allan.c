@@ -44,7 +44,7 @@ static const char *const operands[] = {"LOG"};
 static const option_syntax syntax = {"allan", options, OPTIONS, operands, 1, 0};
 
 #define COMMAND_MAX 2000u
-#define LARGEST 1e12
+#define NUMBER_MAX 1e12
 
 typedef struct {
     const char *value[OPTIONS];
@@ -59,9 +59,9 @@ static int read_number(const request *r, unsigned which, double least, double *o
         return EXIT_GOOD;
     }
     const int failure = options_numbers(&syntax, which, r->value[which], 1, out, NULL);
-    if (!failure && !(*out > least && *out <= LARGEST)) {
+    if (!failure && !(*out > least && *out <= NUMBER_MAX)) {
         return message_usage(syntax.command, "%s %s: must be above %g, at most %g",
-                             options[which].name, r->value[which], least, LARGEST);
+                             options[which].name, r->value[which], least, NUMBER_MAX);
     }
     return failure;
 }
@@ -122,8 +122,8 @@ static int read_request(int argc, char **argv, request *r)
     failure = failure ? failure : read_number(r, LSB, 0, &s->lsb);
     failure = failure ? failure : read_unit(r);
     failure = failure ? failure : read_number(r, GRAVITY, 0, &s->gravity);
-    failure = failure ? failure : read_number(r, FROM, -LARGEST, &s->from);
-    failure = failure ? failure : read_number(r, TO, -LARGEST, &s->to);
+    failure = failure ? failure : read_number(r, FROM, -NUMBER_MAX, &s->from);
+    failure = failure ? failure : read_number(r, TO, -NUMBER_MAX, &s->to);
     if (!failure && !(s->from <= s->to)) {
         return message_usage(syntax.command, "--to: is before --from");
     }

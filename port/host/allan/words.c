@@ -5,8 +5,8 @@
 #include "text/figure.h"
 #include "plan/words.h"
 
-#define MAX_MISFIT 1.5 /* of misfit (invcal/allan.h) */
-#define MIN_REST 2.0   /* seconds (invcal/still.h) */
+#define MISFIT_MAX 1.5 /* of misfit (invcal/allan.h) */
+#define REST_MIN 2.0   /* seconds (invcal/still.h) */
 #define FIXED_MIN 1e-4
 #define FIXED_MAX 1e5
 #define NO_BREAK_SPACE "\302\240" /* U+00A0, between a number and its unit */
@@ -86,7 +86,7 @@ const char *allan_misfits(const allan_result *r, char text[ALLAN_WORDS_MAX])
 {
     text[0] = '\0';
     for (unsigned i = 0; i < 3; i++) {
-        if (!(r->noise[i].misfit <= MAX_MISFIT)) {
+        if (!(r->noise[i].misfit <= MISFIT_MAX)) {
             const size_t length = strlen(text);
             snprintf(text + length, ALLAN_WORDS_MAX - length, "%s%c", length > 0 ? " " : "",
                      "xyz"[i]);
@@ -143,7 +143,7 @@ const char *allan_next(const allan_result *r, char text[ALLAN_WORDS_MAX])
         next = "state --sigma, the deviation that you need, or log longer to find the floor.";
     }
     snprintf(text, ALLAN_WORDS_MAX, "%s%s", next,
-             d->seconds < MIN_REST
+             d->seconds < REST_MIN
                  ? " Hold at least two seconds anyway: shorter rests are not found in a log."
                  : "");
     return text;

@@ -18,7 +18,7 @@
 #define PLOT_HEIGHT 130.0
 #define PANEL_HEIGHT (TOP + PLOT_HEIGHT + 46)
 #define ROW 26.0
-#define MAX_SPREADS 10.0 /* the axis, to either side */
+#define SPREADS_MAX 10.0 /* the axis, to either side */
 
 static const char *const styles[3] = {"c1", "c2", "c3"};
 static const svg_shape shapes[3] = {SVG_CIRCLE, SVG_SQUARE, SVG_TRIANGLE};
@@ -154,7 +154,7 @@ static double spreads(const compare_result *r, unsigned device, unsigned q)
 {
     const double x = (compare_newest(r, device)->x[q] - r->fleet.median[q]) / r->fleet.spread[q];
 
-    return x > MAX_SPREADS ? MAX_SPREADS : x < -MAX_SPREADS ? -MAX_SPREADS : x;
+    return x > SPREADS_MAX ? SPREADS_MAX : x < -SPREADS_MAX ? -SPREADS_MAX : x;
 }
 
 /* One row, with outliers on top. */
@@ -181,7 +181,7 @@ void compare_draw_fleet(FILE *file, const void *picture, double width)
     const compare_picture *c = picture;
     const compare_result *r = c->result;
     const double bottom = TOP + ROW * (double)INVCAL_PARAMETERS;
-    const ruler x = chart_ruler_exact(-MAX_SPREADS, MAX_SPREADS, LEFT, width - RIGHT,
+    const ruler x = chart_ruler_exact(-SPREADS_MAX, SPREADS_MAX, LEFT, width - RIGHT,
                                       width > PAGE_NARROW ? 10 : 4);
     const ruler y = {0, 1, bottom, TOP, 0, 0};
     char text[COMPARE_TEXT_MAX];

@@ -13,7 +13,7 @@
 #include "result/calibration_file.h"
 
 #define COMPARE_FALSE_ALARM 0.05 /* for all nine parameters, and all devices, together */
-#define COMPARE_FLEET_LEAST 3u   /* devices needed to find an outlier */
+#define COMPARE_FLEET_MIN 3u     /* devices needed to find an outlier */
 #define COMPARE_NAME_MAX 256
 #define COMPARE_TEXT_MAX 1600
 

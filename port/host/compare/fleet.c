@@ -89,7 +89,7 @@ static unsigned find_outliers(const entry *f, unsigned n, double alarm, unsigned
     const double level = most > 1 && n < LARGE_FLEET ? alarm * 2 / 3 : alarm;
     unsigned found = 0;
 
-    for (unsigned k = 0; k < most && n >= COMPARE_FLEET_LEAST; k++) {
+    for (unsigned k = 0; k < most && n >= COMPARE_FLEET_MIN; k++) {
         if (remove_farthest(&f, &n, &which[k]) <= level) {
             found = k + 1;
         }

@@ -29,7 +29,7 @@
 #include "compare/compare.h"
 #include "maths/matrix.h"
 
-#define DOF_MOST 1000u /* more make no difference */
+#define DOF_MAX 1000u /* more make no difference */
 
 /* The sensors of angles xy, xz, zy. */
 static const unsigned pair[3][2] = {{0, 1}, {0, 2}, {2, 1}};
@@ -44,7 +44,7 @@ static unsigned dof_of(double interval)
 {
     unsigned dof = 1;
 
-    while (dof < DOF_MOST && invcal_coverage(dof) > interval * (1 + 1e-9)) {
+    while (dof < DOF_MAX && invcal_coverage(dof) > interval * (1 + 1e-9)) {
         dof++;
     }
     return dof;

@@ -16,7 +16,7 @@
 
 #define REASON_MAX 600
 #define FIELD_TOLERANCE 1e-6 /* relative, of two statements of one field */
-#define MAX_FIELD_RATIO 4.0  /* of the earth's magnetic field at two places */
+#define FIELD_RATIO_MAX 4.0  /* of the earth's magnetic field at two places */
 
 /* The first file, with which the others must agree. */
 typedef struct {
@@ -57,8 +57,8 @@ static int is_one_field(const calibration_file *a, const calibration_file *b)
     const double ratio = a->gravity / b->gravity;
 
     return (unit_is_gravity(a->gravity) && unit_is_gravity(b->gravity)) ||
-           (a->is_magnetometer && b->is_magnetometer && ratio < MAX_FIELD_RATIO &&
-            ratio > 1 / MAX_FIELD_RATIO) ||
+           (a->is_magnetometer && b->is_magnetometer && ratio < FIELD_RATIO_MAX &&
+            ratio > 1 / FIELD_RATIO_MAX) ||
            fabs(ratio - 1) <= FIELD_TOLERANCE;
 }
 

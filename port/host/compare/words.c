@@ -240,7 +240,7 @@ static void say_fleet(const compare_result *r, char text[COMPARE_TEXT_MAX])
     const unsigned count = count_of(r, outlier_bits);
     char one[COMPARE_NAME_MAX];
 
-    if (r->devices < COMPARE_FLEET_LEAST) {
+    if (r->devices < COMPARE_FLEET_MIN) {
         append(text, "Two devices are too few to identify an outlier.");
     } else if (count == 0) {
         snprintf(one, sizeof one, "None of %u devices is an outlier.", r->devices);

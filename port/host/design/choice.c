@@ -8,7 +8,7 @@
 #include "design/optimal.h"
 #include "design/order.h"
 
-#define WITHIN (1 + 1e-9) /* of a limit, so that rounding does not refuse one that is just met */
+#define LIMIT_TOLERANCE (1 + 1e-9) /* so that rounding does not refuse a limit that is just met */
 
 double choice_worst(const criteria *c, const double limits[3])
 {
@@ -65,13 +65,13 @@ static int choose_stand(design *d, const choice_request *request, unsigned allow
     if (!request->limits) {
         return 1;
     }
-    if (!(choice_worst(&d->criteria, request->limits) <= WITHIN)) {
+    if (!(choice_worst(&d->criteria, request->limits) <= LIMIT_TOLERANCE)) {
         return 0;
     }
     while (low < high) {
         const unsigned middle = (low + high) / 2;
         stand(d, step * middle);
-        if (choice_worst(&d->criteria, request->limits) <= WITHIN) {
+        if (choice_worst(&d->criteria, request->limits) <= LIMIT_TOLERANCE) {
             high = middle;
         } else {
             low = middle + 1;
@@ -89,7 +89,8 @@ static void choose_smallest(design *d, const choice_request *request, unsigned h
 
     while (low < high) {
         const unsigned middle = (low + high) / 2;
-        if (optimal_within(middle, request->limits, request->needs_axes, direction) <= WITHIN) {
+        if (optimal_within(middle, request->limits, request->needs_axes, direction) <=
+            LIMIT_TOLERANCE) {
             high = middle;
         } else {
             low = middle + 1;
@@ -112,11 +113,12 @@ static int choose_free(design *d, const choice_request *request, unsigned allowe
         design_directions(d, "free directions", direction, most);
         return 1;
     }
-    if (!(optimal_within(most, request->limits, request->needs_axes, direction) <= WITHIN)) {
+    if (!(optimal_within(most, request->limits, request->needs_axes, direction) <=
+          LIMIT_TOLERANCE)) {
         return 0;
     }
     choose_smallest(d, request, most);
-    return d->is_solvable && choice_worst(&d->criteria, request->limits) <= WITHIN;
+    return d->is_solvable && choice_worst(&d->criteria, request->limits) <= LIMIT_TOLERANCE;
 }
 
 static void refuse(choice *c, const choice_request *request, unsigned allowed)

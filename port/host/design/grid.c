@@ -19,8 +19,8 @@ enum { P = INVCAL_PARAMETERS };
 #define STARTS 200u      /* searches; the best is taken */
 #define STARTS_LARGE 20u /* from LARGE positions on, since local optima are nearly equal there */
 #define LARGE 20u
-#define MAX_ROUNDS 100u /* at most, through all positions */
-#define MIN_GAIN 1e-9
+#define ROUNDS_MAX 100u /* at most, through all positions */
+#define GAIN_MIN 1e-9
 
 /* The directions that the stand can take. */
 static struct {
@@ -99,7 +99,7 @@ static int exchange(selection *s, unsigned i, double K[P][P])
 {
     const double *row = stops.row[s->stop[i]];
     const double own = covariance_product(K, row, row);
-    double most = 1 + MIN_GAIN;
+    double most = 1 + GAIN_MIN;
     unsigned best = s->stop[i];
 
     for (unsigned j = 0; j < stops.count; j++) {
@@ -107,7 +107,7 @@ static int exchange(selection *s, unsigned i, double K[P][P])
         const double both = covariance_product(K, row, other);
         const double gain = (1 + covariance_product(K, other, other)) * (1 - own) + both * both;
         if (s->uses[j] < stops.max_uses && gain > most) {
-            most = gain + MIN_GAIN; /* so that rounding does not decide */
+            most = gain + GAIN_MIN; /* so that rounding does not decide */
             best = j;
         }
     }
@@ -127,7 +127,7 @@ static double improve(selection *s)
     double log_det = covariance(s, K);
     int has_improved = 1;
 
-    for (unsigned round = 0; round < MAX_ROUNDS && has_improved; round++) {
+    for (unsigned round = 0; round < ROUNDS_MAX && has_improved; round++) {
         has_improved = 0;
         for (unsigned i = s->fixed; i < s->n; i++) {
             if (exchange(s, i, K)) {
@@ -163,7 +163,7 @@ void grid_directions(unsigned n, unsigned step, int with_axes, double (*directio
     stops.max_uses = (n + stops.count - 1) / stops.count;
     for (unsigned k = with_axes ? starts : 0; k < 2 * starts; k++) {
         const double log_det = search(&s, k % starts + 1, k >= starts, with_axes);
-        if (log_det > most + MIN_GAIN) {
+        if (log_det > most + GAIN_MIN) {
             most = log_det;
             for (unsigned i = 0; i < n; i++) {
                 memcpy(direction[i], stops.up[s.stop[i]], sizeof direction[i]);

@@ -12,9 +12,9 @@ enum { P = INVCAL_PARAMETERS };
 #define STARTS 16u      /* descents; the best is taken */
 #define STARTS_LARGE 6u /* from LARGE positions on, since local optima are nearly equal there */
 #define LARGE 20u
-#define MAX_STEPS 300u /* of a descent */
+#define STEPS_MAX 300u /* of a descent */
 #define MEMORY 8u      /* of L-BFGS: stored steps */
-#define MIN_DECREASE 1e-11
+#define DECREASE_MIN 1e-11
 #define HALVINGS 50u
 #define REACHED 1.0002 /* times the lower bound: the highest power ends at 1.00014 times it */
 
@@ -234,10 +234,10 @@ static double minimise(const problem *p, vectors x)
     double f = evaluate(p, x, gradient);
     unsigned idle = 0;
 
-    for (unsigned step = 0; step < MAX_STEPS && idle < 3; step++) {
+    for (unsigned step = 0; step < STEPS_MAX && idle < 3; step++) {
         const double decrease = descend(p, &m, x, gradient, f);
         f -= decrease;
-        idle = decrease > MIN_DECREASE ? 0 : idle + 1;
+        idle = decrease > DECREASE_MIN ? 0 : idle + 1;
     }
     return f;
 }

@@ -13,7 +13,7 @@ enum { NINE = INVCAL_PARAMETERS, ALL = NINE + 3 };
 enum { MOMENTS = 16 };
 #define MOMENT_WEIGHT 25.0   /* radians of turning per sum of the squared moments */
 #define DRIFT_FACTOR_OK 1.15 /* a smaller factor is of no further use */
-#define MIN_IMPROVEMENT 1e-9
+#define IMPROVEMENT_MIN 1e-9
 
 static double tau(unsigned k, unsigned count)
 {
@@ -138,7 +138,7 @@ static int improve(const route *r, change *make, cost *of, double *best)
         for (unsigned k = i + 1; k < r->count; k++) {
             make(r, i, k);
             const double now = of(r);
-            if (now < *best - MIN_IMPROVEMENT &&
+            if (now < *best - IMPROVEMENT_MIN &&
                 order_drift_factor((const double(*)[3])r->direction, NULL, r->count) <=
                     r->max_drift_factor) {
                 *best = now;

@@ -12,7 +12,7 @@
 #define PREFERENCE 3.0     /* degrees that another one must be nearer than the requested one */
 #define SAME_DIRECTION 0.1 /* degrees between two positions of one direction */
 #define ROUNDING 1e-6      /* degrees */
-#define MAX_RESIDUAL 0.1   /* over the field: above it, these are not readings of these positions */
+#define RESIDUAL_MAX 0.1   /* over the field: above it, these are not readings of these positions */
 
 enum { NOT_NEEDED = 1, VISITED };
 
@@ -144,7 +144,7 @@ int program_scale(const program *p, const double *mean, unsigned count, double z
         zero[i] = reading[i] - *length * up[i];
     }
     return square > 0 && *length > 0 &&
-           rest < MAX_RESIDUAL * MAX_RESIDUAL * *length * *length * count;
+           rest < RESIDUAL_MAX * RESIDUAL_MAX * *length * *length * count;
 }
 
 /* ---- in words ---------------------------------------------------------------------------------- */

@@ -7,7 +7,7 @@
 
 enum { P = INVCAL_PARAMETERS };
 
-#define MAX_STEPS 20000u
+#define STEPS_MAX 20000u
 #define TOLERANCE 1e-12 /* of the largest d_i / 9 above 1 */
 #define NEGLIGIBLE 1e-6
 
@@ -36,7 +36,7 @@ void weights_find(const double (*direction)[3], unsigned count, double *share)
     for (unsigned i = 0; i < count; i++) {
         share[i] = 1;
     }
-    for (unsigned step = 0; step < MAX_STEPS && improve(direction, count, share) > TOLERANCE;
+    for (unsigned step = 0; step < STEPS_MAX && improve(direction, count, share) > TOLERANCE;
          step++) {
     }
     for (unsigned i = 0; i < count; i++) {

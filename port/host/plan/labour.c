@@ -13,7 +13,7 @@
 #define GOLDEN 0.61803398874989485
 #define LIMIT_TOLERANCE (1 + 1e-9) /* so that rounding does not refuse a limit that is just met */
 #define ROWS_AROUND 4u
-#define NEAR_MAX_DWELL 0.999 /* times LABOUR_MAX_DWELL: from here on the maximum limits the dwell */
+#define NEAR_DWELL_MAX 0.999 /* times LABOUR_DWELL_MAX: from here on the maximum limits the dwell */
 
 const char *const labour_families[CHOICE_FAMILIES] = {"stand program", "free directions"};
 
@@ -75,8 +75,8 @@ double labour_sigma(const labour *l, unsigned count, double dwell)
  * random walk, rises again. */
 static double best_dwell(const labour *l, unsigned n)
 {
-    double low = log(LABOUR_MIN_DWELL);
-    double high = log(LABOUR_MAX_DWELL);
+    double low = log(LABOUR_DWELL_MIN);
+    double high = log(LABOUR_DWELL_MAX);
 
     for (unsigned i = 0; i < HALVINGS; i++) {
         const double left = high - GOLDEN * (high - low);
@@ -93,7 +93,7 @@ static double best_dwell(const labour *l, unsigned n)
 /* The shortest dwell whose sigma is allowed; if there is none, that of the smallest sigma. */
 static double find_dwell(const labour *l, unsigned n, double allowed)
 {
-    double low = LABOUR_MIN_DWELL;
+    double low = LABOUR_DWELL_MIN;
 
     if (labour_sigma(l, n, low) <= allowed) {
         return low;
@@ -164,7 +164,7 @@ static int is_search_done(const labour *l, unsigned family, unsigned count)
     const labour_row *best = l->best[family];
 
     return best && count > LABOUR_RANGE * best->count &&
-           seconds(l, count, LABOUR_MIN_DWELL) > best->seconds;
+           seconds(l, count, LABOUR_DWELL_MIN) > best->seconds;
 }
 
 /* The paper's programs: their sigmas depend only on N. */
@@ -212,7 +212,7 @@ static int refuse(labour *l)
 {
     const labour_row *row = find_nearest(l);
     const told_unit unit = told_field(l->told, 1);
-    const int is_floor = row->dwell < NEAR_MAX_DWELL * LABOUR_MAX_DWELL;
+    const int is_floor = row->dwell < NEAR_DWELL_MAX * LABOUR_DWELL_MAX;
 
     snprintf(l->refusal, sizeof l->refusal,
              "no number of positions up to %u and no dwell%s meet the limits%s; %u positions of "

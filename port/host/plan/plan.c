@@ -174,7 +174,7 @@ static int read_turns(const request *r, turns_request *out)
     out->noise = cost->noise > 0 ? cost->noise / sqrt(out->rest) : TURNS_NOISE;
     int failure = read_number(r, RATE_NOISE, 0, 10, &rate_noise);
     failure = failure ? failure : read_number(r, INSTABILITY, 0, 1e5, &instability);
-    failure = failure ? failure : read_number(r, MOVE, 0.1, TURNS_LONGEST, &out->turn);
+    failure = failure ? failure : read_number(r, MOVE, 0.1, TURNS_SECONDS_MAX, &out->turn);
     out->rate_noise = rate_noise / FIGURE_DEGREES;
     out->instability = instability / FIGURE_DEGREES / 3600;
     if (!failure && out->noise + out->rate_noise + out->instability >= 0.5) {

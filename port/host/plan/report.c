@@ -12,7 +12,7 @@
 
 #define TEXT_MAX 800
 #define OUTLIER_MIN 11u /* positions needed to identify an outlier (outlier.h) */
-#define MIN_REST 2.0    /* seconds; shorter rests are not found in a log (still.h) */
+#define REST_MIN 2.0    /* seconds; shorter rests are not found in a log (still.h) */
 
 /* ---- the verdict ------------------------------------------------------------------------------- */
 
@@ -123,7 +123,7 @@ static void say_good(page *p, const plan_facts *f)
     snprintf(next, sizeof next,
              "%s as the work sheet says%s, and log throughout. Then: invcal calibrate LOG.",
              d->is_stand ? "turn the stand" : "turn the device",
-             f->request->cost.dwell < MIN_REST
+             f->request->cost.dwell < REST_MIN
                  ? ", holding two seconds or more, since shorter rests are not found in a log"
                  : "");
     page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);

@@ -13,10 +13,10 @@
 #include "maths/eigen.h"
 
 #define RANK_TOLERANCE 1e-9 /* of the largest eigenvalue */
-#define MIN_IMPROVEMENT 1.1 /* sigma before over sigma after, to be listed */
+#define IMPROVEMENT_MIN 1.1 /* sigma before over sigma after, to be listed */
 #define TOKEN_MAX 32
-#define MIN_DEGREES 1.0
-#define MAX_DEGREES 720.0
+#define DEGREES_MIN 1.0
+#define DEGREES_MAX 720.0
 
 enum { ALL = INVCAL_IMU_PARAMETERS, NAMED = 2 };
 
@@ -134,7 +134,7 @@ static int read_turn(const char *word, invcal_turn *turn)
     }
     turn->axis[*word - 'x'] = is_back ? -1 : 1;
     turn->degrees = strtod(word + 2, &end);
-    return *end == '\0' && turn->degrees >= MIN_DEGREES && turn->degrees <= MAX_DEGREES;
+    return *end == '\0' && turn->degrees >= DEGREES_MIN && turn->degrees <= DEGREES_MAX;
 }
 
 static int add_word(turns_plan *p, const char *word, invcal_real up[3])
@@ -228,7 +228,7 @@ static unsigned find_most_improved(const double before[ALL], const double after[
     unsigned improved = 0;
 
     for (unsigned k = 0; k < NAMED; k++) {
-        double best = MIN_IMPROVEMENT;
+        double best = IMPROVEMENT_MIN;
         unsigned which = ALL;
         for (unsigned i = 0; i < ALL; i++) {
             if (!(improved >> i & 1u) && before[i] > best * (1 + 1e-6) * after[i]) {
@@ -305,12 +305,12 @@ static void evaluate(turns_plan *p)
 static int check_time(const turns_plan *p)
 {
     for (unsigned i = 0; i < p->count; i++) {
-        if (turn_seconds(p, i) > TURNS_LONGEST) {
+        if (turn_seconds(p, i) > TURNS_SECONDS_MAX) {
             return message_usage("plan",
                                  "--move %g: turn %u of %s would take %.3g s; the bias is known "
                                  "for %g s only: turn faster",
                                  p->request.turn, i + 1, p->program, turn_seconds(p, i),
-                                 TURNS_LONGEST);
+                                 TURNS_SECONDS_MAX);
         }
     }
     return EXIT_GOOD;

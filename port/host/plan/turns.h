@@ -12,7 +12,7 @@
 #include "design/turn_words.h"
 
 #define TURNS_MAX (INVCAL_MAX_MOVES - 1) /* a device keeps INVCAL_MAX_MOVES rests */
-#define TURNS_LONGEST 10.0               /* seconds; in longer moves, the bias is unknown */
+#define TURNS_SECONDS_MAX 10.0           /* seconds; in longer moves, the bias is unknown */
 #define TURNS_LIST_MAX 1200
 
 /* The names of programs, for messages. */

@@ -7,7 +7,7 @@
 #include "text/figure.h"
 
 #define NO_BREAK_SPACE "\302\240" /* U+00A0, between a number and its unit */
-#define MAX_SECONDS 1e15          /* beyond it, hours have too many digits */
+#define SECONDS_MAX 1e15          /* beyond it, hours have too many digits */
 
 const char *const plan_kinds[PLAN_KINDS] = {"offsets", "scale errors", "angles"};
 
@@ -40,7 +40,7 @@ const char *plan_angle_text(double degrees, char text[PLAN_WORDS_MAX])
 
 const char *plan_time_text(double seconds, char text[PLAN_WORDS_MAX])
 {
-    if (!(seconds >= 59.5 && seconds < MAX_SECONDS)) {
+    if (!(seconds >= 59.5 && seconds < SECONDS_MAX)) {
         snprintf(text, PLAN_WORDS_MAX, "%.3g" NO_BREAK_SPACE "s", seconds);
         return text;
     }

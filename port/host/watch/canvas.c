@@ -68,7 +68,7 @@ unsigned canvas_width(const char *text)
 
 /* The length of the words that fit into `columns`; if the first word does not fit, of its part that
  * does. */
-static size_t fitting(const char *text, unsigned columns)
+static size_t fitting_length(const char *text, unsigned columns)
 {
     char glyph[5];
     const char *at = text;
@@ -90,7 +90,7 @@ void canvas_wrapped(canvas *c, unsigned line, unsigned lines, unsigned column, i
     char part[4 * CANVAS_COLUMNS + 1];
 
     for (unsigned n = 0; n < lines && *text != '\0'; n++) {
-        const size_t length = fitting(text, CANVAS_COLUMNS - column);
+        const size_t length = fitting_length(text, CANVAS_COLUMNS - column);
         snprintf(part, sizeof part, "%.*s", (int)length, text);
         (void)canvas_text(c, line + n, column, CANVAS_COLUMNS, colour, part);
         text += length;

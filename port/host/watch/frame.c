@@ -12,7 +12,7 @@
 #define POSITION_COSINE 0.93969262078590838 /* of 20 degrees: the area that a position covers; */
 #define CELL_COSINE 0.86602540378443865     /* of 30 degrees: a cell of a magnetometer */
 #define LEVEL_SINE 0.1                      /* of the height above the equator */
-#define MIN_POSITIONS 9u                    /* of a calibration */
+#define POSITIONS_MIN 9u                    /* of a calibration */
 #define INSTRUCTION_TEXT 14u                /* column of the text after an instruction */
 #define TEXT_COLUMN 10u                     /* column of other texts */
 #define HALF_WIDTH 31u                      /* columns of a half of the sphere, with its axes */
@@ -320,7 +320,7 @@ static const char *status_words(const watch_state *now, char text[TEXT_MAX])
         snprintf(text, TEXT_MAX, "%u of 18 directions; at least 9, better all", now->covered);
     } else if (now->status == INVCAL_TOO_FEW) {
         snprintf(text, TEXT_MAX, "%u of at least %u positions; 12 to 18 are good", now->covered,
-                 MIN_POSITIONS);
+                 POSITIONS_MIN);
     } else if (now->status == INVCAL_UNDETERMINED) {
         snprintf(text, TEXT_MAX, "These directions leave parameters undetermined; go on");
     } else {

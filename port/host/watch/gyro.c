@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#define MIN_RESTS 5u      /* with fewer, neither unit nor axes can be found */
+#define RESTS_MIN 5u      /* with fewer, neither unit nor axes can be found */
 #define CERTAIN_RESTS 12u /* from here on, an error is certain */
-#define MIN_DOF 6u        /* redundant equations */
+#define DOF_MIN 6u        /* redundant equations */
 #define NEAR_COSINE 0.97  /* of 14 degrees */
 
 /* Errors that more moves do not correct, and that are reported at once. */
@@ -142,7 +142,7 @@ static void judge(watch_gyro *w, const gyro_fit *g, unsigned rests)
         snprintf(w->text, sizeof w->text, "%s; scale ± %.2g %%, cross ± %.2g degrees%s", moves,
                  100 * worst(g, 1), worst(g, 0) / UNIT_DEGREE,
                  g->imu.open ? "; turn about other axes, too" : "");
-        w->is_good = g->imu.verdict == INVCAL_GOOD && g->imu.dof >= MIN_DOF;
+        w->is_good = g->imu.verdict == INVCAL_GOOD && g->imu.dof >= DOF_MIN;
     }
 }
 
@@ -156,7 +156,7 @@ void watch_gyro_take(watch_gyro *w, const turns *t, const gyro_wish *options, un
     w->text[0] = '\0';
     w->refused[0] = '\0';
     w->is_good = 0;
-    if (t->readings == 0 || p->count < MIN_RESTS ||
+    if (t->readings == 0 || p->count < RESTS_MIN ||
         gyro_make(&g, t, options, rate, clip, p, &none, start) || !g.is_there) {
         add_rest(w, up);
         return;

@@ -17,7 +17,7 @@
 
 #define HOLD_MAX 60      /* seconds: limit of the time from the noise of the first rest */
 #define HOLD_LIMIT 3600  /* seconds: limit of the time from an Allan deviation */
-#define MIN_DOF 3u       /* degrees of freedom before a goal can be reached */
+#define DOF_MIN 3u       /* degrees of freedom before a goal can be reached */
 #define TICK_SECONDS 0.1 /* of the log, from one WATCH_TICK to the next, at least */
 
 /* All are too large for the stack. */
@@ -181,14 +181,14 @@ static int take_rest(state *s)
  * not. */
 static int is_checked(void)
 {
-    return now.status == INVCAL_OK && now.quality.dof >= MIN_DOF;
+    return now.status == INVCAL_OK && now.quality.dof >= DOF_MIN;
 }
 
 /* The positions so far determine a calibration, which the next one may confirm. */
 static int is_determined(void)
 {
     return watch_knows_sigma(&now) && now.quality.verdict != INVCAL_WEAK &&
-           now.quality.dof + 1u >= MIN_DOF;
+           now.quality.dof + 1u >= DOF_MIN;
 }
 
 /* A target of 0 means no limit. */

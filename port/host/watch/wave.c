@@ -12,7 +12,7 @@
 #include "watch/screen.h"
 
 #define TICK_SECONDS 0.1 /* of the log, from one WATCH_TICK to the next, at least */
-#define MIN_SAMPLES 100  /* before directions are shown */
+#define SAMPLES_MIN 100  /* before directions are shown */
 
 static watch_state now; /* large */
 
@@ -121,7 +121,7 @@ static void tick(state *s, const waved_moment *at)
     const char *before = now.disturbed;
 
     s->reported_at = at->latest->clock;
-    now.has_up = at->magnetometer->samples >= MIN_SAMPLES &&
+    now.has_up = at->magnetometer->samples >= SAMPLES_MIN &&
                  find_direction(&at->magnetometer->work, at->raw, now.up);
     find_covered(at->magnetometer);
     judge(s, at->magnetometer);
@@ -147,7 +147,7 @@ static void on_sample(const waved_moment *at, void *argument)
     }
     now.seconds = at->latest->clock;
     now.skipped = at->log->skipped;
-    if (at->event == INVCAL_TAKEN && at->magnetometer->samples >= MIN_SAMPLES) {
+    if (at->event == INVCAL_TAKEN && at->magnetometer->samples >= SAMPLES_MIN) {
         take(s, at);
     }
     if (at->latest->clock - s->reported_at >= TICK_SECONDS) {
