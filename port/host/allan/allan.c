@@ -52,16 +52,16 @@ typedef struct {
     char command[COMMAND_MAX];
 } request;
 
-/* A number above `least`, if it is stated. */
-static int read_number(const request *r, unsigned which, double least, double *out)
+/* A number above `min`, if it is stated. */
+static int read_number(const request *r, unsigned which, double min, double *out)
 {
     if (!r->value[which]) {
         return EXIT_GOOD;
     }
     const int failure = options_numbers(&syntax, which, r->value[which], 1, out, NULL);
-    if (!failure && !(*out > least && *out <= NUMBER_MAX)) {
+    if (!failure && !(*out > min && *out <= NUMBER_MAX)) {
         return message_usage(syntax.command, "%s %s: must be above %g, at most %g",
-                             options[which].name, r->value[which], least, NUMBER_MAX);
+                             options[which].name, r->value[which], min, NUMBER_MAX);
     }
     return failure;
 }

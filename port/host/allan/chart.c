@@ -42,9 +42,9 @@ typedef struct {
 
 /* ---- axes -------------------------------------------------------------------------------------- */
 
-static ruler logarithmic(double least, double most, double from, double to)
+static ruler logarithmic(double min, double max, double from, double to)
 {
-    return (ruler){log(least), log(most), from, to, 1, 0};
+    return (ruler){log(min), log(max), from, to, 1, 0};
 }
 
 static ruler time_axis(const allan_result *r, double width)
@@ -58,19 +58,19 @@ static ruler time_axis(const allan_result *r, double width)
 /* From one round number to another, around all points above 0. */
 static ruler deviation_axis(const plot *p)
 {
-    double least = HUGE_VAL;
-    double most = 0;
+    double min = HUGE_VAL;
+    double max = 0;
 
     for (unsigned k = 0; k < p->r->rows; k++) {
         const allan_row *row = &p->r->row[k];
         for (unsigned i = 0; i < 3; i++) {
             const double v = row->adev[i] / p->unit;
-            least = v > 0 ? fmin(least, v * fmax(0.3, 1 - row->relative)) : least;
-            most = fmax(most, v * (1 + row->relative));
+            min = v > 0 ? fmin(min, v * fmax(0.3, 1 - row->relative)) : min;
+            max = fmax(max, v * (1 + row->relative));
         }
     }
-    const double top = chart_round_step(most);
-    return logarithmic(1 / chart_round_step(1 / least), top, TOP + PLOT_HEIGHT, TOP);
+    const double top = chart_round_step(max);
+    return logarithmic(1 / chart_round_step(1 / min), top, TOP + PLOT_HEIGHT, TOP);
 }
 
 /* 0.001 ... 10000, 1e5 */

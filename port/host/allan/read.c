@@ -215,12 +215,12 @@ static unsigned find_limit(const invcal_noise *n, double tau, unsigned first)
 {
     const double *c = n->coefficient;
     const double part[] = {c[0] * c[0] / tau, FLOOR_SQUARE * c[1] * c[1], c[2] * c[2] * tau / 3};
-    unsigned most = first;
+    unsigned max = first;
 
     for (unsigned k = first + 1; k < INVCAL_NOISE_KINDS; k++) {
-        most = part[k] > part[most] ? k : most;
+        max = part[k] > part[max] ? k : max;
     }
-    return most;
+    return max;
 }
 
 static int find_dwell(const invcal_noise *n, double wanted, allan_dwell *out)

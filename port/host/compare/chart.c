@@ -48,16 +48,16 @@ static double spread_of(const compare_picture *c, unsigned k, unsigned q)
 
 static ruler value_ruler(const compare_picture *c, unsigned kind)
 {
-    double least = 0;
-    double most = 0;
+    double min = 0;
+    double max = 0;
 
     for (unsigned k = 0; k < c->result->device[c->device].count; k++) {
         for (unsigned q = 3 * kind; q < 3 * kind + 3; q++) {
-            least = fmin(least, since_first(c, k, q) - spread_of(c, k, q));
-            most = fmax(most, since_first(c, k, q) + spread_of(c, k, q));
+            min = fmin(min, since_first(c, k, q) - spread_of(c, k, q));
+            max = fmax(max, since_first(c, k, q) + spread_of(c, k, q));
         }
     }
-    return chart_ruler(least, most, TOP + PLOT_HEIGHT, TOP, 5);
+    return chart_ruler(min, max, TOP + PLOT_HEIGHT, TOP, 5);
 }
 
 /* The three of a kind are drawn slightly apart. */

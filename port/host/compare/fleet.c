@@ -85,11 +85,11 @@ static double remove_farthest(const entry **f, unsigned *n, unsigned *which)
 /* The values are sorted. */
 static unsigned find_outliers(const entry *f, unsigned n, double alarm, unsigned *which)
 {
-    const unsigned most = n / 4 > 1 ? n / 4 : 1;
-    const double level = most > 1 && n < LARGE_FLEET ? alarm * 2 / 3 : alarm;
+    const unsigned max = n / 4 > 1 ? n / 4 : 1;
+    const double level = max > 1 && n < LARGE_FLEET ? alarm * 2 / 3 : alarm;
     unsigned found = 0;
 
-    for (unsigned k = 0; k < most && n >= COMPARE_FLEET_MIN; k++) {
+    for (unsigned k = 0; k < max && n >= COMPARE_FLEET_MIN; k++) {
         if (remove_farthest(&f, &n, &which[k]) <= level) {
             found = k + 1;
         }
@@ -129,7 +129,7 @@ static void find_parameter(compare_result *r, unsigned p, double *x, entry *f, u
     compare_fleet *fleet = &r->fleet;
     const unsigned n = r->devices;
     double mean;
-    double most = -1;
+    double max = -1;
 
     for (unsigned k = 0; k < n; k++) {
         x[k] = compare_newest(r, k)->x[p];
@@ -146,8 +146,8 @@ static void find_parameter(compare_result *r, unsigned p, double *x, entry *f, u
     }
     for (unsigned k = 0; k < n; k++) {
         x[k] = fabs(x[k] - fleet->median[p]);
-        if (x[k] > most) {
-            most = x[k];
+        if (x[k] > max) {
+            max = x[k];
             fleet->farthest[p] = k;
         }
     }

@@ -299,15 +299,15 @@ const char *compare_fleet_rule(void)
 
 double compare_field_part(const compare_result *r)
 {
-    double most = 0;
+    double max = 0;
 
     for (unsigned k = 0; k < r->count; k++) {
         const compare_item *item = &r->item[k];
         for (unsigned i = 0; i < 3; i++) {
             if (item->field_sigma[i] > item->sigma[INVCAL_DK_X + i] / 2) {
-                most = fmax(most, item->field_sigma[i] / fabs(item->x[INVCAL_DK_X + i]));
+                max = fmax(max, item->field_sigma[i] / fabs(item->x[INVCAL_DK_X + i]));
             }
         }
     }
-    return most;
+    return max;
 }

@@ -16,7 +16,7 @@ double choice_worst(const criteria *c, const double limits[3])
                 fmax(c->sigma_dk / limits[1], c->sigma_gamma / limits[2]));
 }
 
-unsigned choice_least(const choice_request *request)
+unsigned choice_min_count(const choice_request *request)
 {
     return INVCAL_PARAMETERS + request->spare;
 }
@@ -53,9 +53,10 @@ static int stand(design *d, unsigned per_group)
 static int choose_stand(design *d, const choice_request *request, unsigned allowed)
 {
     const unsigned step = choice_stand_step(request->needs_axes);
-    const unsigned spared = (choice_least(request) + INVCAL_PLAN_GROUPS - 1) / INVCAL_PLAN_GROUPS;
-    const unsigned least = spared > INVCAL_PLAN_PER_GROUP_MIN ? spared : INVCAL_PLAN_PER_GROUP_MIN;
-    unsigned low = (least + step - 1) / step; /* N over step */
+    const unsigned spared =
+        (choice_min_count(request) + INVCAL_PLAN_GROUPS - 1) / INVCAL_PLAN_GROUPS;
+    const unsigned min = spared > INVCAL_PLAN_PER_GROUP_MIN ? spared : INVCAL_PLAN_PER_GROUP_MIN;
+    unsigned low = (min + step - 1) / step; /* N over step */
     unsigned high = allowed / INVCAL_PLAN_GROUPS / step;
 
     if (high < low) {
@@ -85,7 +86,7 @@ static int choose_stand(design *d, const choice_request *request, unsigned allow
 static void choose_smallest(design *d, const choice_request *request, unsigned high)
 {
     double direction[OPTIMAL_MAX][3];
-    unsigned low = choice_least(request);
+    unsigned low = choice_min_count(request);
 
     while (low < high) {
         const unsigned middle = (low + high) / 2;
@@ -101,34 +102,34 @@ static void choose_smallest(design *d, const choice_request *request, unsigned h
 
 static int choose_free(design *d, const choice_request *request, unsigned allowed)
 {
-    const unsigned most = allowed < OPTIMAL_MAX ? allowed : OPTIMAL_MAX;
+    const unsigned max = allowed < OPTIMAL_MAX ? allowed : OPTIMAL_MAX;
     double direction[OPTIMAL_MAX][3];
 
-    if (most < choice_least(request)) {
+    if (max < choice_min_count(request)) {
         return 0;
     }
     if (!request->limits) {
-        optimal_directions(most, request->needs_axes, direction);
-        order_directions(direction, most);
-        design_directions(d, "free directions", direction, most);
+        optimal_directions(max, request->needs_axes, direction);
+        order_directions(direction, max);
+        design_directions(d, "free directions", direction, max);
         return 1;
     }
-    if (!(optimal_within(most, request->limits, request->needs_axes, direction) <=
+    if (!(optimal_within(max, request->limits, request->needs_axes, direction) <=
           LIMIT_TOLERANCE)) {
         return 0;
     }
-    choose_smallest(d, request, most);
+    choose_smallest(d, request, max);
     return d->is_solvable && choice_worst(&d->criteria, request->limits) <= LIMIT_TOLERANCE;
 }
 
 static void refuse(choice *c, const choice_request *request, unsigned allowed)
 {
-    if (allowed < choice_least(request)) {
+    if (allowed < choice_min_count(request)) {
         snprintf(c->refusal, sizeof c->refusal,
                  "only %u position%s into %.6g s with %.6g s in each and %.6g s between; the "
                  "minimum is %u, nine and a redundancy of %u",
                  allowed, allowed == 1 ? " fits" : "s fit", request->budget, request->cost.dwell,
-                 request->cost.move, choice_least(request), request->spare);
+                 request->cost.move, choice_min_count(request), request->spare);
     } else {
         snprintf(c->refusal, sizeof c->refusal,
                  "no program of up to %u positions%s meets the limits: dwell longer, use a quieter "

@@ -47,7 +47,7 @@ typedef struct {
 int choice_make(choice *c, const choice_request *request);
 
 /* The smallest number of positions that may be chosen. */
-unsigned choice_least(const choice_request *request);
+unsigned choice_min_count(const choice_request *request);
 
 /* N of a stand program must be a multiple of this: 2 with needs_axes, since with an odd N no axis
  * points both up and down. */

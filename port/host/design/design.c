@@ -306,9 +306,9 @@ static void make_solid(design *d, const char *name)
     design_directions(d, name, direction, count);
 }
 
-/* A whole number from `least` to `most`. */
-static int read_count(const char *command, const char *what, const char *text, unsigned least,
-                      unsigned most, unsigned *out)
+/* A whole number from `min` to `max`. */
+static int read_count(const char *command, const char *what, const char *text, unsigned min,
+                      unsigned max, unsigned *out)
 {
     double x;
     const number_status status = number_parse(text, &x);
@@ -316,9 +316,9 @@ static int read_count(const char *command, const char *what, const char *text, u
     if (status != NUMBER_OK) {
         return message_usage(command, "%s: '%s' %s", what, text, number_problem(status));
     }
-    if (!(x >= least && x <= most && !(floor(x) < x))) {
+    if (!(x >= min && x <= max && !(floor(x) < x))) {
         return message_usage(command, "%s: '%s': a whole number from %u to %u expected", what, text,
-                             least, most);
+                             min, max);
     }
     *out = (unsigned)x;
     return EXIT_GOOD;

@@ -99,15 +99,15 @@ static int exchange(selection *s, unsigned i, double K[P][P])
 {
     const double *row = stops.row[s->stop[i]];
     const double own = covariance_product(K, row, row);
-    double most = 1 + GAIN_MIN;
+    double max = 1 + GAIN_MIN;
     unsigned best = s->stop[i];
 
     for (unsigned j = 0; j < stops.count; j++) {
         const double *other = stops.row[j];
         const double both = covariance_product(K, row, other);
         const double gain = (1 + covariance_product(K, other, other)) * (1 - own) + both * both;
-        if (s->uses[j] < stops.max_uses && gain > most) {
-            most = gain + GAIN_MIN; /* so that rounding does not decide */
+        if (s->uses[j] < stops.max_uses && gain > max) {
+            max = gain + GAIN_MIN; /* so that rounding does not decide */
             best = j;
         }
     }
@@ -157,14 +157,14 @@ void grid_directions(unsigned n, unsigned step, int with_axes, double (*directio
 {
     const unsigned starts = n < LARGE ? STARTS : STARTS_LARGE;
     selection s = {.n = n};
-    double most = -HUGE_VAL;
+    double max = -HUGE_VAL;
 
     list_stops(step);
     stops.max_uses = (n + stops.count - 1) / stops.count;
     for (unsigned k = with_axes ? starts : 0; k < 2 * starts; k++) {
         const double log_det = search(&s, k % starts + 1, k >= starts, with_axes);
-        if (log_det > most + GAIN_MIN) {
-            most = log_det;
+        if (log_det > max + GAIN_MIN) {
+            max = log_det;
             for (unsigned i = 0; i < n; i++) {
                 memcpy(direction[i], stops.up[s.stop[i]], sizeof direction[i]);
             }

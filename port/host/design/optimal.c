@@ -363,13 +363,13 @@ void optimal_directions(unsigned n, int with_axes, double (*direction)[3])
     const problem p = {.n = n, .fixed = with_axes ? OPTIMAL_AXES : 0};
     vectors best = {{0}};
     vectors x = {{0}};
-    double least = HUGE_VAL;
+    double min = HUGE_VAL;
 
     for (unsigned start = 0; start < starts(n); start++) {
         begin(&p, start, x);
         const double f = minimise(&p, x);
-        if (f < least - 1e-9) {
-            least = f;
+        if (f < min - 1e-9) {
+            min = f;
             memcpy(best, x, sizeof best);
         }
     }
@@ -414,24 +414,24 @@ double optimal_within(unsigned n, const double limits[3], int with_axes, double 
     vectors best = {{0}};
     vectors x = {{0}};
     const double enough = REACHED * ratio_bound(n, limits);
-    double least = HUGE_VAL;
+    double min = HUGE_VAL;
 
-    for (unsigned start = 0; start < starts(n) && least > enough; start++) {
+    for (unsigned start = 0; start < starts(n) && min > enough; start++) {
         problem p = {n, with_axes ? OPTIMAL_AXES : 0, limits, powers[0]};
         begin(&p, start, x);
         for (unsigned k = 0; k < sizeof powers / sizeof powers[0]; k++) {
             p.power = powers[k];
             (void)minimise(&p, x);
             const double worst = worst_ratio(&p, x);
-            if (k == 0 && worst > 2 * least) {
+            if (k == 0 && worst > 2 * min) {
                 break; /* too far from the best so far */
             }
-            if (worst < least * (1 - 1e-9)) {
-                least = worst;
+            if (worst < min * (1 - 1e-9)) {
+                min = worst;
                 memcpy(best, x, sizeof best);
             }
         }
     }
     order_by_nearest(n, best, direction);
-    return least;
+    return min;
 }

@@ -24,7 +24,7 @@ double order_drift_factor(const double (*direction)[3], const double *weight, un
 {
     double a[INVCAL_PACKED_SIZE(ALL)] = {0};
     double nine[INVCAL_PACKED_SIZE(NINE)];
-    double most = 0;
+    double max = 0;
 
     for (unsigned k = 0; k < count; k++) {
         const double x = direction[k][0];
@@ -48,9 +48,9 @@ double order_drift_factor(const double (*direction)[3], const double *weight, un
     invcal_invert(nine, NINE);
     invcal_invert(a, ALL);
     for (unsigned r = 0; r < NINE; r++) {
-        most = fmax(most, invcal_variance(a, ALL, r) / invcal_variance(nine, NINE, r));
+        max = fmax(max, invcal_variance(a, ALL, r) / invcal_variance(nine, NINE, r));
     }
-    return sqrt(most);
+    return sqrt(max);
 }
 
 /* ---- the search ----------------------------------------------------------------------------------- */

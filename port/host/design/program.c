@@ -49,16 +49,16 @@ void program_begin(program *p, const design *set)
 
 /* The nearest within CAPTURE_ANGLE; of several of one direction, one that is still to be
  * visited. */
-static unsigned nearest_to(const program *p, const double up[3], double *least)
+static unsigned nearest_to(const program *p, const double up[3], double *min)
 {
     unsigned nearest = PROGRAM_NO_POSITION;
 
-    *least = CAPTURE_ANGLE;
+    *min = CAPTURE_ANGLE;
     for (unsigned i = 0; i < p->set->count; i++) {
         const double angle = angle_between(up, vertical(p, i));
-        const int is_equal = nearest != PROGRAM_NO_POSITION && fabs(angle - *least) < ROUNDING;
-        if (is_equal ? p->visited[i] < p->visited[nearest] : angle < *least) {
-            *least = angle;
+        const int is_equal = nearest != PROGRAM_NO_POSITION && fabs(angle - *min) < ROUNDING;
+        if (is_equal ? p->visited[i] < p->visited[nearest] : angle < *min) {
+            *min = angle;
             nearest = i;
         }
     }
@@ -67,12 +67,12 @@ static unsigned nearest_to(const program *p, const double up[3], double *least)
 
 unsigned program_find(const program *p, const double up[3])
 {
-    double least;
-    const unsigned nearest = nearest_to(p, up, &least);
+    double min;
+    const unsigned nearest = nearest_to(p, up, &min);
 
     if (p->next < p->set->count) {
         const double angle = angle_between(up, vertical(p, p->next));
-        if (angle < CAPTURE_ANGLE && angle < least + PREFERENCE) {
+        if (angle < CAPTURE_ANGLE && angle < min + PREFERENCE) {
             return p->next;
         }
     }

@@ -16,17 +16,17 @@ enum { P = INVCAL_PARAMETERS };
 static double improve(const double (*direction)[3], unsigned count, double *share)
 {
     double K[P][P];
-    double most = 0;
+    double max = 0;
 
     (void)covariance_find(direction, share, count, K);
     for (unsigned i = 0; i < count; i++) {
         double h[P];
         covariance_row(direction[i], h);
         const double factor = covariance_product(K, h, h) * count / (double)P;
-        most = fmax(most, factor);
+        max = fmax(max, factor);
         share[i] *= factor;
     }
-    return most - 1;
+    return max - 1;
 }
 
 void weights_find(const double (*direction)[3], unsigned count, double *share)

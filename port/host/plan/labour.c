@@ -57,16 +57,16 @@ double labour_sigma(const labour *l, unsigned count, double dwell)
 {
     const double period = dwell + l->settle + l->move;
     int has_flicker = 0;
-    double most = 0;
+    double max = 0;
 
     for (unsigned i = 0; i < 3; i++) {
         has_flicker = has_flicker || l->noise[i].coefficient[INVCAL_NOISE_INSTABILITY] > 0;
     }
     const double flicker = has_flicker ? flicker_scatter(count, period / dwell) : 0;
     for (unsigned i = 0; i < 3; i++) {
-        most = fmax(most, scatter(&l->noise[i], count, dwell, period, flicker));
+        max = fmax(max, scatter(&l->noise[i], count, dwell, period, flicker));
     }
-    return sqrt(most);
+    return sqrt(max);
 }
 
 /* ---- the dwell --------------------------------------------------------------------------------- */
@@ -172,7 +172,7 @@ static void try_stands(labour *l)
 {
     for (unsigned n = INVCAL_PLAN_PER_GROUP_MIN; INVCAL_PLAN_GROUPS * n <= LABOUR_MAX; n++) {
         const double sigma[3] = {sqrt(1.0 / n), sqrt(7.0 / 5 / n), sqrt(8.0 / n)};
-        if (INVCAL_PLAN_GROUPS * n >= l->least && n % choice_stand_step(l->needs_axes) == 0) {
+        if (INVCAL_PLAN_GROUPS * n >= l->min_count && n % choice_stand_step(l->needs_axes) == 0) {
             add_row(l, CHOICE_STAND, INVCAL_PLAN_GROUPS * n, sigma);
         }
     }
@@ -183,7 +183,7 @@ static void try_directions(labour *l, design *work)
 {
     double direction[OPTIMAL_MAX][3];
 
-    for (unsigned n = l->least; n <= LABOUR_MAX && !is_search_done(l, CHOICE_FREE, n); n++) {
+    for (unsigned n = l->min_count; n <= LABOUR_MAX && !is_search_done(l, CHOICE_FREE, n); n++) {
         (void)optimal_within(n, l->limits, l->needs_axes, direction);
         design_directions(work, "", direction, n);
         if (work->is_solvable) {

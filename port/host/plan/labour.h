@@ -49,7 +49,7 @@ typedef struct labour {
     double settle;          /* seconds in each position before recording */
     double move;            /* seconds between two */
     double warm_up;         /* seconds once */
-    unsigned least;         /* minimum number of positions */
+    unsigned min_count;     /* of positions */
     int needs_axes;         /* as in choice_request */
     told_style told;        /* units */
     /* found: */

@@ -66,11 +66,11 @@ static const char *open_text(const prospect *p, char text[TEXT_MAX])
 /* A note if there are too few positions for calibrate. */
 static const char *few_text(const prospect *p, const design *d, char text[TEXT_MAX])
 {
-    const unsigned least = nonlinearity_least(p->degree);
+    const unsigned min = nonlinearity_least(p->degree);
 
     text[0] = '\0';
-    if (d->count < least) {
-        snprintf(text, TEXT_MAX, ", but --%s needs %u positions or more", name_of(p), least);
+    if (d->count < min) {
+        snprintf(text, TEXT_MAX, ", but --%s needs %u positions or more", name_of(p), min);
     }
     return text;
 }

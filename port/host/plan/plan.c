@@ -133,15 +133,15 @@ static int usage(unsigned which, const char *what)
 }
 
 /* A number within bounds, if it is stated. */
-static int read_number(const request *r, unsigned which, double least, double most, double *out)
+static int read_number(const request *r, unsigned which, double min, double max, double *out)
 {
     if (!r->value[which]) {
         return EXIT_GOOD;
     }
     const int failure = options_numbers(&syntax, which, r->value[which], 1, out, NULL);
-    if (!failure && !(*out >= least && *out <= most)) {
+    if (!failure && !(*out >= min && *out <= max)) {
         return message_usage(syntax.command, "%s %s: must be within %g ... %g", options[which].name,
-                             r->value[which], least, most);
+                             r->value[which], min, max);
     }
     return failure;
 }
@@ -195,9 +195,9 @@ static int read_units(request *r)
 /* Requirements of a chosen set. */
 static int read_demands(request *r)
 {
-    const unsigned most = OPTIMAL_MAX - INVCAL_PARAMETERS;
+    const unsigned max = OPTIMAL_MAX - INVCAL_PARAMETERS;
     double spare = CHOICE_SPARE;
-    const int failure = read_number(r, SPARE, 0, most, &spare);
+    const int failure = read_number(r, SPARE, 0, max, &spare);
 
     if (!failure && floor(spare) < spare) {
         return message_usage(syntax.command, "--spare %s: must be a whole number", r->value[SPARE]);
@@ -590,7 +590,7 @@ static int refuse(const request *r, const design *d, const char *reason)
 /* --spare and --optimal N. */
 static int check_spare(const request *r, const design *d)
 {
-    if (r->value[SPARE] && d->count < choice_least(&r->choice)) {
+    if (r->value[SPARE] && d->count < choice_min_count(&r->choice)) {
         return message_usage(syntax.command, "--spare %s: --optimal %s has a redundancy of only %u",
                              r->value[SPARE], r->value[OPTIMAL], d->count - INVCAL_PARAMETERS);
     }
@@ -678,7 +678,7 @@ static int find_labour(request *r)
     tradeoff.settle = r->choice.cost.settle;
     tradeoff.move = r->choice.cost.move;
     tradeoff.warm_up = r->choice.cost.warm_up;
-    tradeoff.least = choice_least(&r->choice);
+    tradeoff.min_count = choice_min_count(&r->choice);
     tradeoff.needs_axes = r->choice.needs_axes;
     tradeoff.told = r->choice.told;
     int failure = noise_file_read(r->value[ALLAN], tradeoff.noise);

@@ -197,15 +197,15 @@ static void write_spheres(page *p, const comparison *c)
 {
     const uncertainty *a = &c->of[0].length_sigma;
     const uncertainty *b = &c->of[1].length_sigma;
-    const double least = fmin(a->least, b->least);
-    const double most = fmax(a->most, b->most);
+    const double min = fmin(a->least, b->least);
+    const double max = fmax(a->most, b->most);
     sphere_shading shading = {.classes = 1};
 
     page_section(p, "Where the positions point");
     for (unsigned k = 0; k < 2; k++) {
         const design *d = c->of[k].set;
         char caption[TEXT_MAX / 4];
-        shading = uncertainty_shading(&c->of[k].length_sigma, least, most);
+        shading = uncertainty_shading(&c->of[k].length_sigma, min, max);
         page_row_begin(p);
         plan_draw_halves(p->file, d, &shading);
         snprintf(caption, sizeof caption, "%c: %s, %u positions.", k == 0 ? 'A' : 'B', d->name,

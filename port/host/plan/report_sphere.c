@@ -52,21 +52,21 @@ void plan_draw_legend(FILE *file, const sphere_shading *shading, const char *uni
 static void say_uncertainty(page *p, const plan_facts *f)
 {
     const uncertainty *u = &f->length_sigma;
-    char least[FIGURE_MAX];
-    char most[FIGURE_MAX];
+    char min[FIGURE_MAX];
+    char max[FIGURE_MAX];
 
-    figure_digits(u->least, 3, least);
-    figure_digits(u->most, 3, most);
+    figure_digits(u->least, 3, min);
+    figure_digits(u->most, 3, max);
     if (uncertainty_shading(u, u->least, u->most).classes == 1) {
         page_say(p,
                  "The uncertainty of the length |a| of a corrected reading is the same in every "
                  "direction: ±%s %s (one standard deviation).",
-                 most, plan_length_unit(f));
+                 max, plan_length_unit(f));
     } else {
         page_say(p,
                  "The uncertainty of the length |a| of a corrected reading is ±%s %s in the best "
                  "direction, and ±%s %s in the worst, %s (one standard deviation).",
-                 least, plan_length_unit(f), most, plan_length_unit(f), u->worst_words);
+                 min, plan_length_unit(f), max, plan_length_unit(f), u->worst_words);
     }
 }
 

@@ -28,15 +28,15 @@
 /* Logarithmic: 1/2 and 2 are equally far from 1. With a margin on both sides. */
 static ruler ratio_axis(const plan_ratio *ratio, double width)
 {
-    double least = 1 / 1.1;
-    double most = 1.1;
+    double min = 1 / 1.1;
+    double max = 1.1;
 
     for (unsigned i = 0; i < PLAN_RATIOS; i++) {
-        least = fmin(least, ratio[i].ratio);
-        most = fmax(most, ratio[i].ratio);
+        min = fmin(min, ratio[i].ratio);
+        max = fmax(max, ratio[i].ratio);
     }
-    const double margin = 0.04 * log(most / least);
-    return (ruler){log(least) - margin, log(most) + margin, SIDE_MARGIN, width - SIDE_MARGIN, 1, 0};
+    const double margin = 0.04 * log(max / min);
+    return (ruler){log(min) - margin, log(max) + margin, SIDE_MARGIN, width - SIDE_MARGIN, 1, 0};
 }
 
 static void draw_tick(FILE *file, const ruler *x, double value, unsigned places)
@@ -51,20 +51,20 @@ static void draw_tick(FILE *file, const ruler *x, double value, unsigned places)
 /* Equal steps in a small range; 1, 2, 5, 10 ... in a large one, in a very large one 1, 10, 100. */
 static void draw_ticks(FILE *file, const ruler *x)
 {
-    const double least = exp(x->first);
-    const double most = exp(x->last);
-    const double step = chart_round_step((most - least) * TICK_DISTANCE / (x->to - x->from));
+    const double min = exp(x->first);
+    const double max = exp(x->last);
+    const double step = chart_round_step((max - min) * TICK_DISTANCE / (x->to - x->from));
 
-    if (most <= LARGE * least) {
-        for (double k = ceil(least / step); k * step < most; k++) {
+    if (max <= LARGE * min) {
+        for (double k = ceil(min / step); k * step < max; k++) {
             draw_tick(file, x, k * step, chart_places(step));
         }
         return;
     }
-    const double factor = most > VERY_LARGE * least ? 10 : 1.5;
-    double tick = pow(10, floor(log10(least)));
-    while (tick < most) {
-        if (tick > least) {
+    const double factor = max > VERY_LARGE * min ? 10 : 1.5;
+    double tick = pow(10, floor(log10(min)));
+    while (tick < max) {
+        if (tick > min) {
             draw_tick(file, x, tick, chart_places(tick));
         }
         tick = chart_round_step(factor * tick * (1 - 1e-9));

@@ -50,16 +50,16 @@ static int is_shown(const labour *l, const labour_row *row)
 static plot begin_plot(const labour *l, double width, double top)
 {
     plot p = {.l = l, .unit = "s", .scale = 1};
-    double least = HUGE_VAL;
-    double most = 0;
+    double min = HUGE_VAL;
+    double max = 0;
     double highest = 0;
 
     for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
         for (unsigned i = 0; i < l->rows[f]; i++) {
             const labour_row *row = &l->row[f][i];
             if (is_shown(l, row)) {
-                least = fmin(least, row->count);
-                most = fmax(most, row->count);
+                min = fmin(min, row->count);
+                max = fmax(max, row->count);
                 highest = fmax(highest, row->seconds);
             }
         }
@@ -71,7 +71,7 @@ static plot begin_plot(const labour *l, double width, double top)
         p.unit = "minutes";
         p.scale = 60;
     }
-    p.x = chart_ruler_exact(least - 1, most + 1, LEFT, width - RIGHT, (unsigned)(width / 60));
+    p.x = chart_ruler_exact(min - 1, max + 1, LEFT, width - RIGHT, (unsigned)(width / 60));
     p.x.step = fmax(1, p.x.step);
     p.y = chart_ruler(0, highest / p.scale, top + TOP + PLOT_HEIGHT, top + TOP, 6);
     return p;

@@ -249,18 +249,18 @@ static double turn_seconds(const turns_plan *p, unsigned n)
 static void find_spectrum(turns_plan *p, const invcal_turns *sums)
 {
     double value[ALL];
-    double most = 0;
-    double least = HUGE_VAL;
+    double max = 0;
+    double min = HUGE_VAL;
 
     eigenvalues(sums->sum, ALL, value);
     for (unsigned i = 0; i < ALL; i++) {
-        most = fmax(most, value[i]);
-        least = fmin(least, value[i]);
+        max = fmax(max, value[i]);
+        min = fmin(min, value[i]);
     }
     for (unsigned i = 0; i < ALL; i++) {
-        p->rank += value[i] > RANK_TOLERANCE * most;
+        p->rank += value[i] > RANK_TOLERANCE * max;
     }
-    p->condition = most / least;
+    p->condition = max / min;
 }
 
 static void write_refusal(turns_plan *p)

@@ -19,18 +19,18 @@
 static const char *largest_sigma(const turns_plan *p, unsigned bits, char text[TURNS_WORDS_MAX])
 {
     char number[FIGURE_MAX];
-    double most = 0;
+    double max = 0;
     unsigned which = 0;
 
     for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
-        if (bits >> i & 1u && p->sigma[i] > most) {
-            most = p->sigma[i];
+        if (bits >> i & 1u && p->sigma[i] > max) {
+            max = p->sigma[i];
             which = i;
         }
     }
     const told_unit unit = plan_unit(turns_kind(which), p->request.told);
     snprintf(text, TURNS_WORDS_MAX, "%s %s",
-             figure_digits(unit.scale * p->request.noise * most, 3, number), unit.unit);
+             figure_digits(unit.scale * p->request.noise * max, 3, number), unit.unit);
     return text;
 }
 

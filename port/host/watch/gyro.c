@@ -18,12 +18,12 @@ static int is_mistake(const char *word)
 /* Half the 95 % interval of the worst of these parameters. */
 static double worst(const gyro_fit *g, int is_scale)
 {
-    double most = 0;
+    double max = 0;
 
     for (unsigned i = 0; i < INVCAL_GYRO_PARAMETERS; i++) {
-        most = (i % 4 == 0) == is_scale ? fmax(most, g->imu.sigma[i]) : most;
+        max = (i % 4 == 0) == is_scale ? fmax(max, g->imu.sigma[i]) : max;
     }
-    return g->interval * most;
+    return g->interval * max;
 }
 
 /* ---- moves ------------------------------------------------------------------------------------- */
@@ -90,18 +90,18 @@ static void add_rest(watch_gyro *w, const double up[3])
 static void snap(double up[3])
 {
     double best[3] = {0, 0, 0};
-    double most = NEAR_COSINE;
+    double max = NEAR_COSINE;
 
     for (int i = 0; i < 27; i++) {
         const int v[3] = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
         const double length = sqrt((double)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
         const double cosine = (v[0] * up[0] + v[1] * up[1] + v[2] * up[2]) / length;
-        for (unsigned k = 0; k < 3 && cosine > most; k++) { /* NaN is not */
+        for (unsigned k = 0; k < 3 && cosine > max; k++) { /* NaN is not */
             best[k] = v[k] / length;
         }
-        most = cosine > most ? cosine : most;
+        max = cosine > max ? cosine : max;
     }
-    if (most > NEAR_COSINE) {
+    if (max > NEAR_COSINE) {
         memcpy(up, best, sizeof best);
     }
 }

@@ -136,7 +136,7 @@ void zero_update(const zero_finder *z, int is_determined, invcal_session *sessio
 /* Assumes that the largest of the first readings is the field. */
 static double guess_lsb(const zero_finder *z, const double zero[3])
 {
-    double most = 0;
+    double max = 0;
 
     for (unsigned n = 0; n < z->log->ahead_count; n++) {
         double square = 0;
@@ -144,9 +144,9 @@ static double guess_lsb(const zero_finder *z, const double zero[3])
             const double v = z->log->ahead[n][i] - zero[i];
             square += v * v;
         }
-        most = fmax(most, square);
+        max = fmax(max, square);
     }
-    return most > 0 ? z->options->field / sqrt(most) : 1;
+    return max > 0 ? z->options->field / sqrt(max) : 1;
 }
 
 int zero_begin(zero_finder *z, const live_options *options, const samples *log,
