@@ -84,7 +84,7 @@ plant dropped src/magnetometer.c 's/if (!(excess <= 0))/if (excess <= 0)/' \
     'float-magnetometer: .* [1-9][0-9]* failed' unit 'float-magnetometer'
 plant dip src/dip.c 's/(dip->count - DIP_UNKNOWNS)/(dip->count + DIP_UNKNOWNS)/' \
     'float-dip: .* [1-9][0-9]* failed' unit 'float-dip'
-plant waved port/host/read/waved.c 's/v\[2\] \* v\[2\]) - 1;/v[2] * v[2]) - 1.1;/' \
+plant waved port/host/read/magnetometer_log.c 's/v\[2\] \* v\[2\]) - 1;/v[2] * v[2]) - 1.1;/' \
     'magnetometer: by how much samples differ: FAIL' unit '^magnetometer$'
 plant move src/moves.c 's/(rho\[i\] - th\[i\]) \/ 12/(th[i] - rho[i]) \/ 12/' \
     'float-moves: .* [1-9][0-9]* failed' unit 'float-moves$'

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal: the host tool. Finds the command and hands over to it.
+ * invcal: the host tool. Finds the command and runs it.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <fcntl.h>
@@ -20,20 +20,20 @@ static const tool_command *const commands[] = {
     &plan_command,      &compare_command, &simulate_command, &watch_command,
 };
 
-#define COMMANDS (sizeof commands / sizeof commands[0])
+#define COMMAND_COUNT (sizeof commands / sizeof commands[0])
 
-/* A standard stream that is closed would lend its number to the next file that is opened, and
- * results would go into that. Each gets a stand-in that fails when it is used. */
+/* If a standard stream is closed, the next file that is opened gets its descriptor, and the results
+ * would go there. A closed stream is replaced by one that fails when it is used. */
 static void guard_streams(void)
 {
-    static const int wrong_way[] = {O_WRONLY, O_RDONLY, O_WRONLY};
+    static const int failing_mode[] = {O_WRONLY, O_RDONLY, O_WRONLY};
 
     for (int fd = 0; fd < 3; fd++) {
         if (fcntl(fd, F_GETFD) == -1) {
-            (void)open("/dev/null", wrong_way[fd]);
+            (void)open("/dev/null", failing_mode[fd]);
         }
     }
-    /* A reader that goes away is a failed write, not the end of us: files are to be removed. */
+    /* A closed pipe must be a failed write, not a signal: temporary files have to be removed. */
     signal(SIGPIPE, SIG_IGN);
 }
 
@@ -52,7 +52,7 @@ static void print_help(void)
         NULL};
 
     help_print(stdout, head);
-    for (unsigned i = 0; i < COMMANDS; i++) {
+    for (unsigned i = 0; i < COMMAND_COUNT; i++) {
         wrapped_printf(stdout, 14, "  %-12s%s", commands[i]->name, commands[i]->purpose);
     }
     putchar('\n');
@@ -65,7 +65,7 @@ static void print_help(void)
 
 static const tool_command *find_command(const char *name)
 {
-    for (unsigned i = 0; i < COMMANDS; i++) {
+    for (unsigned i = 0; i < COMMAND_COUNT; i++) {
         if (strcmp(commands[i]->name, name) == 0) {
             return commands[i];
         }
@@ -73,10 +73,10 @@ static const tool_command *find_command(const char *name)
     return NULL;
 }
 
-/* What is asked for by `--help` or `--help all`, anywhere before a `--`. */
-typedef enum { NO_HELP, BRIEF_HELP, ALL_HELP } help_wish;
+/* What `--help` or `--help all` asks for, anywhere before a `--`. */
+typedef enum { NO_HELP, BRIEF_HELP, ALL_HELP } help_level;
 
-static help_wish asks_help(int argc, char **argv)
+static help_level requested_help(int argc, char **argv)
 {
     for (int i = 0; i < argc && strcmp(argv[i], "--") != 0; i++) {
         if (strcmp(argv[i], "--help") == 0) {
@@ -89,9 +89,9 @@ static help_wish asks_help(int argc, char **argv)
     return NO_HELP;
 }
 
-static int print_help_of(const tool_command *c, help_wish wish)
+static int print_help_of(const tool_command *c, help_level level)
 {
-    if (wish == ALL_HELP || !c->brief) {
+    if (level == ALL_HELP || !c->brief) {
         help_print(stdout, c->help);
     } else {
         help_print(stdout, c->brief);
@@ -102,9 +102,9 @@ static int print_help_of(const tool_command *c, help_wish wish)
 
 static int run_command(const tool_command *c, int argc, char **argv)
 {
-    const help_wish wish = asks_help(argc, argv);
+    const help_level level = requested_help(argc, argv);
 
-    return wish == NO_HELP ? c->run(argc, argv) : print_help_of(c, wish);
+    return level == NO_HELP ? c->run(argc, argv) : print_help_of(c, level);
 }
 
 static int refuse_unknown(const char *word)
@@ -112,7 +112,7 @@ static int refuse_unknown(const char *word)
     nearest meant = nearest_begin(word, strlen(word));
     char hint[NEAREST_TEXT_MAX];
 
-    for (unsigned i = 0; i < COMMANDS; i++) {
+    for (unsigned i = 0; i < COMMAND_COUNT; i++) {
         nearest_offer(&meant, commands[i]->name);
     }
     nearest_offer(&meant, "help");

@@ -34,7 +34,7 @@ static int refuse(void)
     return message_usage("watch", "there is no terminal in a browser: calibrate live on the page");
 }
 
-int live_read(positions *p, const char *path, const live_options *options, turns *gyro,
+int live_read(positions *p, const char *path, const live_options *options, gyro_log *gyro,
               rests_summary *summary)
 {
     (void)path;
@@ -46,7 +46,7 @@ int live_read(positions *p, const char *path, const live_options *options, turns
 }
 
 int wave_read(positions *p, const char *path, const invcal_calibration *nominal,
-              const live_options *options, waved *out)
+              const live_options *options, magnetometer_log *out)
 {
     (void)path;
     (void)nominal;

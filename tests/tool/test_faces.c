@@ -39,7 +39,7 @@ static void three_angles_cost_most_on_a_corner(void)
     const faces_error e = faces_error_of(&r);
 
     TEST_ASSERT_DOUBLE_WITHIN(1e-7, NORMAL * 0.01 / sqrt(5), e.rms);
-    TEST_ASSERT_DOUBLE_WITHIN(2e-5, NORMAL * 0.01 / sqrt(3), e.most);
+    TEST_ASSERT_DOUBLE_WITHIN(2e-5, NORMAL * 0.01 / sqrt(3), e.max);
 }
 
 static void one_angle_costs_most_on_its_edge(void)
@@ -48,7 +48,7 @@ static void one_angle_costs_most_on_its_edge(void)
     const faces_error e = faces_error_of(&r);
 
     TEST_ASSERT_DOUBLE_WITHIN(1e-7, NORMAL * 0.01 / sqrt(15), e.rms);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-7, NORMAL * 0.01 / 2, e.most);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-7, NORMAL * 0.01 / 2, e.max);
 }
 
 /* On a corner an offset is seen by 1/sqrt(3), an angle by 1/3. */
@@ -66,11 +66,11 @@ static void an_interval_widens_what_is_estimated_only(void)
     const double stated = angle * angle / 3;
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1000 * sqrt(estimated + stated), uncertainty_sigma(&u, corner));
     TEST_ASSERT_DOUBLE_WITHIN(1e-3, 1000 * sqrt(T4 * T4 * estimated + NORMAL * NORMAL * stated),
-                              uncertainty_half(&u, corner, T4, 0x1C0));
+                              uncertainty_half_width(&u, corner, T4, 0x1C0));
     TEST_ASSERT_DOUBLE_WITHIN(1e-3, 1000 * T4 * sqrt(estimated + stated),
-                              uncertainty_half(&u, corner, T4, 0));
+                              uncertainty_half_width(&u, corner, T4, 0));
     TEST_ASSERT_DOUBLE_WITHIN(1e-3, 1000 * NORMAL * sqrt(estimated + stated),
-                              uncertainty_half(&u, corner, T4, 0x1FF));
+                              uncertainty_half_width(&u, corner, T4, 0x1FF));
 }
 
 /* Parameters that belong together take their covariance with them. */
@@ -83,7 +83,7 @@ static void what_is_held_together_counts_together(void)
     u.covariance[INVCAL_PACKED(7, 6)] = -0.5e-4; /* xy of the corner is 1/3, xz -1/3 */
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, sqrt(3e-4) / 3, uncertainty_sigma(&u, corner));
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, NORMAL * sqrt(3e-4) / 3,
-                              uncertainty_half(&u, corner, T4, 0x0C0));
+                              uncertainty_half_width(&u, corner, T4, 0x0C0));
 }
 
 static void of_each_parameter_its_own_interval(void)

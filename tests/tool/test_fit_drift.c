@@ -119,7 +119,7 @@ static void too_few_positions_and_an_order_that_hides_it_are_refused(void)
     fit_quality q;
 
     draw(&random, drift, SIGMA, x, raw);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, fit_drift_make(raw[0], tau, FIT_DRIFT_FEWEST - 1,
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, fit_drift_make(raw[0], tau, FIT_DRIFT_POSITIONS_MIN - 1,
                                                          &settings, &s, &q, found, sigma));
     for (int k = 0; k < COUNT; k++) {
         tau[k] = 0.25; /* all at once: as an offset */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What quadratic and cubic errors read too much is taken off: the truth is simulated, by its definition.
+ * What quadratic and cubic errors read too much is taken off: the truth is simulated, by its
+ * definition.
  */
 #include "apply/nonlinear_correction.h"
 
@@ -49,7 +50,8 @@ static void read_raw(const double eta[3], double raw[3])
     }
 }
 
-/* The calibration that this sensor has, turned by `turn` about z: R (I + S)^-1 N, and the zero of u. */
+/* The calibration that this sensor has, turned by `turn` about z: R (I + S)^-1 N, and the zero of
+ * u. */
 static void know(double turn)
 {
     const double r[3][3] = {{cos(turn), -sin(turn), 0}, {sin(turn), cos(turn), 0}, {0, 0, 1}};
@@ -104,7 +106,7 @@ static double worst(double times, double turn)
             eta[a] *= times;
         }
         read_raw(eta, raw);
-        nonlinear_correction_take(&correction, raw);
+        nonlinear_correction_remove(&correction, raw);
         invcal_apply(&file.calibration, raw, out);
         most = larger(most, fabs(out[0] / FIELD - (cos(turn) * eta[0] - sin(turn) * eta[1])));
         most = larger(most, fabs(out[1] / FIELD - (sin(turn) * eta[0] + cos(turn) * eta[1])));
@@ -149,7 +151,7 @@ static void without_terms_a_reading_stays(void)
     know(0);
     file.has_nonlinear = 0;
     TEST_ASSERT_EQUAL_INT(EXIT_GOOD, nonlinear_correction_begin(&correction, &file, "test"));
-    nonlinear_correction_take(&correction, raw);
+    nonlinear_correction_remove(&correction, raw);
     TEST_ASSERT_EQUAL_DOUBLE(1, raw[0]);
     TEST_ASSERT_EQUAL_DOUBLE(3, raw[2]);
 }

@@ -20,8 +20,9 @@ static void state(const double *of_kind)
     }
 }
 
-/* 10 mg, 1 % and 0.01 rad are limits; offsets are 4 mg, scales 0.4 %, angles 4 mrad, and ± of 95 % half of
- * that: each uses 0.6 of its limit. Lengths are right within 0.5 mg, of which 0.3 are the field's. */
+/* 10 mg, 1 % and 0.01 rad are limits; offsets are 4 mg, scales 0.4 %, angles 4 mrad, and ± of 95 %
+ * half of that: each uses 0.6 of its limit. Lengths are right within 0.5 mg, of which 0.3 are the
+ * field's. */
 void setUp(void)
 {
     const double x[] = {4e-3, -4e-3, 4e-3, -4e-3, 4e-3, 4e-3, 4e-3, 4e-3, -4e-3};
@@ -40,7 +41,7 @@ void setUp(void)
     result.accuracy = 0.4e-3;
     result.field_sigma = 0.3e-3 / 1.959964;
     result.need = 9.80665e-3;
-    result.need_unit = (told_unit){1e3, "mg"};
+    result.need_unit = (display_unit){1e3, "mg"};
 }
 
 void tearDown(void)
@@ -51,7 +52,7 @@ static void a_limit_holds_value_and_interval(void)
 {
     pass p = pass_judge(&result);
 
-    TEST_ASSERT_TRUE(p.is_asked && p.is_passed);
+    TEST_ASSERT_TRUE(p.has_criteria && p.is_passed);
     TEST_ASSERT_EQUAL_HEX16(0x1FF, p.limited);
     TEST_ASSERT_EQUAL_HEX16(0, p.failed | p.beyond);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
@@ -110,7 +111,7 @@ static void what_is_not_known_or_not_good_passes_nothing(void)
     result.solution.x[0] = NOT_A_NUMBER;
     TEST_ASSERT_EQUAL_HEX16(1, pass_judge(&result).failed & pass_judge(&result).beyond);
     state(NULL);
-    TEST_ASSERT_FALSE(pass_judge(&result).is_asked || pass_judge(&result).is_passed);
+    TEST_ASSERT_FALSE(pass_judge(&result).has_criteria || pass_judge(&result).is_passed);
 }
 
 static void the_line_tells_the_margins(void)
@@ -125,7 +126,7 @@ static void the_line_tells_the_margins(void)
     TEST_ASSERT_EQUAL_STRING("FAIL: angle zy up to 1.15 of 0.573° and 1 more (95 %).",
                              pass_text(&result, text));
     TEST_ASSERT_EQUAL_STRING(text, pass_strict(&result, text));
-    result.told = TOLD_INS;
+    result.units = UNIT_STYLE_INS;
     limits[2] = 20e-3;
     state(limits);
     result.solution.x[8] = 0;
@@ -134,7 +135,7 @@ static void the_line_tells_the_margins(void)
     TEST_ASSERT_EQUAL_STRING("FAIL: offset y up to 32000 of 10000 µg (95 %).",
                              pass_text(&result, text));
     result.need = 1e-6 * 9.80665; /* the field alone is wrong by more */
-    result.need_unit = (told_unit){1e6, "µg"};
+    result.need_unit = (display_unit){1e6, "µg"};
     state(NULL);
     TEST_ASSERT_EQUAL_STRING("FAIL: |a| within 500 of 1.0 µg (95 %).", pass_text(&result, text));
     TEST_ASSERT_EQUAL_STRING(
@@ -187,7 +188,7 @@ static void needs_are_stated_in_units(void)
 
     for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++) {
         size_t digits = 99;
-        told_unit unit = {0, NULL};
+        display_unit unit = {0, NULL};
         TEST_ASSERT_EQUAL_INT_MESSAGE(cases[i].ending,
                                       need_parse(cases[i].text, cases[i].field, &digits, &unit),
                                       cases[i].text);

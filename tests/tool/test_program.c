@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "support.h"
-#include "cli/told.h"
+#include "cli/unit_style.h"
 #include "unity.h"
 
 static design set;
@@ -137,19 +137,20 @@ static void three_positions_tell_zero_and_scale(void)
 
 static void units_of_navigation_differ_by_exact_factors(void)
 {
-    told_style style = TOLD_EVERYDAY;
+    unit_style style = UNIT_STYLE_EVERYDAY;
 
-    TEST_ASSERT_EQUAL_INT(0, told_parse("INS", &style));
-    TEST_ASSERT_EQUAL_INT(1, told_parse("ins", &style));
-    TEST_ASSERT_EQUAL_INT(TOLD_INS, style);
-    TEST_ASSERT_DOUBLE_WITHIN(0, 1e3 * told_field(TOLD_EVERYDAY, 1).scale,
-                              told_field(style, 1).scale);
-    TEST_ASSERT_DOUBLE_WITHIN(0, 1e4 * told_field(TOLD_EVERYDAY, 0).scale,
-                              told_field(style, 0).scale);
-    TEST_ASSERT_DOUBLE_WITHIN(0, 1e4 * told_scale(TOLD_EVERYDAY).scale, told_scale(style).scale);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 3600 * told_angle(TOLD_EVERYDAY).scale,
-                              told_angle(style).scale);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 648000 / acos(-1), told_angle(style).scale);
+    TEST_ASSERT_EQUAL_INT(0, unit_style_parse("INS", &style));
+    TEST_ASSERT_EQUAL_INT(1, unit_style_parse("ins", &style));
+    TEST_ASSERT_EQUAL_INT(UNIT_STYLE_INS, style);
+    TEST_ASSERT_DOUBLE_WITHIN(0, 1e3 * unit_style_field(UNIT_STYLE_EVERYDAY, 1).scale,
+                              unit_style_field(style, 1).scale);
+    TEST_ASSERT_DOUBLE_WITHIN(0, 1e4 * unit_style_field(UNIT_STYLE_EVERYDAY, 0).scale,
+                              unit_style_field(style, 0).scale);
+    TEST_ASSERT_DOUBLE_WITHIN(0, 1e4 * unit_style_scale(UNIT_STYLE_EVERYDAY).scale,
+                              unit_style_scale(style).scale);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 3600 * unit_style_angle(UNIT_STYLE_EVERYDAY).scale,
+                              unit_style_angle(style).scale);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 648000 / acos(-1), unit_style_angle(style).scale);
 }
 
 int main(void)

@@ -56,7 +56,7 @@ static void assert_up(double within, double x, double y, double z, unsigned posi
     invcal_calibration view;
     double up[3];
 
-    TEST_ASSERT_NOT_EQUAL(REFUSAL_UNSEEN, refusal_see(&result, &view));
+    TEST_ASSERT_NOT_EQUAL(REFUSAL_NO_VIEW, refusal_find_view(&result, &view));
     TEST_ASSERT_TRUE(refusal_up(&result, &view, position, up));
     TEST_ASSERT_DOUBLE_WITHIN(within, x / length, up[0]);
     TEST_ASSERT_DOUBLE_WITHIN(within, y / length, up[1]);
@@ -73,7 +73,7 @@ static void a_cap_is_seen_as_its_readings_are(void)
     add_reading(0, 0.3, 1, 16384, 0);
     add_reading(-0.3, -0.3, 1, 16384, 0);
     take_nominal_from_range();
-    TEST_ASSERT_EQUAL_INT(REFUSAL_BY_ZERO, refusal_see(&result, &view));
+    TEST_ASSERT_EQUAL_INT(REFUSAL_BY_ZERO, refusal_find_view(&result, &view));
     assert_up(1e-12, 0.3, 0, 1, 1);
     assert_up(1e-12, -0.3, -0.3, 1, 3);
 }
@@ -88,7 +88,7 @@ static void faces_of_unsigned_counts_are_seen_from_the_middle_of_the_range(void)
         add_reading(sign * (n / 2 == 0), sign * (n / 2 == 1), sign * (n / 2 == 2), 4000, 32768);
     }
     take_nominal_from_range();
-    TEST_ASSERT_EQUAL_INT(REFUSAL_BY_RANGE, refusal_see(&result, &view));
+    TEST_ASSERT_EQUAL_INT(REFUSAL_BY_RANGE, refusal_find_view(&result, &view));
     assert_up(1e-12, 1, 0, 0, 0);
     assert_up(1e-12, 0, -1, 0, 3);
 }
@@ -102,7 +102,7 @@ static void a_nominal_that_is_stated_is_taken(void)
     add_reading(1, 2, -2, 1000, 100);
     result.nominal.zero = result.nominal.lsb = NOMINAL_GIVEN;
     TEST_ASSERT_TRUE(nominal_make(zero, lsb, 1, &result.settings.nominal));
-    TEST_ASSERT_EQUAL_INT(REFUSAL_BY_NOMINAL, refusal_see(&result, &view));
+    TEST_ASSERT_EQUAL_INT(REFUSAL_BY_NOMINAL, refusal_find_view(&result, &view));
     assert_up(1e-12, 1, 2, -2, 0);
 }
 
@@ -110,14 +110,14 @@ static void what_has_no_length_is_not_seen(void)
 {
     invcal_calibration view;
 
-    TEST_ASSERT_EQUAL_INT(REFUSAL_UNSEEN, refusal_see(&result, &view)); /* none at all */
+    TEST_ASSERT_EQUAL_INT(REFUSAL_NO_VIEW, refusal_find_view(&result, &view)); /* none at all */
     memset(mean, 0, sizeof mean);
     data.count = 3;
-    TEST_ASSERT_EQUAL_INT(REFUSAL_UNSEEN, refusal_see(&result, &view));
+    TEST_ASSERT_EQUAL_INT(REFUSAL_NO_VIEW, refusal_find_view(&result, &view));
     mean[0] = 1e300;
     mean[3] = 1e300;
     mean[6] = -1e300;
-    TEST_ASSERT_EQUAL_INT(REFUSAL_UNSEEN, refusal_see(&result, &view));
+    TEST_ASSERT_EQUAL_INT(REFUSAL_NO_VIEW, refusal_find_view(&result, &view));
 }
 
 /* Unit vectors, none within 26 degrees of another or of what is there. */
@@ -133,7 +133,7 @@ static void assert_apart(unsigned count)
             const double *v = more[k].up;
             TEST_ASSERT_TRUE(u[0] * v[0] + u[1] * v[1] + u[2] * v[2] < 0.9);
         }
-        (void)refusal_see(&result, &view);
+        (void)refusal_find_view(&result, &view);
         for (unsigned n = 0; n < data.count; n++) {
             TEST_ASSERT_TRUE(refusal_up(&result, &view, n, other));
             TEST_ASSERT_TRUE(u[0] * other[0] + u[1] * other[1] + u[2] * other[2] < 0.9);
@@ -143,15 +143,15 @@ static void assert_apart(unsigned count)
 
 static void twelve_are_asked_for_in_all(void)
 {
-    TEST_ASSERT_EQUAL_UINT(12, refusal_add(&result, more));
+    TEST_ASSERT_EQUAL_UINT(12, refusal_additions(&result, more));
     assert_apart(12);
     faces_of_unsigned_counts_are_seen_from_the_middle_of_the_range();
-    TEST_ASSERT_EQUAL_UINT(6, refusal_add(&result, more));
+    TEST_ASSERT_EQUAL_UINT(6, refusal_additions(&result, more));
     assert_apart(6);
     result.refused.is_of_position = 1; /* the first is wrong: it is to be taken again */
-    TEST_ASSERT_EQUAL_UINT(7, refusal_add(&result, more));
+    TEST_ASSERT_EQUAL_UINT(7, refusal_additions(&result, more));
     result.refused.wants_positions = 0;
-    TEST_ASSERT_EQUAL_UINT(0, refusal_add(&result, more));
+    TEST_ASSERT_EQUAL_UINT(0, refusal_additions(&result, more));
 }
 
 /* A circle of twenty, however many, says nothing of its axis. */
@@ -165,7 +165,7 @@ static void a_circle_wants_positions_across(void)
         add_reading(cos(angle), sin(angle), 0, 16384, 0);
     }
     take_nominal_from_range();
-    const unsigned count = refusal_add(&result, more);
+    const unsigned count = refusal_additions(&result, more);
     TEST_ASSERT_TRUE(count >= 3 && count <= 6);
     for (unsigned i = 0; i < count; i++) {
         highest = fmax(highest, fabs(more[i].up[2]));

@@ -355,7 +355,7 @@ static void bars_are_logarithms_of_the_worst_interval(void)
     TEST_ASSERT_EQUAL_STRING("██████▏············", panel(7));
     TEST_ASSERT_EQUAL_STRING("···················", panel(9));
     TEST_ASSERT_EQUAL_STRING("███████████████████", panel(11));
-    now.told = TOLD_INS;
+    now.units = UNIT_STYLE_INS;
     draw();
     TEST_ASSERT_EQUAL_STRING("offsets ± 200 µg", panel(6));
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What angles of a stand tell: the mounting, J1, series, positions that are misset. Truth is simulated here,
- * figures are closed forms.
+ * What angles of a stand tell: the mounting, J1, series, positions that are misset. Truth is
+ * simulated here, figures are closed forms.
  */
 #include "stand/stand.h"
 
@@ -54,8 +54,8 @@ static void turn_by(const double t[3], double r[3][3])
     }
 }
 
-/* What a unit reads in the program, and the angles that are stated. `off` is added to the true alpha of
- * position `wrong`. */
+/* What a unit reads in the program, and the angles that are stated. `off` is added to the true
+ * alpha of position `wrong`. */
 static void measure(random_source *random, const triad_truth *truth, const double tilt[3],
                     double noise, unsigned wrong, double off)
 {
@@ -84,11 +84,11 @@ static void measure(random_source *random, const triad_truth *truth, const doubl
 
 static stand found_in(void)
 {
-    const stand_wish wish = {.is_wanted = 1, .sense = {1, 1}};
+    const stand_options options = {.is_wanted = 1, .sense = {1, 1}};
     stand s;
 
     TEST_ASSERT_EQUAL_INT(EXIT_GOOD,
-                          stand_find(&s, &wish, &data, &all, mean, &unit_scale_calibration));
+                          stand_find(&s, &options, &data, &all, mean, &unit_scale_calibration));
     return s;
 }
 
@@ -103,33 +103,33 @@ static void without_noise_mounting_j1_and_series_are_exact(void)
 
     measure(&random, &sensor, tilt, 0, COUNT, 0);
     stand s = found_in();
-    TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.reading);
+    TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.convention);
     TEST_ASSERT_EQUAL_UINT(0, s.missets);
     for (int i = 0; i < 3; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(1e-6, tilt[i],
                                   s.mounting.angle[i]); /* turn_by is right to 5e-7 */
     }
-    TEST_ASSERT_TRUE(s.vertical.is_known && s.series.is_closed_over);
+    TEST_ASSERT_TRUE(s.vertical.is_known && s.series.has_closures);
     for (int p = 0; p < 9; p++) {
         TEST_ASSERT_DOUBLE_WITHIN(1e-6, sensor.x[p], s.vertical.x[p]);
     }
     for (int c = 0; c < GROUP_SERIES_CLOSURES; c++) {
         TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0, s.series.closure[c]);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-12, s.series.x[c], s.series.told[c][0]);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-12, s.series.x[c], s.series.told[c][1]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, s.series.x[c], s.series.by_group[c][0]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, s.series.x[c], s.series.by_group[c][1]);
     }
     stand_free(&s);
 }
 
-/* The same sums, solved by 9x9 rows h(eta) and by coefficients; the unit sits straight but for the noise, so
- * both frames are one to 1e-4 of the parameters. */
+/* The same sums, solved by 9x9 rows h(eta) and by coefficients; the unit sits straight but for the
+ * noise, so both frames are one to 1e-4 of the parameters. */
 static void series_and_j1_agree_on_noisy_readings(void)
 {
     random_source random = random_start(2);
 
     measure(&random, &sensor, straight, 1e-3, COUNT, 0);
     stand s = found_in();
-    TEST_ASSERT_TRUE(s.series.is_closed_over && s.series.dof == 3);
+    TEST_ASSERT_TRUE(s.series.has_closures && s.series.dof == 3);
     for (int p = 0; p < 9; p++) {
         TEST_ASSERT_DOUBLE_WITHIN(2e-5, s.vertical.x[p], s.series.x[p]);
     }
@@ -137,8 +137,9 @@ static void series_and_j1_agree_on_noisy_readings(void)
     stand_free(&s);
 }
 
-/* N equal steps: the parameters have sqrt(1/N), sqrt(7/(5 N)), sqrt(8/N); sigma of a0 is sqrt(1/N), of the others sqrt(2/N); two groups that tell an offset differ by
- * 2/sqrt(N), those that tell a scale error by sqrt(6/N); the mounting has 1/sqrt(2 N). */
+/* N equal steps: the parameters have sqrt(1/N), sqrt(7/(5 N)), sqrt(8/N); sigma of a0 is sqrt(1/N),
+ * of the others sqrt(2/N); two groups that tell an offset differ by 2/sqrt(N), those that tell a
+ * scale error by sqrt(6/N); the mounting has 1/sqrt(2 N). */
 static void sigma_are_those_of_the_closed_forms(void)
 {
     random_source random = random_start(3);
@@ -171,8 +172,9 @@ static void sigma_are_those_of_the_closed_forms(void)
 
 #define MEDIAN_F_6_3 1.12894 /* of Fisher's F with 6 and 3 degrees of freedom */
 
-/* Of the mounting and of J1: the spread is that told; and of closures half are beyond the median of F. Clean positions are called misset in one of a hundred
- * programs, which is what the test allows chance. */
+/* Of the mounting and of J1: the spread is that told; and of closures half are beyond the median of
+ * F. Clean positions are called misset in one of a hundred programs, which is what the test allows
+ * chance. */
 static void sigma_are_honest(void)
 {
     random_source random = random_start(4);
@@ -223,8 +225,8 @@ static void a_misset_angle_is_named(void)
     TEST_ASSERT_TRUE(named >= 99);
 }
 
-/* J1 with the stated direction, where up really is off by e: the error is -|e|^2/2 - (S eta' + delta) e, at
- * most |e|^2/2 + |X| |e|; lengths do not see it. */
+/* J1 with the stated direction, where up really is off by e: the error is -|e|^2/2 - (S eta' +
+ * delta) e, at most |e|^2/2 + |X| |e|; lengths do not see it. */
 static void j1_sees_a_misset_angle_to_the_second_order(void)
 {
     const double sizes[2] = {0.001, 0.01};
@@ -268,7 +270,7 @@ static void other_conventions_are_named(void)
             origin[k].beta = how < 2 ? beta : alpha;
         }
         stand s = found_in();
-        TEST_ASSERT_EQUAL_INT(how, s.reading);
+        TEST_ASSERT_EQUAL_INT(how, s.convention);
         stand_free(&s);
     }
 }
@@ -276,7 +278,7 @@ static void other_conventions_are_named(void)
 static void senses_and_zeros_are_taken_off(void)
 {
     random_source random = random_start(7);
-    const stand_wish wish = {.is_wanted = 1, .sense = {-1, -1}, .zero = {20, -7}};
+    const stand_options options = {.is_wanted = 1, .sense = {-1, -1}, .zero = {20, -7}};
     stand s;
 
     measure(&random, &sensor, straight, 1e-4, COUNT, 0);
@@ -285,15 +287,16 @@ static void senses_and_zeros_are_taken_off(void)
         origin[k].beta = -7 - origin[k].beta;
     }
     TEST_ASSERT_EQUAL_INT(EXIT_GOOD,
-                          stand_find(&s, &wish, &data, &all, mean, &unit_scale_calibration));
-    TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.reading);
+                          stand_find(&s, &options, &data, &all, mean, &unit_scale_calibration));
+    TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.convention);
     for (int i = 0; i < 3; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(5 * s.mounting.sigma[i], 0, s.mounting.angle[i]);
     }
     stand_free(&s);
 }
 
-/* Group 1 and two positions more, with leverages of nearly 1: each of 200 sets has a chance of 1 %. */
+/* Group 1 and two positions more, with leverages of nearly 1: each of 200 sets has a chance of 1
+ * %. */
 static void of_eight_positions_none_seems_misset_by_chance(void)
 {
     random_source random = random_start(12);
@@ -303,7 +306,7 @@ static void of_eight_positions_none_seems_misset_by_chance(void)
         measure(&random, &sensor, straight, 1e-4, COUNT, 0);
         all.kept_count = 8;
         stand s = found_in();
-        TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.reading);
+        TEST_ASSERT_EQUAL_INT(STAND_AS_STATED, s.convention);
         seeming += s.missets > 0;
         stand_free(&s);
     }

@@ -53,24 +53,25 @@ static void test_rates_of_turn(void)
                                        "m/s^2", "counts", "s",   "rad/s^2"};
 
     for (unsigned i = 0; i < sizeof radians / sizeof *radians; i++) {
-        TEST_ASSERT_EQUAL_DOUBLE(1, unit_parse_turn(radians[i]));
+        TEST_ASSERT_EQUAL_DOUBLE(1, unit_parse_angular_rate(radians[i]));
     }
     for (unsigned i = 0; i < sizeof degrees / sizeof *degrees; i++) {
-        TEST_ASSERT_DOUBLE_WITHIN(1e-15, 3.14159265358979324 / 180, unit_parse_turn(degrees[i]));
+        TEST_ASSERT_DOUBLE_WITHIN(1e-15, 3.14159265358979324 / 180,
+                                  unit_parse_angular_rate(degrees[i]));
     }
     for (unsigned i = 0; i < sizeof none / sizeof *none; i++) {
-        TEST_ASSERT_EQUAL_DOUBLE(0, unit_parse_turn(none[i]));
+        TEST_ASSERT_EQUAL_DOUBLE(0, unit_parse_angular_rate(none[i]));
     }
-    TEST_ASSERT_DOUBLE_WITHIN(1e-15, 3.14159265358979324 / 180e3, unit_parse_turn("mdps"));
-    TEST_ASSERT_EQUAL_DOUBLE(1e-3, unit_parse_turn("mrad/s"));
-    TEST_ASSERT_EQUAL_STRING("rad/s", unit_turn_words(unit_parse_turn("rad/s")));
-    TEST_ASSERT_EQUAL_STRING("°/s", unit_turn_words(unit_parse_turn("dps")));
-    TEST_ASSERT_EQUAL_STRING("m°/s", unit_turn_words(unit_parse_turn("mdps")));
-    TEST_ASSERT_EQUAL_STRING("counts", unit_turn_words(1.3e-4));
-    TEST_ASSERT_EQUAL_STRING("mrad/s", unit_turn_name(1e-3));
-    TEST_ASSERT_EQUAL_STRING("deg/s", unit_turn_name(unit_parse_turn("dps")));
-    TEST_ASSERT_EQUAL_STRING("mdeg/s", unit_turn_name(unit_parse_turn("mdps")));
-    TEST_ASSERT_EQUAL_STRING("counts", unit_turn_name(1.3e-4));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-15, 3.14159265358979324 / 180e3, unit_parse_angular_rate("mdps"));
+    TEST_ASSERT_EQUAL_DOUBLE(1e-3, unit_parse_angular_rate("mrad/s"));
+    TEST_ASSERT_EQUAL_STRING("rad/s", unit_angular_rate_words(unit_parse_angular_rate("rad/s")));
+    TEST_ASSERT_EQUAL_STRING("°/s", unit_angular_rate_words(unit_parse_angular_rate("dps")));
+    TEST_ASSERT_EQUAL_STRING("m°/s", unit_angular_rate_words(unit_parse_angular_rate("mdps")));
+    TEST_ASSERT_EQUAL_STRING("counts", unit_angular_rate_words(1.3e-4));
+    TEST_ASSERT_EQUAL_STRING("mrad/s", unit_angular_rate_name(1e-3));
+    TEST_ASSERT_EQUAL_STRING("deg/s", unit_angular_rate_name(unit_parse_angular_rate("dps")));
+    TEST_ASSERT_EQUAL_STRING("mdeg/s", unit_angular_rate_name(unit_parse_angular_rate("mdps")));
+    TEST_ASSERT_EQUAL_STRING("counts", unit_angular_rate_name(1.3e-4));
 }
 
 /* MMA8451: 1024 counts a g at 8 g. */

@@ -13,7 +13,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress.h"
-#include "read/chosen.h"
+#include "read/columns_option.h"
 
 enum {
     COLUMNS,
@@ -115,7 +115,7 @@ static int read_request(int argc, char **argv, request *r)
     s->command = r->command;
     options_command(syntax.command, argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : check_files(r);
-    failure = failure ? failure : chosen_read(syntax.command, r->value[COLUMNS]);
+    failure = failure ? failure : columns_option_parse(syntax.command, r->value[COLUMNS]);
     failure = failure ? failure : read_number(r, RATE, 0, &s->rate);
     failure = failure ? failure : read_taus(r);
     failure = failure ? failure : read_number(r, SIGMA, 0, &s->sigma);
@@ -200,7 +200,7 @@ static const char *const help[] = {
     "input units. For a gyroscope, name its columns: --columns gx,gy,gz; results are then in\n"
     "the unit of the header (rad/s, deg/s), in rad/s with --lsb, else in input units.\n"
     "\n",
-    CHOSEN_OPTION,
+    COLUMNS_OPTION_HELP,
     "  --rate HZ           samples per second, any above 0; default: from the times in LOG\n"
     "  --tau T1,T2,...     averaging times in seconds, ascending. Each must be a multiple of\n"
     "                      the sample interval; one longer than 4096 samples, of a power of\n"

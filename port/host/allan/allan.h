@@ -57,7 +57,7 @@ typedef struct {
     uint32_t crc;
     recognition seen;
     int is_ms2;       /* results are in m/s^2 */
-    double turn;      /* of a gyroscope: rad/s per unit of the results; 0: unknown, or not one */
+    double rate_unit; /* of a gyroscope: rad/s per unit of the results; 0: unknown, or not one */
     const char *unit; /* of the results, for output */
     double gravity;   /* length of the field in that unit; NaN: unknown */
     double rate;

@@ -79,10 +79,10 @@ void allan_json(FILE *file, const allan_result *r, const allan_settings *setting
     json_text(&w, "source_file", r->name);
     json_text(&w, "source_crc", crc);
     json_text(&w, "unit",
-              r->is_ms2        ? "m/s^2"
-              : r->gravity > 0 ? "field"
-              : r->turn > 0    ? unit_turn_name(r->turn)
-                               : "input");
+              r->is_ms2          ? "m/s^2"
+              : r->gravity > 0   ? "field"
+              : r->rate_unit > 0 ? unit_angular_rate_name(r->rate_unit)
+                                 : "input");
     json_number(&w, "gravity", r->gravity);
     json_number(&w, "rate", r->rate);
     json_number(&w, "samples", (double)r->samples);

@@ -145,8 +145,9 @@ static double find_unit(allan_result *r, const allan_settings *settings)
 
     if (r->seen.is_gyro) {
         r->gravity = (double)NAN;
-        r->turn = settings->lsb > 0 ? 1 : r->seen.turn;
-        r->unit = r->turn > 0 ? unit_turn_words(r->turn) : unit_words(r->seen.unit);
+        r->rate_unit = settings->lsb > 0 ? 1 : r->seen.rate_unit;
+        r->unit =
+            r->rate_unit > 0 ? unit_angular_rate_words(r->rate_unit) : unit_words(r->seen.unit);
         return settings->lsb > 0 ? settings->lsb : 1;
     }
     if (settings->unit != UNIT_UNKNOWN) {
@@ -271,17 +272,18 @@ static int find_dwells(allan_result *r, double wanted)
 /* A gyroscope has the unit of its header, or that of --lsb. */
 static int check_gyro(const allan_result *r, const allan_settings *settings)
 {
-    const char *option = settings->unit != UNIT_UNKNOWN          ? "--unit"
-                         : settings->gravity > 0                 ? "--gravity"
-                         : settings->lsb > 0 && r->seen.turn > 0 ? "--lsb"
-                                                                 : NULL;
+    const char *option = settings->unit != UNIT_UNKNOWN               ? "--unit"
+                         : settings->gravity > 0                      ? "--gravity"
+                         : settings->lsb > 0 && r->seen.rate_unit > 0 ? "--lsb"
+
+                                                                      : NULL;
 
     return r->seen.is_gyro && option
                ? message_usage("allan", "%s: %s %s %s are columns of a gyroscope%s: leave it out",
                                option, r->seen.name[COLUMN_X], r->seen.name[COLUMN_Y],
                                r->seen.name[COLUMN_Z],
-                               r->seen.turn > 0 ? ", whose unit the header states"
-                                                : "; --lsb states rad/s per input unit")
+                               r->seen.rate_unit > 0 ? ", whose unit the header states"
+                                                     : "; --lsb states rad/s per input unit")
                : EXIT_GOOD;
 }
 

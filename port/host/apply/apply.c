@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "read/chosen.h"
+#include "read/columns_option.h"
 #include "read/columns.h"
 #include "cli/command.h"
 #include "cli/files.h"
@@ -35,17 +35,17 @@ static const option_syntax syntax = {"apply", options, OPTIONS, operands, 2, 0};
 /* How a log is corrected. */
 typedef struct {
     calibration_file file;
-    double temperature; /* of all readings; NaN: by the column */
-    thermal_correction at;
-    nonlinear_correction bent;
+    double temperature; /* of all readings; NaN: from the column */
+    thermal_correction thermal;
+    nonlinear_correction nonlinear;
     int is_gyro;       /* the log is of the gyroscope alone */
-    reading_unit unit; /* that the header states */
+    reading_unit unit; /* as stated by the header */
     int is_quiet;      /* no warning of readings outside the calibrated range */
-    int is_left_empty; /* of a cell of temperature, after a warning */
+    int is_left_empty; /* a warning about an empty cell of temperature has been printed */
 } job;
 
-/* Checks a number, but hands it on as the text that it was: a time stamp has digits to lose. Only a
- * time in another unit becomes one in seconds. */
+/* Checks a number, but copies its text, so that a time stamp keeps its digits, unless the unit is
+ * converted. */
 static int copy_number(FILE *spool, const table *log, const columns *where, column which)
 {
     double number;
@@ -73,19 +73,19 @@ static int write_three(FILE *spool, const table *log, const double v[3])
     return EXIT_GOOD;
 }
 
-/* What the gyroscope reads, rad/s. felt: the calibrated acceleration; 0 if it is not known. */
+/* The calibrated rate, rad/s. acceleration: calibrated; 0 if it is unknown. */
 static int write_gyro(FILE *spool, const table *log, const columns *where, const job *j,
-                      const double felt[3])
+                      const double acceleration[3])
 {
     double v[3];
-    const int failure = columns_turn(log, where, v);
+    const int failure = columns_gyro(log, where, v);
 
     if (failure) {
         return failure;
     }
     invcal_apply(&j->file.gyro, v, v);
     for (unsigned i = 0; i < 9; i++) {
-        v[i / 3] -= j->file.gyro_g[i / 3][i % 3] * felt[i % 3];
+        v[i / 3] -= j->file.gyro_g[i / 3][i % 3] * acceleration[i % 3];
     }
     return write_three(spool, log, v);
 }
@@ -105,12 +105,12 @@ static int write_accelerometer(FILE *spool, const table *log, const columns *whe
     if (failure) {
         return failure;
     }
-    nonlinear_correction_take(&j->bent, v);
-    invcal_apply(thermal_correction_at(&j->at, temperature), v, v);
+    nonlinear_correction_remove(&j->nonlinear, v);
+    invcal_apply(thermal_correction_at(&j->thermal, temperature), v, v);
     return write_three(spool, log, v);
 }
 
-/* Only a correction over temperature needs one in every row. */
+/* A cell of temperature may be empty unless the calibration depends on temperature. */
 static int write_temperature(FILE *spool, const table *log, const columns *where, job *j)
 {
     if (!temperature_is_missing(log, where)) {
@@ -131,18 +131,18 @@ static int has_gyro(const columns *where, const job *j)
 static int write_row(FILE *spool, const table *log, const columns *where, job *j)
 {
     int failure = EXIT_GOOD;
-    double felt[3] = {0, 0, 0};
+    double acceleration[3] = {0, 0, 0};
 
     if (where->index[COLUMN_TIME] >= 0) {
         failure = copy_number(spool, log, where, COLUMN_TIME);
         putc(',', spool);
     }
     failure = failure      ? failure
-              : j->is_gyro ? write_gyro(spool, log, where, j, felt)
-                           : write_accelerometer(spool, log, where, j, felt);
+              : j->is_gyro ? write_gyro(spool, log, where, j, acceleration)
+                           : write_accelerometer(spool, log, where, j, acceleration);
     if (!failure && has_gyro(where, j)) {
         putc(',', spool);
-        failure = write_gyro(spool, log, where, j, felt);
+        failure = write_gyro(spool, log, where, j, acceleration);
     }
     if (!failure && where->index[COLUMN_TEMPERATURE] >= 0) {
         putc(',', spool);
@@ -152,13 +152,13 @@ static int write_row(FILE *spool, const table *log, const columns *where, job *j
     return failure;
 }
 
-/* The next row that is whole. 1, 0 at the end, -1. */
+/* The next complete row. Returns 1; 0 at the end; -1 after a message. */
 static int next_row(table *log, const columns *where, unsigned long rows)
 {
     const int more = table_next(log);
 
     if (more != 0 && rows > 0 && columns_is_cut(log, where)) {
-        columns_say_cut(log, "last", log->line);
+        columns_warn_cut(log, "last", log->line);
         return 0;
     }
     return more;
@@ -170,7 +170,7 @@ static int find_columns(table *log, const job *j, columns *where)
     const int failure = table_drop_cut_first(log, &cut);
 
     if (cut > 0) {
-        columns_say_cut(log, "first", cut);
+        columns_warn_cut(log, "first", cut);
     }
     log->is_log = 1;
     const columns_kind kind = j->is_gyro                ? COLUMNS_GYRO
@@ -180,7 +180,8 @@ static int find_columns(table *log, const job *j, columns *where)
     return failure ? failure : columns_find(log, kind, where);
 }
 
-/* Readings in another unit than those of the calibration come out wrong. What has the size of mg may be counts. */
+/* Warns if the unit of the readings differs from that of the calibration. Readings of the size of
+ * mg may be counts. */
 static void check_unit(const table *log, const job *j)
 {
     const reading_unit here = j->unit;
@@ -194,7 +195,7 @@ static void check_unit(const table *log, const job *j)
     }
 }
 
-/* A correction that depends on temperature needs one. */
+/* 1 if the correction depends on a column of temperature. */
 static int needs_temperature(const job *j)
 {
     return j->file.has_thermal && !j->is_gyro && isnan(j->temperature);
@@ -247,7 +248,7 @@ static int write_rows(FILE *spool, table *log, job *j)
     return EXIT_GOOD;
 }
 
-/* The whole log goes to a temporary file first: if its last line is bad, nothing is printed. */
+/* The result goes to a temporary file first: if any line is bad, nothing is printed. */
 static int apply(table *log, job *j)
 {
     FILE *spool = tmpfile();
@@ -272,8 +273,8 @@ static int apply(table *log, job *j)
                     "accelerometer's columns in the same log",
                     log->name);
         }
-        thermal_correction_end(&j->at, log->name);
-        nonlinear_correction_end(&j->bent, log->name);
+        thermal_correction_end(&j->thermal, log->name);
+        nonlinear_correction_end(&j->nonlinear, log->name);
     }
     return failure;
 }
@@ -301,15 +302,15 @@ static int run(int argc, char **argv)
 
     const named_file inputs[] = {{"CAL.json", files[0]}, {"LOG", files[1]}};
     failure = failure ? failure : files_check(syntax.command, inputs, 2, NULL, 0);
-    failure = failure ? failure : chosen_read(syntax.command, value[COLUMNS]);
+    failure = failure ? failure : columns_option_parse(syntax.command, value[COLUMNS]);
     failure = failure ? failure : calibration_file_read_correction(files[0], &j.file);
     failure = failure ? failure : read_temperature(value[TEMPERATURE], &j);
     failure =
-        failure ? failure : nonlinear_correction_begin(&j.bent, &j.file, input_name(files[0]));
+        failure ? failure : nonlinear_correction_begin(&j.nonlinear, &j.file, input_name(files[0]));
     if (failure) {
         return failure;
     }
-    thermal_correction_begin(&j.at, &j.file);
+    thermal_correction_begin(&j.thermal, &j.file);
     j.is_gyro = value[GYRO] != NULL;
     if (j.is_gyro && !j.file.has_gyro) {
         return message_usage(syntax.command, "--gyro: %s contains no gyroscope",
@@ -320,7 +321,7 @@ static int run(int argc, char **argv)
         progress_quiet();
     }
     if (needs_temperature(&j)) {
-        chosen_need(COLUMN_TEMPERATURE);
+        columns_option_require(COLUMN_TEMPERATURE);
     }
     j.is_left_empty = 0;
     failure = table_open(&log, files[1]);
@@ -355,7 +356,7 @@ static const char *const help[] = {
     "known up to the field along each axis; beyond 1.1 times the field, its value there is\n"
     "used, with a warning.\n"
     "\n",
-    CHOSEN_OPTION,
+    COLUMNS_OPTION_HELP,
     "  --temperature T     temperature of all readings, instead of the column; for a\n"
     "                      calibration made with --thermal\n"
     "  --gyro              LOG is of the gyroscope alone, x y z or t x y z\n"

@@ -9,16 +9,17 @@
 #include "maths/matrix.h"
 #include "cli/message.h"
 
-#define STEPS 50     /* each leaves less than half */
-#define ENOUGH 1e-12 /* over the field */
-#define STEEPEST 0.5
+#define ITERATIONS 50   /* each leaves less than half of the error */
+#define TOLERANCE 1e-12 /* over the field */
+#define SLOPE_MAX 0.5   /* of the error over eta: the iteration converges below 1 */
 
-/* The orthonormal factor of a matrix, by Newton's steps R = (R + R^-T) / 2. Returns 1; 0 for a singular one. */
-static int find_turn(invcal_calibration *r)
+/* The orthogonal factor of a matrix, by Newton's iteration R = (R + R^-T) / 2. Returns 1; 0 if it
+ * is singular. */
+static int nearest_rotation(invcal_calibration *r)
 {
     double inverse[3][3];
 
-    for (unsigned step = 0; step < STEPS; step++) {
+    for (unsigned step = 0; step < ITERATIONS; step++) {
         if (!matrix_inverse(r, inverse)) {
             return 0;
         }
@@ -30,7 +31,7 @@ static int find_turn(invcal_calibration *r)
     return 1;
 }
 
-static void product(const double (*a)[3], const double (*b)[3], double out[3][3])
+static void multiply(const double (*a)[3], const double (*b)[3], double out[3][3])
 {
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
@@ -39,43 +40,43 @@ static void product(const double (*a)[3], const double (*b)[3], double out[3][3]
     }
 }
 
-/* The calibration in the frame of the sensor's axes, whatever frame the file has: A = R S, and S is what
- * --frame symmetric would have written. */
+/* The calibration in the symmetric frame, from that in the frame of the file: A = R S. */
 static int find_symmetric(nonlinear_correction *c, const calibration_file *file)
 {
     const invcal_calibration over = fit_over_field(&file->calibration, file->nonlinear.field);
     invcal_calibration turn = {.offset = {0, 0, 0}};
     double back[3][3];
 
-    product((const double(*)[3])over.matrix, (const double(*)[3])c->inverse, turn.matrix);
-    if (!find_turn(&turn)) {
+    multiply((const double(*)[3])over.matrix, (const double(*)[3])c->inverse, turn.matrix);
+    if (!nearest_rotation(&turn)) {
         return 0;
     }
     for (unsigned i = 0; i < 9; i++) {
         back[i / 3][i % 3] = turn.matrix[i % 3][i / 3];
     }
     memcpy(c->symmetric.offset, over.offset, sizeof over.offset);
-    product((const double(*)[3])back, (const double(*)[3])over.matrix, c->symmetric.matrix);
+    multiply((const double(*)[3])back, (const double(*)[3])over.matrix, c->symmetric.matrix);
     return 1;
 }
 
-/* An error changes by less than half of a change in what the axes feel: each step leaves less than half. */
+/* 1 if the error changes by less than half of a change of eta, so that each iteration leaves less
+ * than half. */
 static int converges(const nonlinear_correction *c)
 {
     double gain[3][3];
-    double most = 0;
-    int is_flat = 1;
+    double gain_max = 0;
+    int is_small = 1;
 
-    product((const double(*)[3])c->symmetric.matrix, (const double(*)[3])c->inverse, gain);
+    multiply((const double(*)[3])c->symmetric.matrix, (const double(*)[3])c->inverse, gain);
     for (unsigned a = 0; a < 3; a++) {
-        most = fmax(most, fabs(gain[a][0]) + fabs(gain[a][1]) + fabs(gain[a][2]));
+        gain_max = fmax(gain_max, fabs(gain[a][0]) + fabs(gain[a][1]) + fabs(gain[a][2]));
     }
     for (unsigned a = 0; a < 3; a++) {
         const double slope =
             NONLINEAR_EDGE * (2 * fabs(c->term[0][a]) + 3 * NONLINEAR_EDGE * fabs(c->term[1][a]));
-        is_flat = is_flat && most * slope < STEEPEST;
+        is_small = is_small && gain_max * slope < SLOPE_MAX;
     }
-    return is_flat;
+    return is_small;
 }
 
 int nonlinear_correction_begin(nonlinear_correction *c, const calibration_file *file,
@@ -95,7 +96,7 @@ int nonlinear_correction_begin(nonlinear_correction *c, const calibration_file *
     return EXIT_GOOD;
 }
 
-/* The error of an axis, held at the edge. */
+/* The error of an axis; beyond the edge that at the edge. */
 static double error_of(const nonlinear_correction *c, unsigned axis, double eta)
 {
     const double x = fmax(-NONLINEAR_EDGE, fmin(NONLINEAR_EDGE, eta));
@@ -108,16 +109,16 @@ static double largest(const double v[3])
     return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
 }
 
-void nonlinear_correction_take(nonlinear_correction *c, double raw[3])
+void nonlinear_correction_remove(nonlinear_correction *c, double raw[3])
 {
-    const double was[3] = {raw[0], raw[1], raw[2]};
+    const double measured[3] = {raw[0], raw[1], raw[2]};
     double eta[3] = {0, 0, 0};
-    double moved = 1;
+    double change = 1;
 
     if (!c->is_needed) {
         return;
     }
-    for (unsigned step = 0; step < STEPS && moved > ENOUGH; step++) {
+    for (unsigned step = 0; step < ITERATIONS && change > TOLERANCE; step++) {
         double now[3];
         double error[3];
         invcal_apply(&c->symmetric, raw, now);
@@ -125,10 +126,10 @@ void nonlinear_correction_take(nonlinear_correction *c, double raw[3])
             error[a] = error_of(c, a, now[a]);
             eta[a] -= now[a];
         }
-        moved = largest(eta);
+        change = largest(eta);
         for (unsigned a = 0; a < 3; a++) {
             const double *n = c->inverse[a];
-            raw[a] = was[a] - (n[0] * error[0] + n[1] * error[1] + n[2] * error[2]);
+            raw[a] = measured[a] - (n[0] * error[0] + n[1] * error[1] + n[2] * error[2]);
             eta[a] = now[a];
         }
     }

@@ -9,8 +9,8 @@
 void thermal_correction_begin(thermal_correction *c, const calibration_file *file)
 {
     *c = (thermal_correction){.file = file,
-                              .now = file->calibration,
-                              .at = NUMBER_UNKNOWN,
+                              .current = file->calibration,
+                              .temperature = NUMBER_UNKNOWN,
                               .coldest = file->thermal.min,
                               .warmest = file->thermal.max};
 }
@@ -20,7 +20,7 @@ const invcal_calibration *thermal_correction_at(thermal_correction *c, double te
     invcal_calibration here;
 
     if (!c->file->has_thermal) {
-        return &c->now;
+        return &c->current;
     }
     c->readings++;
     const double margin = THERMAL_CORRECTION_MARGIN * (c->file->thermal.max - c->file->thermal.min);
@@ -28,14 +28,14 @@ const invcal_calibration *thermal_correction_at(thermal_correction *c, double te
     c->above += temperature > c->file->thermal.max + margin;
     c->coldest = fmin(c->coldest, temperature);
     c->warmest = fmax(c->warmest, temperature);
-    /* It holds at both ends of its range (calibration_file.h); where it should not in between, the
-     * last one stays. */
-    if (!(fabs(temperature - c->at) <= THERMAL_CORRECTION_STEP) &&
+    /* It is valid at both ends of its range (calibration_file.c); if it is not in between, the last
+     * one is kept. */
+    if (!(fabs(temperature - c->temperature) <= THERMAL_CORRECTION_STEP) &&
         calibration_file_at(c->file, temperature, &here)) {
-        c->now = here;
-        c->at = temperature;
+        c->current = here;
+        c->temperature = temperature;
     }
-    return &c->now;
+    return &c->current;
 }
 
 void thermal_correction_end(const thermal_correction *c, const char *log)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal calibrate: a log or position means in, a calibration out.
+ * invcal calibrate: from a log or position means to a calibration.
  */
 #include "calibrate/calibrate.h"
 
@@ -8,7 +8,7 @@
 
 #include "calibrate/deliver.h"
 #include "calibrate/refuse.h"
-#include "calibrate/settle.h"
+#include "calibrate/resolve.h"
 #include "calibrate/solve.h"
 #include "cli/command.h"
 #include "cli/output.h"
@@ -16,19 +16,19 @@
 #include "cli/progress.h"
 #include "design/design.h"
 #include "fit/sensors.h"
-#include "read/chosen.h"
+#include "read/columns_option.h"
 #include "read/columns.h"
 #include "result/gyro.h"
 #include "result/pass.h"
 
-/* With --strict the exit code is that of the verdict; all files are written. */
-static int hold(const request *r, const calibrate_result *result)
+/* With --strict the exit code depends on the verdict. All files have been written. */
+static int check_strict(const request *r, const calibrate_result *result)
 {
     char reason[PASS_MAX];
     char fault[GYRO_TEXT_MAX];
 
-    if (!r->value[ASK_STRICT] || result->refused.word) {
-        return EXIT_GOOD; /* what is refused has its own */
+    if (!r->value[OPT_STRICT] || result->refused.word) {
+        return EXIT_GOOD; /* data that were refused have an exit code already */
     }
     if (*pass_strict(result, reason)) {
         message("%s: --strict: %s", result->data->name, reason);
@@ -41,16 +41,17 @@ static int hold(const request *r, const calibrate_result *result)
     return EXIT_GOOD;
 }
 
-/* What is known of the result before there is one. */
-static calibrate_result ask(const request *r, const positions *data, const rests_summary *log)
+/* What is known before the data are read. */
+static calibrate_result begin_result(const request *r, const positions *data,
+                                     const rests_summary *log)
 {
     return (calibrate_result){
         .data = data,
-        .log = r->value[ASK_POSITIONS] ? NULL : log,
+        .log = r->value[OPT_POSITIONS] ? NULL : log,
         .settings = r->settings,
         .field_unit = r->field_unit,
-        .place = r->value[ASK_LATITUDE] ? r->place : NULL,
-        .told = r->told,
+        .place = r->value[OPT_LATITUDE] ? r->place : NULL,
+        .units = r->units,
         .need = r->need,
         .need_unit = r->need_unit,
         .record = r->record,
@@ -69,8 +70,8 @@ static int asks_for_list(int argc, char **argv)
     return asks;
 }
 
-/* The positions of the log, or the rests in it. */
-static int solve_log(const request *r, positions *data, rests_summary *log, turns *gyro,
+/* From positions, or from the rests of a log. */
+static int solve_log(const request *r, positions *data, rests_summary *log, gyro_log *gyro,
                      calibrate_result *result, positions_reader *read)
 {
     const int failure = read(r, data, log, gyro);
@@ -78,35 +79,35 @@ static int solve_log(const request *r, positions *data, rests_summary *log, turn
     if (failure) {
         return failure;
     }
-    if (data->count == 0 && !r->value[ASK_POSITIONS]) {
-        return calibrate_no_rest(result);
+    if (data->count == 0 && !r->value[OPT_POSITIONS]) {
+        return calibrate_refuse_no_rest(result);
     }
-    settle_unit(r, data);
+    resolve_unit(r, data);
     return solve_positions(r, data, gyro, result);
 }
 
-/* No rest is looked for in it. */
-static int solve_magnetometer(const request *r, positions *data, waved *log,
-                              calibrate_result *result, waved_reader *read)
+/* From the log of a magnetometer, which has no rests. */
+static int solve_magnetometer_log(const request *r, positions *data, magnetometer_log *log,
+                                  calibrate_result *result, magnetometer_reader *read)
 {
-    int failure = settle_magnetometer(r, &result->nominal);
+    int failure = resolve_magnetometer(r, &result->nominal);
 
     result->log = NULL;
     result->magnetometer = log;
     failure = failure ? failure : read(r, &result->nominal.calibration, data, log);
     return failure                    ? failure
-           : log->status != INVCAL_OK ? calibrate_refuse_waved(result)
-                                      : solve_waved(r, data, result);
+           : log->status != INVCAL_OK ? calibrate_refuse_magnetometer(result)
+                                      : solve_magnetometer(r, data, result);
 }
 
 int calibrate_run(int argc, char **argv, int is_live, const calibrate_readers *read)
 {
     request r;
     positions data = {.name = NULL};
-    waved waving = {.samples = 0};
+    magnetometer_log magnetometer = {.samples = 0};
     rests_summary log;
     calibrate_result result = {.data = NULL};
-    turns gyro = {.file = NULL};
+    gyro_log gyro = {.file = NULL};
 
     if (asks_for_list(argc, argv)) {
         sensors_list(stdout);
@@ -116,54 +117,54 @@ int calibrate_run(int argc, char **argv, int is_live, const calibrate_readers *r
     if (failure) {
         return failure;
     }
-    if (r.value[ASK_QUIET]) {
+    if (r.value[OPT_QUIET]) {
         progress_quiet();
     }
-    json_lines(r.value[ASK_JSON_LINES] ? r.file : NULL);
-    result = ask(&r, &data, &log);
-    settle_limits(&r, &result);
-    gyro.file = r.value[ASK_GYRO];
-    failure = r.value[ASK_MAGNETOMETER]
-                  ? solve_magnetometer(&r, &data, &waving, &result, read->waved)
+    json_lines(r.value[OPT_JSON_LINES] ? r.file : NULL);
+    result = begin_result(&r, &data, &log);
+    resolve_limits(&r, &result);
+    gyro.file = r.value[OPT_GYRO];
+    failure = r.value[OPT_MAGNETOMETER]
+                  ? solve_magnetometer_log(&r, &data, &magnetometer, &result, read->magnetometer)
                   : solve_log(&r, &data, &log, &gyro, &result, read->rests);
     failure = result.refused.word ? deliver_refusal(&r, &result)
               : failure           ? failure
                                   : deliver(&r, &result);
-    if (failure == EXIT_FILE && r.value[ASK_JSON_LINES]) {
+    if (failure == EXIT_FILE && r.value[OPT_JSON_LINES]) {
         deliver_unreadable();
     }
-    failure = failure ? failure : hold(&r, &result);
+    failure = failure ? failure : check_strict(&r, &result);
     stand_free(&result.stand);
     rejection_free(&result.rejected);
     positions_free(&data);
-    waved_free(&waving);
-    turns_free(&gyro);
+    magnetometer_log_free(&magnetometer);
+    gyro_log_free(&gyro);
     json_lines(NULL);
     return failure;
 }
 
-/* The positions of the file, or those that a log rests in. */
-static int read_positions(const request *r, positions *data, rests_summary *log, turns *gyro)
+/* The positions of the file, or the rests of a log. */
+static int read_positions(const request *r, positions *data, rests_summary *log, gyro_log *gyro)
 {
-    const double *clip = r->value[ASK_CLIP] ? r->clip : NULL;
+    const double *clip = r->value[OPT_CLIP] ? r->clip : NULL;
 
-    return r->value[ASK_POSITIONS]
+    return r->value[OPT_POSITIONS]
                ? positions_read(data, r->file)
                : rests_read(data, r->file, r->rate, clip,
-                            r->value[ASK_ACCELEROMETER_ONLY] ? NULL : gyro, log);
+                            r->value[OPT_ACCELEROMETER_ONLY] ? NULL : gyro, log);
 }
 
-static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
-                      waved *log)
+static int read_magnetometer(const request *r, const invcal_calibration *nominal, positions *data,
+                             magnetometer_log *log)
 {
-    const waved_wish wish = {.path = r->file, .rate = r->rate, .nominal = nominal};
+    const magnetometer_log_options options = {.path = r->file, .rate = r->rate, .nominal = nominal};
 
-    return waved_read(data, &wish, log);
+    return magnetometer_log_read(data, &options, log);
 }
 
 static int run_calibrate(int argc, char **argv)
 {
-    static const calibrate_readers readers = {read_positions, read_waved};
+    static const calibrate_readers readers = {read_positions, read_magnetometer};
 
     return calibrate_run(argc, argv, 0, &readers);
 }
@@ -193,7 +194,7 @@ static const char *const help[] = {
     "quarter turns through the six faces, each within ten seconds, determine both sensors\n"
     "completely.\n"
     "\n",
-    CHOSEN_OPTION,
+    COLUMNS_OPTION_HELP,
     "  --positions         each row of LOG is the mean of one position: x y z; or x y z std n\n"
     "                      (standard deviation and number of samples); or x y z std_x std_y\n"
     "                      std_z n; or any order with a header\n"

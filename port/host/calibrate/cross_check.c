@@ -3,10 +3,11 @@
 
 #include <math.h>
 
-/* Sigma of a parameter by the noise that is stated, if the residuals are larger: they may be what is wrong. */
+/* Sigma of a parameter from the stated noise, even if the residuals are larger: an outlier may be
+ * the reason. */
 static double sigma_of(const calibrate_result *r, unsigned p)
 {
-    const double times = calibrate_times(r);
+    const double times = calibrate_noise_ratio(r);
 
     return r->quality.sigma[p] / (times > 1 ? times : 1);
 }
@@ -17,8 +18,8 @@ void cross_check(calibrate_result *r)
         l1_fit(r->data->mean, r->data->count, &r->settings.nominal, r->robust) == INVCAL_OK;
     for (unsigned p = 0; p < INVCAL_PARAMETERS && r->has_robust; p++) {
         const double off = fabs(r->robust[p] - r->solution.x[p]) / (L1_DIFFERENCE * sigma_of(r, p));
-        if (!(off <= r->robust_most)) {
-            r->robust_most = off;
+        if (!(off <= r->robust_max)) {
+            r->robust_max = off;
             r->robust_worst = p;
         }
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * calibrate/cross_check.h: does the l1 estimate of all positions agree with the result?
+ * calibrate/cross_check.h: compares the result with the l1 estimate from all positions.
  */
 #ifndef CALIBRATE_CROSS_CHECK_H
 #define CALIBRATE_CROSS_CHECK_H

@@ -9,12 +9,12 @@
 #include "text/json_write.h"
 #include "text/plain.h"
 
-static calibrate_wish wish_of(const request *r)
+static calibrate_invocation invocation_of(const request *r)
 {
-    return (calibrate_wish){
-        .nominal_name = r->value[ASK_NOMINAL_NAME] ? r->value[ASK_NOMINAL_NAME] : "nominal",
-        .saved = r->value[ASK_OUT],
-        .report = r->value[ASK_REPORT],
+    return (calibrate_invocation){
+        .nominal_name = r->value[OPT_NOMINAL_NAME] ? r->value[OPT_NOMINAL_NAME] : "nominal",
+        .saved = r->value[OPT_OUT],
+        .report = r->value[OPT_REPORT],
         .command = r->command,
         .log = r->file,
     };
@@ -22,17 +22,17 @@ static calibrate_wish wish_of(const request *r)
 
 static int print(const request *r, const calibrate_result *result)
 {
-    const calibrate_wish wish = wish_of(r);
+    const calibrate_invocation invocation = invocation_of(r);
 
-    if (r->value[ASK_JSON]) {
+    if (r->value[OPT_JSON]) {
         calibrate_json(stdout, result);
-    } else if (!r->value[ASK_QUIET]) {
-        calibrate_print(stdout, result, &wish);
+    } else if (!r->value[OPT_QUIET]) {
+        calibrate_print(stdout, result, &invocation);
     }
     return output_flush();
 }
 
-/* Begins a file, if it is asked for, and writes it; it is not in its place yet. */
+/* Writes a file, if its path is given, under a temporary name. */
 typedef int file_writer(FILE *file, const request *r, const calibrate_result *result);
 
 static int begin_file(output *out, const char *path, file_writer *write, const request *r,
@@ -55,16 +55,16 @@ static int write_calibration(FILE *file, const request *r, const calibrate_resul
 
 static int write_report(FILE *file, const request *r, const calibrate_result *result)
 {
-    const calibrate_wish wish = wish_of(r);
+    const calibrate_invocation invocation = invocation_of(r);
 
-    return report_write(file, result, &wish);
+    return report_write(file, result, &invocation);
 }
 
 static int write_refusal(FILE *file, const request *r, const calibrate_result *result)
 {
-    const calibrate_wish wish = wish_of(r);
+    const calibrate_invocation invocation = invocation_of(r);
 
-    return report_refusal(file, result, &wish);
+    return report_refusal(file, result, &invocation);
 }
 
 int deliver_refusal(const request *r, const calibrate_result *result)
@@ -72,12 +72,12 @@ int deliver_refusal(const request *r, const calibrate_result *result)
     const refusal *why = &result->refused;
     char text[REFUSAL_TEXT_MAX];
     output page = {0};
-    int failure = begin_file(&page, r->value[ASK_REPORT], write_refusal, r, result);
+    int failure = begin_file(&page, r->value[OPT_REPORT], write_refusal, r, result);
 
-    if (!failure && r->value[ASK_JSON]) {
+    if (!failure && r->value[OPT_JSON]) {
         refusal_json(stdout, result);
-    } else if (!failure && r->value[ASK_REPORT] && !r->value[ASK_QUIET]) {
-        printf("Report in %s.\n", r->value[ASK_REPORT]);
+    } else if (!failure && r->value[OPT_REPORT] && !r->value[OPT_QUIET]) {
+        printf("Report in %s.\n", r->value[OPT_REPORT]);
     }
     failure = failure ? failure : output_flush();
     failure = output_end(&page, 1, failure);
@@ -104,10 +104,10 @@ void deliver_unreadable(void)
 int deliver(const request *r, const calibrate_result *result)
 {
     output files[2] = {{0}};
-    int failure = begin_file(&files[0], r->value[ASK_OUT], write_calibration, r, result);
+    int failure = begin_file(&files[0], r->value[OPT_OUT], write_calibration, r, result);
 
     failure =
-        failure ? failure : begin_file(&files[1], r->value[ASK_REPORT], write_report, r, result);
+        failure ? failure : begin_file(&files[1], r->value[OPT_REPORT], write_report, r, result);
     failure = failure ? failure : print(r, result);
     return output_end(files, 2, failure);
 }

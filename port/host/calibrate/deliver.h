@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * calibrate/deliver.h: the result to where it is wanted: a table or JSON, a file, a page.
+ * calibrate/deliver.h: writes the result: table or JSON on stdout, CAL.json, the report.
  */
 #ifndef CALIBRATE_DELIVER_H
 #define CALIBRATE_DELIVER_H
@@ -8,13 +8,15 @@
 #include "calibrate/request.h"
 #include "result/result.h"
 
-/* The files appear only after all else has been written. Returns EXIT_GOOD; EXIT_FILE after a message. */
+/* Writes a calibration. The files get their names only after everything has been written. Returns
+ * EXIT_GOOD; EXIT_FILE after a message. */
 int deliver(const request *r, const calibrate_result *result);
 
-/* What was refused: a line on stderr, JSON, a page; no calibration. Returns EXIT_DATA; EXIT_FILE after a message. */
+/* Writes why data were refused: a line on stderr, JSON, the report; no calibration. Returns
+ * EXIT_DATA; EXIT_FILE after a message. */
 int deliver_refusal(const request *r, const calibrate_result *result);
 
-/* A log that could not be read, as a line of JSON: what the last message said. */
+/* Writes one line of JSON for a log that could not be read, with the text of the last message. */
 void deliver_unreadable(void);
 
 #endif

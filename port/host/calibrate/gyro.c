@@ -8,18 +8,18 @@
 #include "maths/eigen.h"
 #include "maths/matrix.h"
 
-/* How much better the moves determine the accelerometer. */
-static int tells_more(const request *r, int refused, const calibrate_result *result)
+/* The moves determine the accelerometer, and the rests alone do not, or poorly. */
+static int moves_determine_more(const request *r, int refused, const calibrate_result *result)
 {
     const gyro_fit *g = &result->gyro;
-    const int is_plain = !r->value[ASK_THERMAL] && r->degree == 0 && !fit_has_prior(&r->settings);
+    const int is_plain = !r->value[OPT_THERMAL] && r->degree == 0 && !fit_has_prior(&r->settings);
 
-    return is_plain && g->is_there && !g->word && g->imu.open >> INVCAL_GYRO_PARAMETERS == 0 &&
+    return is_plain && g->has_readings && !g->word && g->imu.open >> INVCAL_GYRO_PARAMETERS == 0 &&
            (refused || result->quality.verdict == INVCAL_WEAK);
 }
 
 /* Residuals of the lengths, as in invcal_quality. */
-static void measure(const calibrate_result *result, invcal_quality *q)
+static void measure_residuals(const calibrate_result *result, invcal_quality *q)
 {
     const rejection *kept = &result->rejected;
     double squares = 0;
@@ -37,15 +37,15 @@ static void measure(const calibrate_result *result, invcal_quality *q)
     q->rms = sqrt(squares / kept->kept_count);
 }
 
-/* The noise of a mean comes from the lengths of the rests alone, as in the library: their share of the degrees of
- * freedom. */
+/* Degrees of freedom of the noise of a mean, which is estimated from the lengths of the rests
+ * alone, as in the library. */
 static double dof_of_rests(const gyro_fit *g)
 {
     return (double)g->imu.dof * g->rests / (g->rests + 2.0 * g->imu.moves);
 }
 
-/* The lengths disagree by more than their noise: judged as without moves, by the lengths alone. Only the angles, which
- * the moves tell, come from them. */
+/* The lengths disagree by more than their noise. This is judged by a fit of the lengths alone, with
+ * the angles from the moves as a prior. */
 static int is_disturbed(const calibrate_result *result)
 {
     const rejection *kept = &result->rejected;
@@ -60,12 +60,12 @@ static int is_disturbed(const calibrate_result *result)
 }
 
 /* The moves determine what the rests leave undetermined. */
-static void take_joint(calibrate_result *result)
+static void use_joint_solution(calibrate_result *result)
 {
     const invcal_imu *imu = &result->gyro.imu;
     double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     fit_settings with = result->settings;
-    /* what is weak is the gyroscope alone: see tells_more */
+    /* only the gyroscope can be weak here: see moves_determine_more */
     const int is_weak = imu->verdict == INVCAL_WEAK;
     invcal_quality q = {.verdict = !is_weak       ? imu->verdict
                                    : imu->dof > 0 ? INVCAL_GOOD
@@ -75,7 +75,7 @@ static void take_joint(calibrate_result *result)
                         .sigma_dof = (uint16_t)lround(dof_of_rests(&result->gyro))};
 
     memcpy(q.sigma, &imu->sigma[INVCAL_GYRO_PARAMETERS], sizeof q.sigma);
-    measure(result, &q);
+    measure_residuals(result, &q);
     result->refused = (refusal){.word = NULL};
     result->is_joint = 1;
     result->solution = fit_solution_of(&imu->accelerometer, &result->settings);
@@ -91,9 +91,10 @@ static void take_joint(calibrate_result *result)
     }
 }
 
-/* About how the accelerometer reads. A box around few rests misses its zero by far. Null: nothing shows it yet. */
+/* An approximate calibration of the accelerometer; null if there is none. A nominal one that is
+ * guessed from the range of few rests is far from the truth: a sphere fits better. */
 static const invcal_calibration *find_start(int refused, const calibrate_result *result,
-                                            invcal_calibration *about)
+                                            invcal_calibration *approximate)
 {
     const rejection *kept = &result->rejected;
 
@@ -103,13 +104,13 @@ static const invcal_calibration *find_start(int refused, const calibrate_result 
     if (!nominal_is_guess(&result->nominal)) {
         return &result->settings.nominal;
     }
-    return nominal_from_sphere(kept->kept, kept->kept_count, about) ? about : NULL;
+    return nominal_from_sphere(kept->kept, kept->kept_count, approximate) ? approximate : NULL;
 }
 
-int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_result *result)
+int calibrate_gyro(const request *r, const gyro_log *gyro, int refused, calibrate_result *result)
 {
-    const double *clip = r->value[ASK_CLIP] ? r->clip : NULL;
-    invcal_calibration about;
+    const double *clip = r->value[OPT_CLIP] ? r->clip : NULL;
+    invcal_calibration approximate;
     const int may_help = refused == EXIT_DATA && result->refused.undetermined != 0;
 
     if (gyro->readings == 0 || (refused && !may_help) || result->data->count == 0) {
@@ -117,12 +118,12 @@ int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_r
     }
     const int failure =
         gyro_make(&result->gyro, gyro, &r->gyro, (unsigned)nearbyint(result->log->rate), clip,
-                  result->data, &result->rejected, find_start(refused, result, &about));
+                  result->data, &result->rejected, find_start(refused, result, &approximate));
     if (failure) {
         return failure;
     }
-    if (tells_more(r, refused, result)) {
-        take_joint(result);
+    if (moves_determine_more(r, refused, result)) {
+        use_joint_solution(result);
         return EXIT_GOOD;
     }
     if (refused && !result->gyro.word && result->gyro.imu.open) {
@@ -137,8 +138,8 @@ int calibrate_gyro(const request *r, const turns *gyro, int refused, calibrate_r
     return refused;
 }
 
-/* The rotation next to a matrix, by Newton's iteration X <- (X + X^-T) / 2. */
-static void next_rotation(double x[3][3])
+/* The rotation closest to a matrix, by Newton's iteration X <- (X + X^-T) / 2. */
+static void nearest_rotation(double x[3][3])
 {
     for (unsigned n = 0; n < 20; n++) {
         invcal_calibration c = {.offset = {0}};
@@ -169,16 +170,16 @@ void calibrate_gyro_turn(calibrate_result *result)
     double turn[3][3];
     double turned[3][3];
 
-    if (!g->is_there || g->word || !matrix_inverse(&g->imu.accelerometer, inverse)) {
+    if (!g->has_readings || g->word || !matrix_inverse(&g->imu.accelerometer, inverse)) {
         return;
     }
     multiply((const double(*)[3])result->solution.calibration.matrix, (const double(*)[3])inverse,
              turn);
-    next_rotation(turn);
+    nearest_rotation(turn);
     multiply((const double(*)[3])turn, (const double(*)[3])g->calibration.matrix, turned);
     memcpy(g->calibration.matrix, turned, sizeof turned);
     multiply((const double(*)[3])turn, (const double(*)[3])g->g, turned);
-    for (unsigned i = 0; i < 9; i++) { /* the acceleration is in the new axes, too */
+    for (unsigned i = 0; i < 9; i++) { /* the acceleration is also in the new axes */
         const double *row = turned[i / 3];
         const double *of = turn[i % 3];
         g->g[i / 3][i % 3] = row[0] * of[0] + row[1] * of[1] + row[2] * of[2];

@@ -8,8 +8,8 @@ static const char *option_of(unsigned degree)
     return degree > 2 ? "--cubic" : "--quadratic";
 }
 
-/* Which of them stay open. */
-static void say_open(const calibrate_result *r, unsigned degree, char text[REFUSAL_MAX])
+/* Names the terms that are undetermined. */
+static void list_undetermined(const calibrate_result *r, unsigned degree, char text[REFUSAL_MAX])
 {
     const unsigned open =
         nonlinearity_open(r->rejected.kept, r->rejected.kept_count, &r->solution.symmetric, degree);
@@ -17,7 +17,7 @@ static void say_open(const calibrate_result *r, unsigned degree, char text[REFUS
     size_t used = (size_t)snprintf(text, REFUSAL_MAX, "%s: the positions do not determine",
                                    option_of(degree));
 
-    for (unsigned e = 0; e < NONLINEARITY_MOST; e++) {
+    for (unsigned e = 0; e < NONLINEARITY_TERMS; e++) {
         if (open >> e & 1 && used < REFUSAL_MAX) {
             used += (size_t)snprintf(text + used, REFUSAL_MAX - used, "%s %s",
                                      count++ > 0 ? "," : "", nonlinearity_name(e));
@@ -34,9 +34,9 @@ static int refuse(calibrate_result *r, unsigned degree, invcal_status status)
         .word = is_few ? "too few" : "undetermined", .wants_positions = 1, .degree = degree};
     if (is_few) {
         snprintf(why->reason, REFUSAL_MAX, "%s: %u positions are too few: %u or more are needed",
-                 option_of(degree), r->rejected.kept_count, nonlinearity_least(degree));
+                 option_of(degree), r->rejected.kept_count, nonlinearity_min_positions(degree));
     } else {
-        say_open(r, degree, why->reason);
+        list_undetermined(r, degree, why->reason);
     }
     snprintf(
         why->remedy, REFUSAL_MAX,
@@ -59,7 +59,7 @@ int calibrate_nonlinear(calibrate_result *r, unsigned degree)
     r->is_drift_fitted = 0;
     if (found->systematic == INVCAL_QUADRATIC ||
         (degree > 2 && found->systematic == INVCAL_CUBIC)) {
-        found->systematic = INVCAL_NO_SYSTEMATIC; /* it is reported as such */
+        found->systematic = INVCAL_NO_SYSTEMATIC; /* reported as a nonlinearity instead */
         found->verdict = INVCAL_GOOD;
     }
     found->unchecked &=

@@ -7,8 +7,8 @@
 
 #include "result/result.h"
 
-/* Fits a nonlinearity to what was calibrated without. Returns EXIT_GOOD; EXIT_DATA, with result->refused filled in,
- * if the positions do not determine it. */
+/* Fits a nonlinearity, starting from the solution without. Returns EXIT_GOOD; EXIT_DATA, with
+ * result->refused filled in, if the positions do not determine it. */
 int calibrate_nonlinear(calibrate_result *result, unsigned degree);
 
 #endif

@@ -9,14 +9,14 @@
 #include "design/parameters.h"
 #include "fit/rejection.h"
 #include "result/faces.h"
-#include "stand/tell.h"
+#include "stand/output.h"
 #include "text/append.h"
 
-#define GOOD 12u          /* positions */
-#define SLOW 25.0         /* samples per second: shorter rests would do, if they were found */
-#define LISTED 10u        /* rests that are named */
-#define IN_MOTION 0.1     /* part of the time at rest: nobody has tried to hold it still */
-#define FEW_SAMPLES 1000u /* more rows than anybody has positions */
+#define POSITIONS_GOOD 12u    /* positions to recommend */
+#define RATE_LOW 25.0         /* samples per second below which rests must be longer than 2 s */
+#define LISTED_MAX 10u        /* rests that are listed */
+#define REST_FRACTION_MIN 0.1 /* part of the time at rest; below it the device was waved */
+#define SAMPLES_FEW 1000u     /* fewer rows than this may be positions */
 
 static const char *status_name(invcal_status status)
 {
@@ -36,7 +36,7 @@ static const char *status_name(invcal_status status)
     }
 }
 
-/* Without a prior for it a parameter takes a position. */
+/* Each parameter without a prior takes one position. */
 static unsigned positions_needed(const fit_settings *settings)
 {
     unsigned needed = 0;
@@ -47,13 +47,14 @@ static unsigned positions_needed(const fit_settings *settings)
     return needed > 0 ? needed : 1;
 }
 
-/* A group of a program that was not visited leaves its angle between axes open. */
-static unsigned missing_group(const positions *data, const stand_wish *angles, uint16_t bits)
+/* The group of a program that was not visited, if its angle is among the undetermined parameters;
+ * else 0. */
+static unsigned missing_group(const positions *data, const stand_options *angles, uint16_t bits)
 {
-    static const unsigned told_by[] = {0, INVCAL_GAMMA_ZY, INVCAL_GAMMA_XZ, INVCAL_GAMMA_XY};
+    static const unsigned angle_of_group[] = {0, INVCAL_GAMMA_ZY, INVCAL_GAMMA_XZ, INVCAL_GAMMA_XY};
     const unsigned group = stand_missing_group(angles, data);
 
-    return group > 0 && bits >> told_by[group] & 1 ? group : 0;
+    return group > 0 && bits >> angle_of_group[group] & 1 ? group : 0;
 }
 
 static unsigned refused_for(const rests_summary *log, invcal_status why)
@@ -61,10 +62,11 @@ static unsigned refused_for(const rests_summary *log, invcal_status why)
     return log->refused[why - INVCAL_REST_SHORT];
 }
 
-/* What to do about rests that are missing or too short, and what if the rate is a guess. */
+/* What to do about rests that are missing or too short, or if the rate is a guess. */
 static void add_remedy(const rests_summary *log, int is_none, char text[REFUSAL_MAX])
 {
-    const unsigned brief = refused_for(log, INVCAL_REST_SHORT) + refused_for(log, INVCAL_REST_GAP);
+    const unsigned too_short =
+        refused_for(log, INVCAL_REST_SHORT) + refused_for(log, INVCAL_REST_GAP);
 
     if (!log->is_rate_known) {
         append(text, REFUSAL_MAX,
@@ -72,32 +74,32 @@ static void add_remedy(const rests_summary *log, int is_none, char text[REFUSAL_
                "hold each position still for 3 s or longer, below 25 samples per second for %u "
                "samples",
                *text ? "; " : "", log->rate, RESTS_SAMPLES);
-    } else if (brief > 0 || is_none) {
+    } else if (too_short > 0 || is_none) {
         append(text, REFUSAL_MAX, "%shold each position still for %.2g s or longer",
-               *text ? "; " : "", rests_least(log->rate) + 1);
+               *text ? "; " : "", rests_min_seconds(log->rate) + 1);
     }
-    if (log->is_rate_known ? log->rate < SLOW && (brief > 0 || is_none) : is_none) {
+    if (log->is_rate_known ? log->rate < RATE_LOW && (too_short > 0 || is_none) : is_none) {
         append(text, REFUSAL_MAX, ", or average each yourself and add --positions");
     }
 }
 
-/* The rests that were refused, by their reason, and where. Returns their number. */
+/* Lists the refused rests by reason, with their lines. Returns their number. */
 static unsigned add_refused(const rests_summary *log, char text[REFUSAL_MAX])
 {
     unsigned refused = 0;
-    unsigned told = 0;
+    unsigned listed = 0;
 
     for (unsigned i = 0; i < RESTS_REASONS; i++) {
         refused += log->refused[i];
     }
-    told = refused < RESTS_TOLD ? refused : RESTS_TOLD;
+    listed = refused < RESTS_LISTED ? refused : RESTS_LISTED;
     for (unsigned i = 0; i < RESTS_REASONS; i++) {
         const invcal_status why = (invcal_status)(INVCAL_REST_SHORT + i);
         const char *before = " (near line ";
         if (log->refused[i] > 0) {
             append(text, REFUSAL_MAX, "; refused %u: %s", log->refused[i], rests_reason_text(why));
         }
-        for (unsigned k = 0; k < told; k++) {
+        for (unsigned k = 0; k < listed; k++) {
             if (log->refusal[k].why == why) {
                 append(text, REFUSAL_MAX, "%s%lu", before, log->refusal[k].line);
                 before = ", ";
@@ -108,10 +110,10 @@ static unsigned add_refused(const rests_summary *log, char text[REFUSAL_MAX])
     return refused;
 }
 
-/* Where the rests were, and why others were refused. */
+/* Lists the rests that were found and refused. */
 static void add_rests(const positions *data, refusal *why)
 {
-    for (unsigned i = 0; i < data->count && i < LISTED; i++) {
+    for (unsigned i = 0; i < data->count && i < LISTED_MAX; i++) {
         const position_origin *o = &data->origin[i];
         append(why->reason, REFUSAL_MAX, "%s line %lu, %.3g to %.3g s (%.2g s)",
                i ? ";" : "; found:", o->line, o->begin, o->end, o->end - o->begin);
@@ -120,7 +122,7 @@ static void add_rests(const positions *data, refusal *why)
     add_remedy(data->rests, data->count + refused == 0, why->remedy);
 }
 
-static void say_undetermined(const positions *data, const stand_wish *angles, refusal *why)
+static void explain_undetermined(const positions *data, const stand_options *angles, refusal *why)
 {
     const uint16_t bits = why->undetermined;
     char list[128];
@@ -136,7 +138,7 @@ static void say_undetermined(const positions *data, const stand_wish *angles, re
     why->wants_positions = group == 0;
 }
 
-static void say_not_finite(refusal *why)
+static void explain_not_finite(refusal *why)
 {
     snprintf(why->reason, REFUSAL_MAX, "the reading of position %u is too large",
              why->position + 1);
@@ -144,8 +146,8 @@ static void say_not_finite(refusal *why)
     why->is_of_position = 1;
 }
 
-/* A reading that cannot be one of this field: by how much, and what may be wrong. */
-static void say_out_of_range(const calibrate_result *r, refusal *why)
+/* A reading that is impossible in this field: its length, and what may be wrong. */
+static void explain_out_of_range(const calibrate_result *r, refusal *why)
 {
     const nominal_choice *nominal = &r->nominal;
     const int by_range = nominal->zero == NOMINAL_RANGE && nominal->lsb == NOMINAL_RANGE;
@@ -156,8 +158,8 @@ static void say_out_of_range(const calibrate_result *r, refusal *why)
     invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)why->position], v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     why->is_of_position = 1;
-    if (!(length <= REJECTION_TELLABLE)) {
-        say_not_finite(why);
+    if (!(length <= REJECTION_LENGTH_MAX)) {
+        explain_not_finite(why);
         return;
     }
     snprintf(why->reason, REFUSAL_MAX, "position %u reads %.3g of the field with %s",
@@ -174,35 +176,35 @@ static void say_out_of_range(const calibrate_result *r, refusal *why)
     why->wants_positions = by_range;
 }
 
-static void say_too_few(const calibrate_result *r, refusal *why)
+static void explain_too_few(const calibrate_result *r, refusal *why)
 {
     const unsigned count = r->data->count;
 
     snprintf(why->reason, REFUSAL_MAX, "%u position%s too few: %u are needed, 12 or more are good",
              count, count == 1 ? " is" : "s are", positions_needed(&r->settings));
     snprintf(why->remedy, REFUSAL_MAX, "add %u or more in other directions",
-             count < GOOD ? GOOD - count : 3);
+             count < POSITIONS_GOOD ? POSITIONS_GOOD - count : 3);
     why->wants_positions = 1;
     if (r->data->rests) {
         add_rests(r->data, why);
     }
 }
 
-static void say_why(const calibrate_result *r, const stand_wish *angles, invcal_status status,
+static void explain(const calibrate_result *r, const stand_options *angles, invcal_status status,
                     refusal *why)
 {
     switch (status) {
     case INVCAL_TOO_FEW:
-        say_too_few(r, why);
+        explain_too_few(r, why);
         break;
     case INVCAL_UNDETERMINED:
-        say_undetermined(r->data, angles, why);
+        explain_undetermined(r->data, angles, why);
         break;
     case INVCAL_OUT_OF_RANGE:
-        say_out_of_range(r, why);
+        explain_out_of_range(r, why);
         break;
     case INVCAL_NOT_FINITE:
-        say_not_finite(why);
+        explain_not_finite(why);
         break;
     case INVCAL_NOT_ELLIPSOID:
         snprintf(why->reason, REFUSAL_MAX, "%s", invcal_status_text(status));
@@ -217,18 +219,18 @@ static void say_why(const calibrate_result *r, const stand_wish *angles, invcal_
     }
 }
 
-/* Begins again: the earlier findings are dropped. */
-static refusal *begin(calibrate_result *r, const char *word, uint16_t undetermined)
+/* Begins a new reason; an earlier one is dropped. */
+static refusal *begin_refusal(calibrate_result *r, const char *word, uint16_t undetermined)
 {
     r->refused = (refusal){.word = word, .undetermined = undetermined};
     return &r->refused;
 }
 
-/* Six faces may be all that there is. */
+/* Recommends --six-faces if these positions are sufficient for it. */
 static void offer_six_faces(const calibrate_result *r, invcal_status status, refusal *why)
 {
     if ((status == INVCAL_TOO_FEW || status == INVCAL_UNDETERMINED) &&
-        faces_would_do(r->data, &r->settings)) {
+        faces_suffice(r->data, &r->settings)) {
         append(why->remedy, REFUSAL_MAX,
                ". These determine offsets and scales: --six-faces takes the angles from a data "
                "sheet. Six more determine everything: %s",
@@ -236,35 +238,36 @@ static void offer_six_faces(const calibrate_result *r, invcal_status status, ref
     }
 }
 
-/* A magnetometer may have been waved, as its own calibration wants it. */
+/* Recommends --magnetometer if the log may be of one that was waved. */
 static void offer_magnetometer(const positions *data, refusal *why)
 {
     const rests_summary *log = data->rests;
-    const columns_origin of = data->seen.of;
+    const columns_sensor of = data->seen.sensor;
     double rested = 0;
 
     for (unsigned i = 0; i < data->count && log; i++) {
         rested += data->origin[i].end - data->origin[i].begin;
     }
-    const int is_waved = log && (of == OF_MAGNETOMETER ||
-                                 (log->samples >= FEW_SAMPLES && of != OF_ACCELEROMETER &&
-                                  !data->seen.is_gyro && rested < IN_MOTION * log->seconds));
+    const int is_waved =
+        log && (of == COLUMNS_OF_MAGNETOMETER ||
+                (log->samples >= SAMPLES_FEW && of != COLUMNS_OF_ACCELEROMETER &&
+                 !data->seen.is_gyro && rested < REST_FRACTION_MIN * log->seconds));
     if (is_waved) {
         append(why->remedy, REFUSAL_MAX, "%sfor a magnetometer in motion: --magnetometer",
                *why->remedy ? "; " : "");
     }
 }
 
-int calibrate_refuse(calibrate_result *r, const stand_wish *angles, invcal_status status,
+int calibrate_refuse(calibrate_result *r, const stand_options *angles, invcal_status status,
                      const fit_reason *reason)
 {
-    /* The first of too few readings may be out of range only because the others are missing. */
+    /* With too few positions, one may be out of range only because the others are missing. */
     if (r->data->count < positions_needed(&r->settings)) {
         status = INVCAL_TOO_FEW;
     }
-    refusal *why = begin(r, status_name(status), reason->undetermined);
+    refusal *why = begin_refusal(r, status_name(status), reason->undetermined);
     why->position = reason->position;
-    say_why(r, angles, status, why);
+    explain(r, angles, status, why);
     offer_six_faces(r, status, why);
     if (status == INVCAL_TOO_FEW) {
         offer_magnetometer(r->data, why);
@@ -272,9 +275,9 @@ int calibrate_refuse(calibrate_result *r, const stand_wish *angles, invcal_statu
     return EXIT_DATA;
 }
 
-int calibrate_all_drift(calibrate_result *r)
+int calibrate_refuse_drift(calibrate_result *r)
 {
-    refusal *why = begin(r, status_name(INVCAL_TOO_FEW), (1u << INVCAL_PARAMETERS) - 1);
+    refusal *why = begin_refusal(r, status_name(INVCAL_TOO_FEW), (1u << INVCAL_PARAMETERS) - 1);
 
     snprintf(
         why->reason, REFUSAL_MAX,
@@ -285,43 +288,45 @@ int calibrate_all_drift(calibrate_result *r)
     return EXIT_DATA;
 }
 
-int calibrate_no_frame(calibrate_result *r)
+int calibrate_refuse_frame(calibrate_result *r)
 {
-    refusal *why = begin(r, "angles", 0);
+    refusal *why = begin_refusal(r, "angles", 0);
 
-    snprintf(why->reason, REFUSAL_MAX, "no frame of the stand: %s", stand_advice(r->stand.reading));
+    snprintf(why->reason, REFUSAL_MAX, "no frame of the stand: %s",
+             stand_advice(r->stand.convention));
     return EXIT_DATA;
 }
 
-int calibrate_no_rest(calibrate_result *r)
+int calibrate_refuse_no_rest(calibrate_result *r)
 {
     const rests_summary *log = r->log;
-    refusal *why = begin(r, "no rest", (1u << INVCAL_PARAMETERS) - 1);
-    char least[16];
+    refusal *why = begin_refusal(r, "no rest", (1u << INVCAL_PARAMETERS) - 1);
+    char duration[16];
 
-    snprintf(least, sizeof least, "%.2g", rests_least(log->rate));
+    snprintf(duration, sizeof duration, "%.2g", rests_min_seconds(log->rate));
     append(why->reason, REFUSAL_MAX,
            "no rest of %s seconds in %lu sample%s, %.6g s at %.6g samples per second%s",
-           strcmp(least, "2") == 0 ? "two" : least, log->samples, log->samples == 1 ? "" : "s",
-           log->seconds, log->rate, log->is_rate_known ? "" : " (a guess)");
+           strcmp(duration, "2") == 0 ? "two" : duration, log->samples,
+           log->samples == 1 ? "" : "s", log->seconds, log->rate,
+           log->is_rate_known ? "" : " (a guess)");
     if (log->gaps > 0) {
         append(why->reason, REFUSAL_MAX, "; %lu gaps", log->gaps);
     }
     add_rests(r->data, why);
-    if (log->samples < FEW_SAMPLES) {
+    if (log->samples < SAMPLES_FEW) {
         snprintf(why->remedy, REFUSAL_MAX,
                  "if each row is the mean of a position, add --positions; if each is a sample, "
                  "%srecord for longer, and hold each position still for %.2g s or longer",
-                 log->is_rate_known ? "" : "state --rate, ", rests_least(log->rate) + 1);
+                 log->is_rate_known ? "" : "state --rate, ", rests_min_seconds(log->rate) + 1);
     }
     offer_magnetometer(r->data, why);
     why->wants_positions = 1;
     return EXIT_DATA;
 }
 
-int calibrate_no_case(calibrate_result *r, invcal_status status)
+int calibrate_refuse_case(calibrate_result *r, invcal_status status)
 {
-    refusal *why = begin(r, "angles", 0);
+    refusal *why = begin_refusal(r, "angles", 0);
 
     append(why->reason, REFUSAL_MAX, "--case: %s",
            status == INVCAL_TOO_FEW ? "it states none of the positions that were kept"
@@ -332,10 +337,10 @@ int calibrate_no_case(calibrate_result *r, invcal_status status)
     return EXIT_DATA;
 }
 
-int calibrate_no_axes(calibrate_result *r)
+int calibrate_refuse_axes(calibrate_result *r)
 {
     const dip_frame *d = &r->dip;
-    refusal *why = begin(r, "angles", 0);
+    refusal *why = begin_refusal(r, "angles", 0);
 
     if (d->answer == DIP_NO_ACCELEROMETER) {
         append(why->reason, REFUSAL_MAX,
@@ -355,10 +360,10 @@ int calibrate_no_axes(calibrate_result *r)
     return EXIT_DATA;
 }
 
-int calibrate_refuse_waved(calibrate_result *r)
+int calibrate_refuse_magnetometer(calibrate_result *r)
 {
-    const waved *log = r->magnetometer;
-    refusal *why = begin(r, status_name(log->status), (1u << INVCAL_PARAMETERS) - 1);
+    const magnetometer_log *log = r->magnetometer;
+    refusal *why = begin_refusal(r, status_name(log->status), (1u << INVCAL_PARAMETERS) - 1);
 
     if (log->status == INVCAL_TOO_FEW || log->status == INVCAL_UNDETERMINED) {
         append(why->reason, REFUSAL_MAX, "%lu samples, all in a few directions", log->samples);

@@ -9,7 +9,7 @@
 #include "calibrate/gyro.h"
 #include "calibrate/nonlinear.h"
 #include "calibrate/refuse.h"
-#include "calibrate/settle.h"
+#include "calibrate/resolve.h"
 #include "cli/command.h"
 #include "cli/message.h"
 #include "fit/fit_drift.h"
@@ -33,12 +33,12 @@ static int refuse(const request *r, calibrate_result *result, invcal_status stat
                   const fit_reason *reason)
 {
     return status == INVCAL_TOO_FEW && rejection_drifting(&result->rejected) > 0
-               ? calibrate_all_drift(result)
+               ? calibrate_refuse_drift(result)
                : calibrate_refuse(result, &r->stand, status, reason);
 }
 
-/* What was found among the positions besides outliers. */
-static void judge(calibrate_result *result)
+/* Copies the systematic errors that the outlier search found into the quality. */
+static void adopt_findings(calibrate_result *result)
 {
     const invcal_quality *found = &result->rejected.found;
     fit_quality *q = &result->quality;
@@ -50,13 +50,13 @@ static void judge(calibrate_result *result)
     q->axis = found->axis;
     q->size = found->size;
     q->unchecked = found->unchecked;
-    q->dof -= found->positions - INVCAL_PARAMETERS - found->dof; /* directions visited again */
+    q->dof -= found->positions - INVCAL_PARAMETERS - found->dof; /* repeated directions */
     if (found->verdict > q->verdict) {
         q->verdict = (invcal_verdict)found->verdict;
     }
 }
 
-/* A drift that was named is fitted, too; what that does not explain was none, but a step perhaps. */
+/* Fits a drift that was found. If residuals remain, it was not a drift but, say, a step. */
 static void fit_drift(calibrate_result *result)
 {
     rejection *r = &result->rejected;
@@ -82,12 +82,12 @@ static void fit_drift(calibrate_result *result)
     free(tau);
 }
 
-/* Nine parameters. */
+/* Fits nine parameters. */
 static int solve_plain(const request *r, calibrate_result *result)
 {
     fit_reason reason;
     const int failure = rejection_find(&result->rejected, result->data, &result->settings,
-                                       r->value[ASK_KEEP_ALL] != NULL);
+                                       r->value[OPT_KEEP_ALL] != NULL);
 
     if (failure) {
         return failure;
@@ -102,12 +102,12 @@ static int solve_plain(const request *r, calibrate_result *result)
     if (result->rejected.is_judged && result->rejected.found.verdict == INVCAL_DRIFTING) {
         fit_drift(result);
     }
-    const int open = r->degree > 0 ? calibrate_nonlinear(result, r->degree) : EXIT_GOOD;
-    judge(result);
-    return open;
+    const int failed = r->degree > 0 ? calibrate_nonlinear(result, r->degree) : EXIT_GOOD;
+    adopt_findings(result);
+    return failed;
 }
 
-/* The same at every temperature. */
+/* Fits them as functions of temperature. */
 static int solve_thermal(const request *r, calibrate_result *result)
 {
     invcal_status status;
@@ -133,25 +133,25 @@ static int solve_thermal(const request *r, calibrate_result *result)
     return EXIT_GOOD;
 }
 
-/* What --thermal would find. It has its own opinion of what contradicts. */
+/* Finds what --thermal 1 would find, with an outlier search of its own. */
 static int probe_temperature(calibrate_result *result)
 {
-    const thermal_wish wish = {.degree = 1};
+    const thermal_options options = {.degree = 1};
     rejection rejected = {0};
     invcal_status status = INVCAL_TOO_FEW;
     fit_reason reason;
     int failure = EXIT_GOOD;
 
     if (result->data->has_temperature) {
-        failure = thermal_fit_make(&result->fit, result->data, &result->settings, &wish, &rejected,
-                                   &status, &reason);
+        failure = thermal_fit_make(&result->fit, result->data, &result->settings, &options,
+                                   &rejected, &status, &reason);
         result->temperature = status == INVCAL_OK ? CALIBRATE_PROBED : CALIBRATE_PLAIN;
         rejection_free(&rejected);
     }
     return failure;
 }
 
-/* A length that is known so well, apart from what the field may be wrong by. */
+/* Accuracy of lengths, 95 %, without the error of the field. */
 static double accuracy_of(const fit_quality *q)
 {
     invcal_quality quality = {.sigma_dof = (uint16_t)fmin(UINT16_MAX, q->sigma_dof)};
@@ -160,18 +160,18 @@ static double accuracy_of(const fit_quality *q)
     return invcal_accuracy_held(&quality, q->from_prior, 0);
 }
 
-/* A field that is wrong makes all three scales wrong alike. */
-static void inherit_field(const request *r, calibrate_result *result)
+/* An error of the field is a common error of all three scales. */
+static void add_field_sigma(const request *r, calibrate_result *result)
 {
     result->field_sigma = r->field_sigma / result->settings.field;
-    result->is_field_stated = r->value[ASK_GRAVITY] || r->value[ASK_LATITUDE];
+    result->is_field_stated = r->value[OPT_GRAVITY] || r->value[OPT_LATITUDE];
     for (unsigned p = INVCAL_DK_X; p <= INVCAL_DK_Z; p++) {
         double *sigma = &result->quality.sigma[p];
         *sigma = sqrt(*sigma * *sigma + result->field_sigma * result->field_sigma);
     }
 }
 
-/* Results from the angles of the stand, the drift removed from the readings. */
+/* Results from the angles of the stand, for readings without drift. */
 static int find_stand(const request *r, calibrate_result *result)
 {
     const rejection *kept = &result->rejected;
@@ -179,15 +179,15 @@ static int find_stand(const request *r, calibrate_result *result)
     int failure = EXIT_FILE;
 
     for (unsigned k = 0; raw && k < kept->kept_count; k++) {
-        calibrate_level(result, rejection_original(kept, k), &raw[3 * (size_t)k]);
+        calibrate_linear_reading(result, rejection_original(kept, k), &raw[3 * (size_t)k]);
     }
     if (raw) {
         failure = stand_find(&result->stand, &r->stand, result->data, kept, raw,
                              &result->settings.nominal);
     }
     free(raw);
-    if (!failure && r->stand.is_frame && result->stand.reading != STAND_AS_STATED) {
-        return calibrate_no_frame(result);
+    if (!failure && r->stand.is_frame && result->stand.convention != STAND_AS_STATED) {
+        return calibrate_refuse_frame(result);
     }
     if (!failure && r->stand.is_frame) {
         stand_turn(&result->stand, &result->solution.calibration);
@@ -196,7 +196,7 @@ static int find_stand(const request *r, calibrate_result *result)
     return failure;
 }
 
-/* The axes of the case, by the positions whose way up was stated. */
+/* Turns the result to the axes of the case, by the positions whose up axis was stated. */
 static int find_case(const request *r, calibrate_result *result)
 {
     const rejection *kept = &result->rejected;
@@ -208,46 +208,46 @@ static int find_case(const request *r, calibrate_result *result)
     for (unsigned k = 0; k < kept->kept_count && status == INVCAL_OK; k++) {
         double raw[3];
         const unsigned number = rejection_original(kept, k);
-        calibrate_level(result, number, raw);
-        status = case_add(&frame, &r->ways_up, number, &result->solution.calibration, raw);
+        calibrate_linear_reading(result, number, raw);
+        status = case_add(&frame, &r->up_axes, number, &result->solution.calibration, raw);
     }
-    status = status == INVCAL_OK ? case_solve(&frame, &r->ways_up, noise, &result->frame) : status;
+    status = status == INVCAL_OK ? case_solve(&frame, &r->up_axes, noise, &result->frame) : status;
     if (status != INVCAL_OK) {
-        return calibrate_no_case(result, status);
+        return calibrate_refuse_case(result, status);
     }
     invcal_frame_turn((const double(*)[3])result->frame.rotation, &result->solution.calibration);
     return EXIT_GOOD;
 }
 
-/* What follows from the solution. */
+/* Fills in what follows from the solution. */
 static void complete(const request *r, const positions *data, calibrate_result *result)
 {
     result->accuracy = accuracy_of(&result->quality);
-    inherit_field(r, result);
+    add_field_sigma(r, result);
     result->quality.worst = rejection_original(&result->rejected, result->quality.worst);
     result->residual_before = residual_of_nominal(data, &result->settings.nominal);
 }
 
-int solve_positions(const request *r, const positions *data, const turns *gyro,
+int solve_positions(const request *r, const positions *data, const gyro_log *gyro,
                     calibrate_result *result)
 {
     int failure = stand_check(&r->stand, data);
-    failure = failure ? failure : settle_nominal(r, result);
-    failure = failure ? failure : settle_scale(r, data, &result->nominal);
+    failure = failure ? failure : resolve_nominal(r, result);
+    failure = failure ? failure : resolve_check_scale(r, data, &result->nominal);
     result->settings.nominal = fit_over_field(&result->nominal.calibration, r->settings.field);
-    failure = failure ? failure : settle_noise(r, data, result);
+    failure = failure ? failure : resolve_noise(r, data, result);
     failure = failure                 ? failure
-              : r->value[ASK_THERMAL] ? solve_thermal(r, result)
+              : r->value[OPT_THERMAL] ? solve_thermal(r, result)
                                       : solve_plain(r, result);
     failure = calibrate_gyro(r, gyro, failure, result);
-    failure = failure || r->value[ASK_THERMAL] ? failure : probe_temperature(result);
+    failure = failure || r->value[OPT_THERMAL] ? failure : probe_temperature(result);
     failure = failure || !r->stand.is_wanted ? failure : find_stand(r, result);
-    failure = failure || r->ways_up.count == 0 ? failure : find_case(r, result);
+    failure = failure || r->up_axes.count == 0 ? failure : find_case(r, result);
     if (failure) {
         return failure;
     }
     calibrate_gyro_turn(result);
-    result->is_robust_wanted = r->value[ASK_ROBUST] != NULL;
+    result->is_robust_wanted = r->value[OPT_ROBUST] != NULL;
     if (result->is_robust_wanted) {
         cross_check(result);
     }
@@ -258,7 +258,7 @@ int solve_positions(const request *r, const positions *data, const turns *gyro,
 /* The rotation to the axes of the accelerometer. */
 static int find_axes(const request *r, calibrate_result *result)
 {
-    const char *path = r->value[ASK_WITH];
+    const char *path = r->value[OPT_WITH];
     dip_frame *dip = &result->dip;
     static calibration_file file; /* large */
     int failure = path ? calibration_file_read_correction(path, &file) : EXIT_GOOD;
@@ -274,8 +274,8 @@ static int find_axes(const request *r, calibrate_result *result)
         return failure;
     }
     if ((path && dip->answer == DIP_NO_ACCELEROMETER) ||
-        (r->wants_accelerometer_axes && dip->answer != DIP_TOLD)) {
-        return calibrate_no_axes(result);
+        (r->wants_accelerometer_axes && dip->answer != DIP_FOUND)) {
+        return calibrate_refuse_axes(result);
     }
     if (r->wants_accelerometer_axes) {
         invcal_frame_turn((const double(*)[3])dip->rotation, &result->solution.calibration);
@@ -284,24 +284,24 @@ static int find_axes(const request *r, calibrate_result *result)
     return EXIT_GOOD;
 }
 
-/* Without --gravity a part of the field is meant, or a number in the unit of the readings. */
-static void settle_need(const request *r, calibrate_result *result)
+/* --need of a magnetometer: % of the field, or a number in the unit of the readings. */
+static void resolve_need(const request *r, calibrate_result *result)
 {
     const double field = result->settings.field;
 
-    if (r->value[ASK_NEED] && strchr(r->value[ASK_NEED], '%')) {
+    if (r->value[OPT_NEED] && strchr(r->value[OPT_NEED], '%')) {
         result->need *= field / r->settings.field;
-    } else if (r->value[ASK_NEED]) {
-        result->need_unit = (told_unit){field, calibrate_field_unit(result)};
+    } else if (r->value[OPT_NEED]) {
+        result->need_unit = (display_unit){field, calibrate_field_unit(result)};
     }
 }
 
-int solve_waved(const request *r, const positions *data, calibrate_result *result)
+int solve_magnetometer(const request *r, const positions *data, calibrate_result *result)
 {
-    const waved *m = result->magnetometer;
-    const int is_scaled = r->value[ASK_LSB] || r->value[ASK_NOMINAL];
+    const magnetometer_log *m = result->magnetometer;
+    const int is_scaled = r->value[OPT_LSB] || r->value[OPT_NOMINAL];
 
-    result->is_field_measured = !r->value[ASK_GRAVITY];
+    result->is_field_measured = !r->value[OPT_GRAVITY];
     if (result->is_field_measured) {
         result->settings.field = m->found.field;
     } else if (!is_scaled) {
@@ -319,6 +319,6 @@ int solve_waved(const request *r, const positions *data, calibrate_result *resul
     result->quality = fit_quality_of(&m->quality, &result->settings, &result->solution);
     result->quality.condition = m->quality.condition;
     complete(r, data, result);
-    settle_need(r, result);
+    resolve_need(r, result);
     return find_axes(r, result);
 }

@@ -8,12 +8,12 @@
 #include "calibrate/request.h"
 #include "result/result.h"
 
-/* Returns EXIT_GOOD; EXIT_DATA with result->refused filled in; EXIT_USAGE or EXIT_FILE after a
- * message. */
-int solve_positions(const request *r, const positions *data, const turns *gyro,
+/* Calibrates from positions. Returns EXIT_GOOD; EXIT_DATA with result->refused filled in;
+ * EXIT_USAGE or EXIT_FILE after a message. */
+int solve_positions(const request *r, const positions *data, const gyro_log *gyro,
                     calibrate_result *result);
 
-/* The same of a magnetometer that was waved, whose cells `data` are: result->magnetometer. */
-int solve_waved(const request *r, const positions *data, calibrate_result *result);
+/* The same for a magnetometer that was waved, result->magnetometer; `data` are its cells. */
+int solve_magnetometer(const request *r, const positions *data, calibrate_result *result);
 
 #endif

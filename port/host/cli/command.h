@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * cli/command.h: what a command of the tool is, and its exit codes.
+ * cli/command.h: the commands of the tool, and the exit codes.
  *
  * To add a command: one file that defines a `tool_command`, one line here, one in main.c's table.
  */
@@ -13,8 +13,8 @@
 #error "the host tool is compiled with -DINVCAL_DOUBLE=1"
 #endif
 
-/* Exit codes, and what every function of the tool returns that can fail. The
- * function that fails prints the reason on stderr (message.h); callers only pass the code on. */
+/* Exit codes, which every function of the tool that can fail returns, too. The function that fails
+ * prints the reason on stderr (message.h); callers only pass the code on. */
 enum {
     EXIT_GOOD = 0,
     EXIT_DATA = 1,  /* the data cannot be calibrated */
@@ -26,9 +26,10 @@ typedef struct {
     const char *name;
     const char *purpose;               /* one line for `invcal --help` */
     const char *const *help;           /* parts (help.h) of the text of `invcal NAME --help all` */
-    int (*run)(int argc, char **argv); /* arguments after the command's name; an exit code */
-    const char *const *brief; /* of `invcal NAME --help`: with the line that names the other,
-                                        * at most 24 lines of 80 columns; null: `help` is as short */
+    int (*run)(int argc, char **argv); /* the arguments after NAME; returns an exit code */
+    /* The same of `invcal NAME --help`, with the line about `--help all` at most 24 lines of 80
+     * columns; null: `help` is short enough. */
+    const char *const *brief;
 } tool_command;
 
 extern const tool_command calibrate_command;

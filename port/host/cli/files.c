@@ -20,20 +20,20 @@ static int check_standard_input(const char *command, const named_file *inputs, u
     return EXIT_GOOD;
 }
 
-/* One output against all inputs, and the outputs before it. */
-static int check_output(const char *command, const named_file *made, const named_file *inputs,
+/* Compares one output with all inputs and with the outputs before it. */
+static int check_output(const char *command, const named_file *checked, const named_file *inputs,
                         unsigned input_count, const named_file *outputs)
 {
     for (unsigned i = 0; i < input_count; i++) {
-        if (inputs[i].path && output_is_same(made->path, inputs[i].path)) {
+        if (inputs[i].path && output_is_same(checked->path, inputs[i].path)) {
             const int is_option = inputs[i].name[0] == '-';
-            return message_usage(command, "%s: would overwrite %s%s", made->name,
+            return message_usage(command, "%s: would overwrite %s%s", checked->name,
                                  is_option ? "the file of " : "", inputs[i].name);
         }
     }
-    for (const named_file *o = outputs; o < made; o++) {
-        if (o->path && output_collide(made->path, o->path)) {
-            return message_usage(command, "%s: is the file of %s", made->name, o->name);
+    for (const named_file *o = outputs; o < checked; o++) {
+        if (o->path && output_collide(checked->path, o->path)) {
+            return message_usage(command, "%s: is the file of %s", checked->name, o->name);
         }
     }
     return EXIT_GOOD;

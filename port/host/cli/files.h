@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * cli/files.h: no file that a command reads is written by it, and none is written twice.
+ * cli/files.h: checks that a command does not overwrite its inputs, and writes no file twice.
  */
 #ifndef FILES_H
 #define FILES_H
 
 typedef struct {
-    const char *name; /* the option or operand that names it, as help does: "--out", "LOG" */
-    const char *path; /* null: it is not there. "-" is the standard input */
+    const char *name; /* of the option or operand, as in the help: "--out", "LOG" */
+    const char *path; /* null: not given; "-": standard input */
 } named_file;
 
-/* Looks at all that a command line names, before anything is read.
+/* Checks all files that a command line names, before anything is read.
  *
  * Returns EXIT_GOOD; EXIT_USAGE if two inputs are the standard input, or an output is one of the
  * inputs or of the other outputs; EXIT_FILE if an output cannot be written. */

@@ -6,25 +6,25 @@
 #include "text/utf8.h"
 #include "text/wrapped.h"
 
-#define MEANING 22u /* columns before what an option means */
-#define USAGE 7u    /* before the forms of a command */
-#define HANGING 4u  /* before what does not fit into one of their lines */
-#define SOURCE_MAX 400
-#define COMMAND_LENGTH 1000
+#define MEANING_COLUMN 22u /* where the meaning of an option begins, from 0 */
+#define USAGE_COLUMN 7u    /* where the forms of a command begin */
+#define HANGING_INDENT 4u  /* of their continuation lines */
+#define LINE_SIZE 400
+#define COMMAND_MAX 1000
 
 typedef enum { NOTHING, PARAGRAPH, OPTION, USE, EXAMPLES } block;
 
 typedef struct {
     FILE *file;
     block open;
-    size_t at;     /* column */
-    size_t indent; /* of its further lines */
-    char command[COMMAND_LENGTH];
+    size_t at;     /* current column */
+    size_t indent; /* of the lines after the first */
+    char command[COMMAND_MAX];
 } layout;
 
-static int begins(const char *text, const char *with)
+static int begins(const char *text, const char *prefix)
 {
-    return strncmp(text, with, strlen(with)) == 0;
+    return strncmp(text, prefix, strlen(prefix)) == 0;
 }
 
 static void close_block(layout *l)
@@ -49,33 +49,34 @@ static void put(layout *l, const char *text)
     l->at = wrapped_words(l->file, l->at, l->indent, text);
 }
 
-/* One more line of the block that is open. */
-static void go_on(layout *l, const char *text)
+/* Appends a line to the open block. */
+static void continue_block(layout *l, const char *text)
 {
-    char more[SOURCE_MAX + 1];
+    char more[LINE_SIZE + 1];
 
     snprintf(more, sizeof more, "%s%s", l->at > l->indent ? " " : "", text);
     put(l, more);
 }
 
-/* The name of an option ends where two blanks follow it, or one in the column before its meaning, or the
- * line. */
+/* The name of an option ends before two blanks, before a single blank in the column in front of the
+ * meaning, or with the line. */
 static size_t name_length(const char *line)
 {
     const size_t length = strlen(line);
     const char *blanks = strstr(line + strspn(line, " "), "  ");
 
-    if (length <= MEANING || line[MEANING - 1] != ' ') {
+    if (length <= MEANING_COLUMN || line[MEANING_COLUMN - 1] != ' ') {
         return length;
     }
-    return blanks && blanks < line + MEANING ? (size_t)(blanks - line) : MEANING - 1;
+    return blanks && blanks < line + MEANING_COLUMN ? (size_t)(blanks - line) : MEANING_COLUMN - 1;
 }
 
-/* Or a word in the place of one. */
+/* An option, or a word that is listed like one. */
 static int is_option(const char *line)
 {
-    return begins(line, "  --") || (begins(line, "    ") && line[4] != ' ' &&
-                                    strlen(line) > MEANING && line[MEANING - 1] == ' ');
+    return begins(line, "  --") ||
+           (begins(line, "    ") && line[4] != ' ' && strlen(line) > MEANING_COLUMN &&
+            line[MEANING_COLUMN - 1] == ' ');
 }
 
 static void print_option(layout *l, const char *line)
@@ -84,18 +85,18 @@ static void print_option(layout *l, const char *line)
     const char *meaning = line + length + strspn(line + length, " ");
     const size_t columns = utf8_columns_of(line, length);
 
-    open_block(l, OPTION, 0, MEANING);
+    open_block(l, OPTION, 0, MEANING_COLUMN);
     fprintf(l->file, "%.*s", (int)length, line);
-    if (columns < MEANING) {
-        fprintf(l->file, "%*s", (int)(MEANING - columns), "");
+    if (columns < MEANING_COLUMN) {
+        fprintf(l->file, "%*s", (int)(MEANING_COLUMN - columns), "");
     } else {
-        fprintf(l->file, "\n%*s", (int)MEANING, "");
+        fprintf(l->file, "\n%*s", (int)MEANING_COLUMN, "");
     }
-    l->at = MEANING;
+    l->at = MEANING_COLUMN;
     put(l, meaning);
 }
 
-/* A command, or a part of one that a backslash ends. */
+/* A command, or a part of one that ends with a backslash. */
 static void print_example(layout *l, const char *line)
 {
     const size_t used = strlen(l->command);
@@ -103,10 +104,10 @@ static void print_example(layout *l, const char *line)
     const size_t length = strlen(text);
 
     if (length > 0 && text[length - 1] == '\\') {
-        snprintf(l->command + used, COMMAND_LENGTH - used, "%.*s", (int)length - 1, text);
+        snprintf(l->command + used, COMMAND_MAX - used, "%.*s", (int)length - 1, text);
         return;
     }
-    snprintf(l->command + used, COMMAND_LENGTH - used, "%s", text);
+    snprintf(l->command + used, COMMAND_MAX - used, "%s", text);
     fprintf(l->file, "  ");
     wrapped_command(l->file, 2, 2, l->command);
     l->command[0] = '\0';
@@ -118,11 +119,11 @@ static void print_text(layout *l, const char *line)
     const char *text = line + indent;
 
     if (l->open == USE && begins(text, "invcal ")) {
-        open_block(l, USE, USAGE, USAGE + HANGING);
+        open_block(l, USE, USAGE_COLUMN, USAGE_COLUMN + HANGING_INDENT);
         put(l, text);
-    } else if (l->open == USE || (l->open == OPTION && indent == MEANING) ||
+    } else if (l->open == USE || (l->open == OPTION && indent == MEANING_COLUMN) ||
                (l->open == PARAGRAPH && l->indent == indent)) {
-        go_on(l, text);
+        continue_block(l, text);
     } else if (is_option(line)) {
         print_option(l, line);
     } else {
@@ -139,7 +140,7 @@ static void print_line(layout *l, const char *line)
         close_block(l);
         putc('\n', l->file);
     } else if (begins(line, "usage:")) {
-        open_block(l, USE, 0, USAGE + HANGING);
+        open_block(l, USE, 0, USAGE_COLUMN + HANGING_INDENT);
         put(l, line);
     } else if (begins(line, "example")) {
         close_block(l);
@@ -153,7 +154,7 @@ static void print_line(layout *l, const char *line)
 void help_print(FILE *file, const char *const *parts)
 {
     layout l = {.file = file};
-    char line[SOURCE_MAX];
+    char line[LINE_SIZE];
 
     for (; *parts; parts++) {
         for (const char *text = *parts; *text != '\0';) {

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * cli/help.h: the help of a command, as wide as the terminal.
+ * cli/help.h: prints the help of a command in the width of the terminal.
  *
- * How a help is written, in lines of any length: `usage:` first; paragraphs from the first column on;
- * options, and words in their place behind four blanks, with what they mean from column 23 on; what is
- * indented otherwise keeps that; commands behind a line `example:`, last, with a backslash where a line
- * goes on. port/host/man.sh and port/host/invcal.bash read what is printed.
+ * The source of a help text has lines of any length: `usage:` first; paragraphs, from the first
+ * column; options (or other words, indented by four blanks) with their meaning from column 23;
+ * other indented paragraphs, which keep their indent; last, after a line `example:`, commands,
+ * which a backslash continues. port/host/man.sh and port/host/invcal.bash parse what is printed.
  */
 #ifndef HELP_H
 #define HELP_H
 
 #include <stdio.h>
 
-/* Prints a text in parts, ended by null. Each part ends a line. */
+/* Prints the parts of a text up to a null pointer. Each part ends with a complete line. */
 void help_print(FILE *file, const char *const *parts);
 
 #endif

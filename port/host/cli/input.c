@@ -32,7 +32,7 @@ FILE *input_open(const char *path)
     const int is_stdin = input_is_stdin(path);
     const int missing = is_stdin ? fstat(STDIN_FILENO, &status) : stat(path, &status);
 
-    /* A directory can be opened; only reading from it fails, and not in plain words. */
+    /* A directory can be opened; only reading from it fails, with an unclear message. */
     if (missing == 0 && S_ISDIR(status.st_mode)) {
         message("%s: is a directory: name a file in it", input_name(path));
         return NULL;

@@ -11,7 +11,8 @@
 
 static char last[MESSAGE_MAX];
 
-/* File names and input may hold anything; the terminal gets none of it. A progress bar makes way. */
+/* File names and input may hold control characters, which must not reach the terminal. The progress
+ * bar is cleared first. */
 static void print_line(char *text, const char *tail)
 {
     snprintf(last, sizeof last, "%s", plain(text));

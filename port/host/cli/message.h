@@ -11,17 +11,17 @@
 #define MESSAGE_FORMAT(text, first)
 #endif
 
-/* Longer messages are cut off. */
+/* Longer messages are truncated. */
 #define MESSAGE_MAX 8192
 
-/* Prints `invcal: ` and the message. Always one line: control characters become '?'. */
+/* Prints `invcal: ` and the message on one line: control characters become '?'. */
 void message(const char *format, ...) MESSAGE_FORMAT(1, 2);
 
 /* The latest message, without its prefix and suffix; "" if there was none. */
 const char *message_last(void);
 
-/* The same with a pointer to the help of `command` (null: of the tool) appended.
- * Returns EXIT_USAGE. */
+/* The same, followed by a reference to the help of `command` (null: of the tool). Returns
+ * EXIT_USAGE. */
 int message_usage(const char *command, const char *format, ...) MESSAGE_FORMAT(2, 3);
 
 #endif

@@ -11,9 +11,9 @@
 #include "text/nearest.h"
 #include "text/number.h"
 
-#define UNKNOWN (~0u)
+#define NOT_FOUND (~0u)
 
-/* The option that `argument` names, up to a '='. */
+/* The option with this name, or NOT_FOUND. */
 static unsigned find(const option_syntax *syntax, const char *argument, size_t length)
 {
     for (unsigned i = 0; i < syntax->option_count; i++) {
@@ -22,7 +22,7 @@ static unsigned find(const option_syntax *syntax, const char *argument, size_t l
             return i;
         }
     }
-    return UNKNOWN;
+    return NOT_FOUND;
 }
 
 static int refuse_unknown(const option_syntax *syntax, const char *argument, size_t length)
@@ -38,7 +38,7 @@ static int refuse_unknown(const option_syntax *syntax, const char *argument, siz
                          nearest_text(&meant, hint));
 }
 
-/* Takes the option at argv[*at], and its value from there or from the next argument. */
+/* Parses the option at argv[*at]; its value follows '=' or is the next argument. */
 static int take_option(const option_syntax *syntax, int argc, char **argv, int *at,
                        const char **values)
 {
@@ -47,7 +47,7 @@ static int take_option(const option_syntax *syntax, int argc, char **argv, int *
     const size_t length = equals ? (size_t)(equals - argument) : strlen(argument);
     const unsigned which = find(syntax, argument, length);
 
-    if (which == UNKNOWN) {
+    if (which == NOT_FOUND) {
         return refuse_unknown(syntax, argument, length);
     }
     const option *o = &syntax->options[which];
@@ -92,7 +92,7 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
     unsigned found = 0;
     int only_operands = 0;
     const int repeats = syntax->operand_optional == OPTIONS_REPEATS;
-    const unsigned least = syntax->operand_count - (repeats ? 0 : syntax->operand_optional);
+    const unsigned operands_min = syntax->operand_count - (repeats ? 0 : syntax->operand_optional);
 
     for (unsigned i = 0; i < syntax->option_count; i++) {
         values[i] = NULL;
@@ -120,13 +120,13 @@ int options_parse(const option_syntax *syntax, int argc, char **argv, const char
             operands[found++] = argv[i];
         }
     }
-    if (found < least || (found > least && found < syntax->operand_count)) {
+    if (found < operands_min || (found > operands_min && found < syntax->operand_count)) {
         return message_usage(syntax->command, "%s is missing", syntax->operands[found]);
     }
     return EXIT_GOOD;
 }
 
-/* Copies the text up to the next comma; returns where the rest begins, null at the end. */
+/* Copies the text up to the next comma. Returns the text after the comma; null at the end. */
 static const char *next_item(const char *text, char *item, size_t size)
 {
     const size_t length = strcspn(text, ",");
@@ -135,7 +135,8 @@ static const char *next_item(const char *text, char *item, size_t size)
     return text[length] == ',' ? text + length + 1 : NULL;
 }
 
-/* A number, or a quotient of two: what a data sheet states per unit is 9.80665/16384 here. */
+/* A number, or a quotient of two: data sheets state counts per unit, the option is units per
+ * count. */
 static number_status parse_quotient(char *item, double *out)
 {
     char *slash = strchr(item, '/');
@@ -157,15 +158,15 @@ static number_status parse_quotient(char *item, double *out)
     return status;
 }
 
-int options_numbers(const option_syntax *syntax, unsigned which, const char *value, unsigned wanted,
-                    double *out, int *single)
+int options_numbers(const option_syntax *syntax, unsigned which, const char *value,
+                    unsigned expected, double *out, int *single)
 {
     const char *name = syntax->options[which].name;
     const char *rest = value;
     char item[400]; /* longer than any number that makes sense */
     unsigned n = 0;
 
-    while (rest && n < wanted) {
+    while (rest && n < expected) {
         rest = next_item(rest, item, sizeof item);
         const number_status status = parse_quotient(item, &out[n++]);
         if (status != NUMBER_OK) {
@@ -173,19 +174,19 @@ int options_numbers(const option_syntax *syntax, unsigned which, const char *val
                                  number_problem(status));
         }
     }
-    if (rest || (n < wanted && !(single && n == 1))) {
+    if (rest || (n < expected && !(single && n == 1))) {
         return message_usage(
-            syntax->command, "%s %s: %u number%s expected%s%s", name, value, wanted,
-            wanted > 1 ? "s separated by commas" : "", single ? ", or one" : "",
-            wanted == 1 ? "; decimals are written with a point, such as 9.81" : "");
+            syntax->command, "%s %s: %u number%s expected%s%s", name, value, expected,
+            expected > 1 ? "s separated by commas" : "", single ? ", or one" : "",
+            expected == 1 ? "; decimals are written with a point, such as 9.81" : "");
     }
     if (single) {
-        *single = n < wanted;
+        *single = n < expected;
     }
     return EXIT_GOOD;
 }
 
-/* Adds a character, as long as there is room. */
+/* Appends a character if it fits. */
 static size_t put(char *text, size_t size, size_t at, char c)
 {
     if (at + 1 < size) {
@@ -195,7 +196,7 @@ static size_t put(char *text, size_t size, size_t at, char c)
     return at;
 }
 
-/* Adds an argument, in quotes if a shell would take it apart. */
+/* Appends an argument, in quotes if the shell needs them. */
 static size_t put_argument(char *text, size_t size, size_t at, const char *argument)
 {
     static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"

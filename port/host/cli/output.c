@@ -13,23 +13,23 @@
 #include "cli/input.h"
 #include "cli/message.h"
 
-#define LINKS_MAX 40u /* one link after the other, as many as Linux follows */
-#define NAMES_MAX 99u
+#define LINKS_MAX 40u /* symbolic links in a row, as Linux allows */
+#define SUFFIX_MAX 99u
 
-/* If a write had failed before, errno is still its: nothing since then has failed. */
+/* errno is that of the write that failed, even if it failed earlier: nothing has failed since. */
 static int cannot_write(const char *what)
 {
     /* NOLINTNEXTLINE(clang-analyzer-unix.Errno): every caller comes from a call that failed */
-    const int why = errno ? errno : EIO;
+    const int error = errno ? errno : EIO;
 
-    message("%s: cannot be written: %s%s", what, strerror(why),
-            why == ENOENT   ? ": make its folder first"
-            : why == EISDIR ? ": name a file in it"
-                            : "");
+    message("%s: cannot be written: %s%s", what, strerror(error),
+            error == ENOENT   ? ": make its folder first"
+            : error == EISDIR ? ": name a file in it"
+                              : "");
     return EXIT_FILE;
 }
 
-static int in_the_way(const char *path, const char *temporary)
+static int refuse_leftover(const char *path, const char *temporary)
 {
     message("%s: cannot be written: %s exists, left by a run that was killed; remove it and files "
             "of similar names",
@@ -37,8 +37,8 @@ static int in_the_way(const char *path, const char *temporary)
     return EXIT_FILE;
 }
 
-/* What a symbolic link leads to. Null, with errno, if there is not enough memory. */
-static char *follow(char *path)
+/* Follows symbolic links; takes over and returns allocated memory. Null, with errno, on failure. */
+static char *follow_links(char *path)
 {
     struct stat status;
     char target[4096];
@@ -66,37 +66,37 @@ static char *follow(char *path)
     return path;
 }
 
-/* Where a file is to go: links are followed, also one whose target does not exist yet. What is no
- * regular file is named as it was: what /dev/stdout leads to may have no name. */
-static char *place_of(const char *path, const struct stat *old)
+/* The path to write to: links are followed, even to a target that does not exist yet. If it is not
+ * a regular file, the path itself: the target of /dev/stdout may have no name. To be freed. */
+static char *target_of(const char *path, const struct stat *old)
 {
     if (!old) {
-        return follow(strdup(path));
+        return follow_links(strdup(path));
     }
     return S_ISREG(old->st_mode) ? realpath(path, NULL) : strdup(path);
 }
 
-/* The folder that a file is or will be in. To be freed. */
-static char *folder_of(const char *place)
+/* The folder of a path. To be freed. */
+static char *folder_of(const char *target)
 {
-    const char *slash = strrchr(place, '/');
+    const char *slash = strrchr(target, '/');
 
-    return slash ? strndup(place, slash == place ? 1 : (size_t)(slash - place)) : strdup(".");
+    return slash ? strndup(target, slash == target ? 1 : (size_t)(slash - target)) : strdup(".");
 }
 
-/* Can a file be put there? The owner of a file that is read-only has said what should not be done,
- * though renaming would replace it, and the superuser may do everything. */
-static int check_place(const char *path, const char *place, const struct stat *old)
+/* Whether a file can be written there. A read-only file is refused, although renaming could replace
+ * it, and although access() permits everything to root. */
+static int check_target(const char *path, const char *target, const struct stat *old)
 {
     if (old && S_ISDIR(old->st_mode)) {
         errno = EISDIR;
         return cannot_write(path);
     }
-    if (old && ((S_ISREG(old->st_mode) && !(old->st_mode & 0222)) || access(place, W_OK) != 0)) {
+    if (old && ((S_ISREG(old->st_mode) && !(old->st_mode & 0222)) || access(target, W_OK) != 0)) {
         message("%s: is read-only: name another file, or make it writable", path);
         return EXIT_FILE;
     }
-    char *folder = old && !S_ISREG(old->st_mode) ? NULL : folder_of(place);
+    char *folder = old && !S_ISREG(old->st_mode) ? NULL : folder_of(target);
     const int is_closed = folder && access(folder, W_OK | X_OK) != 0;
     free(folder);
     return is_closed ? cannot_write(path) : EXIT_GOOD;
@@ -106,10 +106,10 @@ int output_check(const char *path)
 {
     struct stat status;
     const struct stat *old = stat(path, &status) == 0 ? &status : NULL;
-    char *place = place_of(path, old);
-    const int failure = place ? check_place(path, place, old) : cannot_write(path);
+    char *target = target_of(path, old);
+    const int failure = target ? check_target(path, target, old) : cannot_write(path);
 
-    free(place);
+    free(target);
     return failure;
 }
 
@@ -123,8 +123,8 @@ int output_is_same(const char *path, const char *input)
            S_ISREG(a.st_mode);
 }
 
-/* The same name in one and the same folder. */
-static int is_same_place(const char *a, const char *b)
+/* The same name in the same folder. */
+static int is_same_target(const char *a, const char *b)
 {
     const char *slash_a = strrchr(a, '/');
     const char *slash_b = strrchr(b, '/');
@@ -152,16 +152,16 @@ int output_collide(const char *path, const char *other)
     if (has_a || has_b) {
         return has_a && has_b && S_ISREG(a.st_mode) && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
     }
-    char *place_a = place_of(path, NULL);
-    char *place_b = place_of(other, NULL);
-    const int same = place_a && place_b && is_same_place(place_a, place_b);
-    free(place_a);
-    free(place_b);
+    char *target_a = target_of(path, NULL);
+    char *target_b = target_of(other, NULL);
+    const int same = target_a && target_b && is_same_target(target_a, target_b);
+    free(target_a);
+    free(target_b);
     return same;
 }
 
-/* Creates a file next to o->path under a name that is free: one that was killed under the same number
- * of process (in a container that is always 1) may have left its own. A descriptor; -1 with errno. */
+/* Creates a file next to o->path under an unused name: a killed run with the same process id (in a
+ * container it is always 1) may have left its file. Returns a descriptor; -1 with errno. */
 static int create_beside(output *o)
 {
     const size_t size = strlen(o->path) + 48;
@@ -173,14 +173,14 @@ static int create_beside(output *o)
             snprintf(o->temporary + length, size - (size_t)length, "-%u", n);
         }
         const int fd = open(o->temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
-        if (fd >= 0 || errno != EEXIST || n == NAMES_MAX) {
+        if (fd >= 0 || errno != EEXIST || n == SUFFIX_MAX) {
             return fd;
         }
     }
     return -1;
 }
 
-/* Opens a new file next to o->path. If there is one already, the new one gets its mode. */
+/* Opens a new file next to o->path. It gets the mode of the file that it will replace. */
 static int open_beside(output *o, const char *path, const struct stat *old)
 {
     const int fd = create_beside(o);
@@ -196,9 +196,10 @@ static int open_beside(output *o, const char *path, const struct stat *old)
         close(fd);
         unlink(o->temporary);
     }
-    const int failure = fd < 0 && errno == EEXIST && o->temporary ? in_the_way(path, o->temporary)
-                                                                  : cannot_write(path);
-    free(o->temporary); /* what is there under this name is not ours */
+    const int failure = fd < 0 && errno == EEXIST && o->temporary
+                            ? refuse_leftover(path, o->temporary)
+                            : cannot_write(path);
+    free(o->temporary); /* a file of this name is not ours */
     o->temporary = NULL;
     return failure;
 }
@@ -209,11 +210,11 @@ int output_begin(output *o, const char *path)
     const struct stat *old = stat(path, &status) == 0 ? &status : NULL;
 
     *o = (output){0};
-    o->path = place_of(path, old);
+    o->path = target_of(path, old);
     if (!o->path) {
         return cannot_write(path);
     }
-    const int failure = check_place(path, o->path, old);
+    const int failure = check_target(path, o->path, old);
     if (failure) {
         return failure;
     }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * cli/output.h: writing so that a failure leaves everything as it was.
+ * cli/output.h: writes files so that a failure changes nothing.
  *
- * A file is written next to its place under another name, and put there by renaming once all else
- * has succeeded. What is no regular file (a device, a pipe) is written directly.
+ * A file is written under a temporary name in the same folder, and renamed once everything else has
+ * succeeded. A device or pipe is written directly.
  */
 #ifndef OUTPUT_H
 #define OUTPUT_H
@@ -11,44 +11,46 @@
 #include <stdio.h>
 
 typedef struct {
-    FILE *file;      /* to write into, between output_begin and output_finish */
-    char *path;      /* where it is to go, symbolic links followed */
-    char *temporary; /* its name meanwhile; null if it is written directly */
+    FILE *file;      /* valid between output_begin and output_finish */
+    char *path;      /* final path, symbolic links followed */
+    char *temporary; /* path until output_commit; null if written directly */
 } output;
 
-/* Can the file be written? To be asked before any work, which would be lost. EXIT_GOOD; EXIT_FILE,
- * with a message: for a folder, a file that is read-only, a folder that nothing can be put into. */
+/* Checks that the file can be written, before any work that would be lost. EXIT_GOOD; EXIT_FILE,
+ * with a message: for a folder, a read-only file, or a file in a folder that is not writable. */
 int output_check(const char *path);
 
-/* 1 if it would be written over what is read: both are one regular file. `input` may be "-". */
+/* 1 if both are the same regular file, so that the input would be overwritten. `input` may be
+ * "-". */
 int output_is_same(const char *path, const char *input);
 
-/* 1 if both go into one regular file, which need not exist yet. */
+/* 1 if both are the same regular file, which need not exist yet. */
 int output_collide(const char *path, const char *other);
 
-/* Begins a file. EXIT_GOOD; EXIT_FILE, with a message. In either case end with output_commit or
+/* Begins a file. EXIT_GOOD; EXIT_FILE, with a message. In either case, end it with output_commit or
  * output_discard. */
 int output_begin(output *o, const char *path);
 
-/* Everything has been written: brings it to the disk. EXIT_GOOD; EXIT_FILE, with a message. */
+/* Flushes what has been written to the disk, and closes it. EXIT_GOOD; EXIT_FILE, with a
+ * message. */
 int output_finish(output *o);
 
-/* Puts it in its place and releases o. EXIT_GOOD; EXIT_FILE, with a message, then as if
- * discarded. */
+/* Renames the file to its final path and releases o. EXIT_GOOD; EXIT_FILE, with a message; the file
+ * is then discarded. */
 int output_commit(output *o);
 
-/* Removes it and releases o. */
+/* Removes the file and releases o. */
 void output_discard(output *o);
 
-/* Ends several: puts all in their places if nothing has failed so far, else removes them. Those
- * that were never begun, all zero, count for nothing. Returns the first failure. */
+/* Ends several: commits all of them if `failure` is EXIT_GOOD, else discards them. Elements that
+ * were never begun, all zero, are skipped. Returns the first failure. */
 int output_end(output *files, unsigned count, int failure);
 
-/* Brings the standard output on its way. EXIT_GOOD; EXIT_FILE, with a message, if a write has
- * failed since the start. */
+/* Flushes the standard output. EXIT_GOOD; EXIT_FILE, with a message, if any write to it has
+ * failed. */
 int output_flush(void);
 
-/* Copies a file, from where it stands, to the standard output. Returns as output_flush. */
+/* Copies a file, from its current position, to the standard output. Returns as output_flush. */
 int output_copy(FILE *file);
 
 #endif

@@ -6,15 +6,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define EVERY 32768u /* rows; a power of two, since every row asks */
-#define WIDTH 30     /* of the bar */
+#define INTERVAL 32768u /* lines; a power of two, as it is checked at each line */
+#define BAR_WIDTH 30
 #define TEXT_MAX 100
 
 static int is_quiet;
-static char shown[TEXT_MAX]; /* what stands on the line, empty: nothing */
+static char shown[TEXT_MAX]; /* the text on the terminal's line; empty: none */
 
-/* How much of the file has been read, 0 ... 1; below 0 if it has no end that is known. */
-static double share(FILE *file)
+/* The part of the file that has been read, 0 ... 1; negative if its size is unknown. */
+static double fraction_read(FILE *file)
 {
     struct stat status;
     const long at = ftell(file);
@@ -31,8 +31,8 @@ void progress_quiet(void)
     is_quiet = 1;
 }
 
-/* The new text over the old one, in one piece and only if it differs: so nothing flickers. */
-static void renew(const char *text)
+/* Overwrites the old text in a single write, and only if it differs, to avoid flicker. */
+static void redraw(const char *text)
 {
     const size_t length = strlen(text);
     const size_t old = strlen(shown);
@@ -47,24 +47,24 @@ static void draw(FILE *file, unsigned long line, unsigned found)
 {
     char text[TEXT_MAX];
     char positions[TEXT_MAX / 3] = "";
-    const double done = share(file);
+    const double fraction = fraction_read(file);
 
     if (found != PROGRESS_ROWS) {
         snprintf(positions, sizeof positions, ", %u position%s", found, found == 1 ? "" : "s");
     }
-    if (done >= 0) {
-        const int full = (int)(done * WIDTH);
+    if (fraction >= 0) {
+        const int full = (int)(fraction * BAR_WIDTH);
         snprintf(text, sizeof text, "[%.*s%*s] %3.0f %%%s", full, "##############################",
-                 WIDTH - full, "", 100 * done, positions);
+                 BAR_WIDTH - full, "", 100 * fraction, positions);
     } else {
         snprintf(text, sizeof text, "%lu lines%s", line, positions);
     }
-    renew(text);
+    redraw(text);
 }
 
 void progress_show(FILE *file, unsigned long line, unsigned found)
 {
-    if (line % EVERY == 0 && !is_quiet && isatty(STDERR_FILENO)) {
+    if (line % INTERVAL == 0 && !is_quiet && isatty(STDERR_FILENO)) {
         draw(file, line, found);
     }
 }
@@ -72,7 +72,7 @@ void progress_show(FILE *file, unsigned long line, unsigned found)
 void progress_end(void)
 {
     if (shown[0] != '\0') {
-        renew("");
+        redraw("");
         fputc('\r', stderr);
     }
 }

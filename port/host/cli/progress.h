@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * cli/progress.h: how far the reading of a long file has come, on stderr if that is a terminal.
+ * cli/progress.h: the progress of reading a long file, on stderr if that is a terminal.
  */
 #ifndef PROGRESS_H
 #define PROGRESS_H
@@ -8,15 +8,15 @@
 #include <limits.h>
 #include <stdio.h>
 
-/* From now on nothing is shown. */
+/* Disables it. */
 void progress_quiet(void);
 
-/* After each row; shows something now and then. `found` is how many positions there are, or
- * PROGRESS_ROWS if none are looked for. */
+/* To be called after each row; updates the display from time to time. `found`: the number of
+ * positions so far, or PROGRESS_ROWS if they are not counted. */
 #define PROGRESS_ROWS UINT_MAX
 void progress_show(FILE *file, unsigned long line, unsigned found);
 
-/* Clears the line. Messages do that themselves. */
+/* Clears the line. message() does so itself. */
 void progress_end(void);
 
 #endif

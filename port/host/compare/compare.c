@@ -30,7 +30,7 @@ typedef struct {
     const char *value[OPTIONS];
     const char **paths; /* ended by null */
     compare_grouping grouping;
-    told_style told;
+    unit_style units;
     char command[COMMAND_MAX];
 } request;
 
@@ -75,7 +75,7 @@ static int read_request(int argc, char **argv, request *r)
 {
     int failure = options_parse(&syntax, argc, argv, r->value, r->paths);
 
-    if (!failure && r->value[UNITS] && !told_parse(r->value[UNITS], &r->told)) {
+    if (!failure && r->value[UNITS] && !unit_style_parse(r->value[UNITS], &r->units)) {
         failure = message_usage("compare", "--units %s: must be everyday or ins", r->value[UNITS]);
     }
     options_command("compare", argc, argv, r->command, sizeof r->command);
@@ -115,7 +115,7 @@ static int compare(int argc, char **argv, request *r)
     compare_result result = {.command = r->command};
     int failure = read_request(argc, argv, r);
 
-    result.told = r->told;
+    result.units = r->units;
     result.is_same_field = r->value[SAME_FIELD] != NULL;
     failure =
         failure ? failure : compare_read(&result, r->paths, r->grouping, r->value[JSON] != NULL);

@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "cli/told.h"
+#include "cli/unit_style.h"
 #include "result/calibration_file.h"
 
 #define COMPARE_FALSE_ALARM 0.05 /* for all nine parameters, and all devices, together */
@@ -70,7 +70,7 @@ typedef struct {
     int is_gravity;       /* the field is gravity in m/s^2 */
     char unit[CALIBRATION_FILE_WORD];
     int is_same_field; /* sigma excludes the uncertainty of the field */
-    told_style told;
+    unit_style units;
     const char *command; /* the command line */
 } compare_result;
 
@@ -117,9 +117,9 @@ const compare_item *compare_newest(const compare_result *r, unsigned device);
 /* ---- words.c ---- */
 
 /* Units of drifts and deviations of parameter p, and of its values. */
-told_unit compare_drift_unit(const compare_result *r, unsigned p);
-told_unit compare_page_unit(const compare_result *r, unsigned p); /* the same with ° */
-told_unit compare_value_unit(const compare_result *r, unsigned p, char name[COMPARE_NAME_MAX]);
+display_unit compare_drift_unit(const compare_result *r, unsigned p);
+display_unit compare_page_unit(const compare_result *r, unsigned p); /* the same with ° */
+display_unit compare_value_unit(const compare_result *r, unsigned p, char name[COMPARE_NAME_MAX]);
 
 /* The first characters of a text for output: an ellipsis shows that it was cut, and control
  * characters are replaced by '?'. Returns text. */

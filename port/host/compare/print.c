@@ -49,8 +49,8 @@ static void add_drift(const compare_result *r, unsigned k, unsigned p)
     const compare_drift *d = &r->drift[k];
     char name[COMPARE_NAME_MAX];
     char text[FIGURE_MAX];
-    const told_unit value = compare_value_unit(r, p, name);
-    const told_unit drift = compare_drift_unit(r, p);
+    const display_unit value = compare_value_unit(r, p, name);
+    const display_unit drift = compare_drift_unit(r, p);
     const double sigma = drift.scale * d->sigma[p];
     const double per = value.scale * r->item[k].sigma[p];
 
@@ -127,12 +127,12 @@ static double spreads(const compare_result *r, unsigned device, unsigned p)
 static void add_fleet(const compare_result *r, unsigned p)
 {
     const compare_fleet *f = &r->fleet;
-    const told_unit drift = compare_drift_unit(r, p);
+    const display_unit drift = compare_drift_unit(r, p);
     const double per = fabs(compare_divisor(f->median, r->field, p)) / drift.scale;
     const unsigned far = f->farthest[p];
     char name[COMPARE_NAME_MAX];
     char text[FIGURE_MAX];
-    const told_unit value = compare_value_unit(r, p, name);
+    const display_unit value = compare_value_unit(r, p, name);
     const double away = spreads(r, far, p);
 
     tabular_cell("%s", parameter_words(p));
@@ -148,7 +148,7 @@ static void add_fleet(const compare_result *r, unsigned p)
 
 static void print_outlier(FILE *file, const compare_result *r, unsigned device, unsigned p)
 {
-    const told_unit drift = compare_drift_unit(r, p);
+    const display_unit drift = compare_drift_unit(r, p);
     const compare_item *item = compare_newest(r, device);
     const double away =
         (item->x[p] - r->fleet.median[p]) / compare_divisor(r->fleet.median, r->field, p);
@@ -207,7 +207,7 @@ static void print_field(FILE *file, const compare_result *r)
     char text[COMPARE_TEXT_MAX];
 
     if (part > 0) {
-        const told_unit scale = told_scale(r->told);
+        const display_unit scale = unit_style_scale(r->units);
         snprintf(text, sizeof text,
                  "The ± of the scales includes %.2g %s for the field (--gravity). If all were made "
                  "in one place, --same-field leaves it out.",

@@ -24,13 +24,13 @@ static const char *digits(double x, double sigma, figure_sign sign, char text[FI
 
 static void write_verdict(page *p, const compare_result *r)
 {
-    static const page_mood mood[] = {PAGE_GOOD, PAGE_CAUTION, PAGE_CAUTION};
+    static const page_severity severity[] = {PAGE_GOOD, PAGE_CAUTION, PAGE_CAUTION};
     char word[64];
     char text[COMPARE_TEXT_MAX];
     const compare_outcome outcome = compare_judge(r);
 
     snprintf(word, sizeof word, "%s %s", outcome == COMPARE_STEADY ? "✓" : "!", compare_word(r));
-    page_verdict(p, mood[outcome], word, compare_sentence(r, text), compare_next(r));
+    page_verdict(p, severity[outcome], word, compare_sentence(r, text), compare_next(r));
 }
 
 /* ---- history ----------------------------------------------------------------------------------- */
@@ -62,9 +62,9 @@ static void write_drift_row(page *p, const page_table *sheet, const compare_resu
     char name[COMPARE_NAME_MAX];
     char text[4][FIGURE_MAX + 64];
     char number[FIGURE_MAX];
-    const told_unit value =
+    const display_unit value =
         q >= INVCAL_GAMMA_XY ? compare_page_unit(r, q) : compare_value_unit(r, q, name);
-    const told_unit drift = compare_page_unit(r, q);
+    const display_unit drift = compare_page_unit(r, q);
     const char *const cells[DRIFT_COLUMNS] = {parameter_words(q),
                                               text[0],
                                               text[1],
@@ -147,7 +147,7 @@ static void write_histories(page *p, const compare_result *r)
 static void write_fleet_row(page *p, const page_table *sheet, const compare_result *r, unsigned q)
 {
     const compare_fleet *f = &r->fleet;
-    const told_unit drift = compare_page_unit(r, q);
+    const display_unit drift = compare_page_unit(r, q);
     const double per = fabs(compare_divisor(f->median, r->field, q)) / drift.scale;
     const unsigned far = f->farthest[q];
     const double away =
@@ -156,7 +156,7 @@ static void write_fleet_row(page *p, const page_table *sheet, const compare_resu
     char device[COMPARE_NAME_MAX];
     char text[4][FIGURE_MAX + 64];
     char number[FIGURE_MAX];
-    const told_unit value =
+    const display_unit value =
         q >= INVCAL_GAMMA_XY ? compare_page_unit(r, q) : compare_value_unit(r, q, name);
     const char *const cells[FLEET_COLUMNS] = {
         parameter_words(q), text[0], text[1], text[2], device, text[3]};
@@ -189,7 +189,7 @@ static void write_outliers(page *p, const compare_result *r)
         for (unsigned q = 0; q < INVCAL_PARAMETERS; q++) {
             const char *const cells[OUTLIER_COLUMNS] = {compare_device_name(item, 40, name),
                                                         parameter_words(q), text[0], text[1]};
-            const told_unit drift = compare_page_unit(r, q);
+            const display_unit drift = compare_page_unit(r, q);
             const double away = item->x[q] - r->fleet.median[q];
             const double in_unit =
                 drift.scale * away / compare_divisor(r->fleet.median, r->field, q);
@@ -243,7 +243,7 @@ static void write_fleet(page *p, const compare_result *r)
 static void write_origin(page *p, const compare_result *r)
 {
     const double part = compare_field_part(r);
-    const told_unit scale = told_scale(r->told);
+    const display_unit scale = unit_style_scale(r->units);
 
     page_section(p, "How it was made");
     page_facts_begin(p);

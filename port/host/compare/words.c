@@ -15,30 +15,31 @@
 
 #define LISTED_MAX 5u /* devices in a sentence */
 
-told_unit compare_drift_unit(const compare_result *r, unsigned p)
+display_unit compare_drift_unit(const compare_result *r, unsigned p)
 {
-    return p >= INVCAL_GAMMA_XY ? told_angle(r->told)
-           : p >= INVCAL_DK_X   ? told_scale(r->told)
-                                : told_field(r->told, r->is_gravity);
+    return p >= INVCAL_GAMMA_XY ? unit_style_angle(r->units)
+           : p >= INVCAL_DK_X   ? unit_style_scale(r->units)
+                                : unit_style_field(r->units, r->is_gravity);
 }
 
-told_unit compare_page_unit(const compare_result *r, unsigned p)
+display_unit compare_page_unit(const compare_result *r, unsigned p)
 {
-    const told_unit degrees = {FIGURE_DEGREES, "°"};
+    const display_unit degrees = {FIGURE_DEGREES, "°"};
 
-    return p >= INVCAL_GAMMA_XY && r->told == TOLD_EVERYDAY ? degrees : compare_drift_unit(r, p);
+    return p >= INVCAL_GAMMA_XY && r->units == UNIT_STYLE_EVERYDAY ? degrees
+                                                                   : compare_drift_unit(r, p);
 }
 
-told_unit compare_value_unit(const compare_result *r, unsigned p, char name[COMPARE_NAME_MAX])
+display_unit compare_value_unit(const compare_result *r, unsigned p, char name[COMPARE_NAME_MAX])
 {
     if (p >= INVCAL_GAMMA_XY) {
-        return told_angle(r->told);
+        return unit_style_angle(r->units);
     }
     snprintf(name, COMPARE_NAME_MAX, "%s%s", unit_words(unit_of_name(r->unit)),
              p < INVCAL_DK_X ? ""
              : r->is_gravity ? " per m/s²"
                              : " per field unit");
-    return (told_unit){1, name};
+    return (display_unit){1, name};
 }
 
 const char *compare_cut(const char *from, unsigned columns, char text[COMPARE_NAME_MAX])

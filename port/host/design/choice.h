@@ -10,7 +10,7 @@
 #define CHOICE_H
 
 #include "design/design.h"
-#include "cli/told.h"
+#include "cli/unit_style.h"
 
 #define CHOICE_SPARE 3u /* default of choice_request.spare */
 
@@ -24,7 +24,7 @@ typedef struct {
     int needs_axes;       /* each axis must point up and down along gravity in some position */
     double bound;         /* largest error of a position mean, over the field; 0: no bound */
     design_cost cost;
-    told_style told;             /* the units of sigma, if the noise is known */
+    unit_style units;            /* the units of sigma, if the noise is known */
     const struct labour *labour; /* how number and dwell were chosen (plan/labour.h), or null */
 } choice_request;
 

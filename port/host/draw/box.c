@@ -5,8 +5,8 @@
 
 #include "draw/svg.h"
 
-#define SCALE 27.0 /* pixels of a unit */
-#define NAMED 0.35 /* of a side that is seen: else it is too narrow for its name */
+#define SCALE 27.0    /* pixels per unit */
+#define NAME_MIN 0.35 /* visibility of a side below which it is too narrow for its name */
 
 /* Half of the sides along x, y and z. */
 static const double half[3] = {1.0, 0.7, 0.35};
@@ -44,7 +44,7 @@ void box_turn(const double up[3], double turn[3][3])
     }
 }
 
-/* Where a point of the device is on the screen. */
+/* The position of a point of the device on the screen. */
 static void project(const double turn[3][3], const double device[3], double at[2])
 {
     const double world[3] = {dot(turn[0], device), dot(turn[1], device), dot(turn[2], device)};
@@ -53,8 +53,9 @@ static void project(const double turn[3][3], const double device[3], double at[2
     at[1] = BOX_HEIGHT / 2 - SCALE * dot(above, world);
 }
 
-/* How much of the side out of which an axis points is seen, or of its opposite: at most 0, none. */
-static double seen_of(const double turn[3][3], unsigned axis, double sign)
+/* How far the side at an axis, or the opposite one (sign -1), faces the viewer: 1 fully; not
+ * visible at 0 or below. */
+static double visibility(const double turn[3][3], unsigned axis, double sign)
 {
     const double normal[3] = {sign * turn[0][axis], sign * turn[1][axis], sign * turn[2][axis]};
 
@@ -95,13 +96,13 @@ void box_draw(FILE *file, double x, double y, const double up[3])
 
     box_turn(up, turn);
     svg_group_begin(file, x, y);
-    for (unsigned k = 0; k < 12; k++) { /* six sides, and over them their names */
+    for (unsigned k = 0; k < 12; k++) { /* six sides, then their names on top */
         const unsigned axis = k % 3;
         const double sign = k / 3 % 2 == 0 ? 1 : -1;
-        const double seen = seen_of((const double(*)[3])turn, axis, sign);
+        const double seen = visibility((const double(*)[3])turn, axis, sign);
         if (k < 6 && seen > 0) {
             draw_side(file, (const double(*)[3])turn, axis, sign);
-        } else if (k >= 6 && seen > NAMED) {
+        } else if (k >= 6 && seen > NAME_MIN) {
             name_side(file, (const double(*)[3])turn, axis, sign);
         }
     }

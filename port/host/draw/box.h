@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * draw/box.h: a device as a box, turned so that a direction of its own points up.
+ * draw/box.h: a device as a box, turned so that a given direction of it points up.
  *
- * It is flat, longest along x, and seen from the front, a little from the right and from above. Each side
- * that is seen has the name of the axis that points out of it.
+ * The box is flat, longest along x, and seen from the front, a little from the right and from
+ * above. Each visible side has the name of the axis that points out of it.
  */
 #ifndef BOX_H
 #define BOX_H
@@ -13,11 +13,11 @@
 #define BOX_WIDTH 84.0
 #define BOX_HEIGHT 72.0
 
-/* The turn that brings `up`, a unit vector of the device, to the world's z by the shortest way: world =
- * turn device. Straight down it is half a turn about x. */
+/* The shortest rotation that brings `up`, a unit vector of the device, to the world's z: world =
+ * turn device. If `up` is -z, half a turn about x. */
 void box_turn(const double up[3], double turn[3][3]);
 
-/* Draws it into BOX_WIDTH by BOX_HEIGHT pixels whose upper left corner is at x, y. */
+/* Draws the box into BOX_WIDTH by BOX_HEIGHT pixels whose upper left corner is at x, y. */
 void box_draw(FILE *file, double x, double y, const double up[3]);
 
 #endif

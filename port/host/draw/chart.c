@@ -6,7 +6,7 @@
 
 #include "draw/svg.h"
 
-#define LONG_FIGURE 1e5
+#define LONG_FIGURE 1e5 /* from here on figures of y have an exponent */
 
 double chart_round_step(double x)
 {
@@ -18,19 +18,19 @@ double chart_round_step(double x)
                              : 10 * decade;
 }
 
-ruler chart_ruler_exact(double least, double most, double from, double to, unsigned ticks)
+ruler chart_ruler_exact(double min, double max, double from, double to, unsigned ticks)
 {
-    if (!(most > least)) { /* one value, or none */
-        const double spread = fmax(1e-6, fabs(least) * 0.1);
-        least -= spread;
-        most = least + 2 * spread;
+    if (!(max > min)) { /* one value, or none */
+        const double spread = fmax(1e-6, fabs(min) * 0.1);
+        min -= spread;
+        max = min + 2 * spread;
     }
-    return (ruler){least, most, from, to, 0, chart_round_step((most - least) / ticks)};
+    return (ruler){min, max, from, to, 0, chart_round_step((max - min) / ticks)};
 }
 
-ruler chart_ruler(double least, double most, double from, double to, unsigned ticks)
+ruler chart_ruler(double min, double max, double from, double to, unsigned ticks)
 {
-    ruler r = chart_ruler_exact(least, most, from, to, ticks);
+    ruler r = chart_ruler_exact(min, max, from, to, ticks);
 
     r.first = r.step * floor(r.first / r.step + 1e-9);
     r.last = r.step * ceil(r.last / r.step - 1e-9);
@@ -72,8 +72,8 @@ void chart_ticks_x(FILE *file, const ruler *x, const ruler *y)
     }
 }
 
-/* A figure at an axis, in short where it is too long for the margin: "-2e5" for -200000. */
-static const char *figure_beside(double value, unsigned places, char text[SVG_NUMBER_MAX])
+/* A figure of the y axis, shortened if it is too long for the margin: "-2e5" for -200000. */
+static const char *tick_text(double value, unsigned places, char text[SVG_NUMBER_MAX])
 {
     (void)svg_fixed(value, places, text);
     if (fabs(value) >= LONG_FIGURE) {
@@ -91,6 +91,6 @@ void chart_ticks_y(FILE *file, const ruler *y, const ruler *x)
         const double at = chart_pixel(y, k * y->step);
         svg_line(file, fabs(k) > 0 ? "grid" : "rule", x->from, at, x->to, at);
         svg_text(file, "ink small", SVG_END, x->from - 6, at + 4,
-                 figure_beside(k * y->step, chart_places(y->step), text));
+                 tick_text(k * y->step, chart_places(y->step), text));
     }
 }

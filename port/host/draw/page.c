@@ -51,7 +51,8 @@ static const char styles[] =
     ".narrow{display:none}\n"
     "@media screen and (max-width:640px){.wide{display:none}.narrow{display:block}}\n"
     "@media screen and (max-width:480px){.facts.facts{display:block}.facts dd{margin-bottom:6px}}\n"
-    /* Shadows that lie on the edges, and covers that move with the table: where there is more to see. */
+    /* Shadows at the edges where there is more to scroll to; the first two layers, which move with
+     * the table, hide them at its ends. */
     ".scroll{overflow-x:auto;background:"
     "linear-gradient(to right,var(--paper) 30%,transparent) left/40px 100% no-repeat local,"
     "linear-gradient(to left,var(--paper) 30%,transparent) right/40px 100% no-repeat local,"
@@ -76,7 +77,8 @@ static const char styles[] =
     ".literal{font-family:ui-monospace,monospace}\n"
     "footer{margin-top:40px;border-top:1px solid var(--line);padding-top:8px}\n";
 
-/* What is folded is open, pictures stand in pairs, and eighteen positions take three sheets. */
+/* On paper, folded parts are open and pictures are in pairs; a report of 18 positions takes three
+ * sheets. */
 static const char on_paper[] =
     "@media print{body{padding:0;max-width:none;font-size:9.5pt;line-height:1.35}"
     ".scroll{overflow:visible;background:none}"
@@ -101,7 +103,7 @@ static void say(const page *p, const char *format, va_list arguments)
     svg_prose(p->file, text);
 }
 
-/* <tag>text</closing tag>, the tag perhaps with attributes. */
+/* An element; `open` may have attributes. */
 static void element(const page *p, const char *open, const char *text, const char *close)
 {
     fputs(open, p->file);
@@ -109,7 +111,8 @@ static void element(const page *p, const char *open, const char *text, const cha
     fprintf(p->file, "%s\n", close);
 }
 
-/* A line in the upper margin of each sheet. What CSS or HTML might take for its own is escaped. */
+/* A line in the upper margin of each sheet. Characters with a meaning in CSS or HTML are
+ * escaped. */
 static void write_head(FILE *file, const char *head)
 {
     if (*head == '\0') {
@@ -159,19 +162,20 @@ void page_end(page *p)
     fputs("</body>\n</html>\n", p->file);
 }
 
-void page_verdict(page *p, page_mood mood, const char *word, const char *sentence, const char *next)
+void page_verdict(page *p, page_severity severity, const char *word, const char *sentence,
+                  const char *next)
 {
     static const page_answer none = {NULL, 0};
 
-    page_verdict_of(p, mood, word, &none, sentence, next);
+    page_verdict_with_answer(p, severity, word, &none, sentence, next);
 }
 
-void page_verdict_of(page *p, page_mood mood, const char *word, const page_answer *answer,
-                     const char *sentence, const char *next)
+void page_verdict_with_answer(page *p, page_severity severity, const char *word,
+                              const page_answer *answer, const char *sentence, const char *next)
 {
     static const char *const class[] = {"good", "caution", "bad"};
 
-    fprintf(p->file, "<div class=\"verdict %s\">\n", class[mood]);
+    fprintf(p->file, "<div class=\"verdict %s\">\n", class[severity]);
     element(p, "<p class=\"word\">", word, "</p>");
     if (answer->text) {
         element(p, answer->is_passed ? "<p class=\"answer good\">✓ " : "<p class=\"answer bad\">✗ ",
@@ -244,7 +248,7 @@ void page_picture(page *p, const char *caption, page_drawing *draw, const void *
     picture(p, "<figure class=\"half\">", caption, draw, data);
 }
 
-void page_panorama(page *p, const char *caption, page_drawing *draw, const void *data)
+void page_wide_picture(page *p, const char *caption, page_drawing *draw, const void *data)
 {
     picture(p, "<figure>", caption, draw, data);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * draw/page.h: reports as one HTML file that asks for nothing from outside: no script, no font, no
- * picture but its own. Readable on a phone, a desktop and on paper, light and dark.
+ * draw/page.h: reports as one self-contained HTML file, without scripts, fonts or pictures from
+ * elsewhere. Readable on a phone, a desktop and on paper, light and dark.
  *
  * Every text is escaped. Write errors show in ferror(file) at the end.
  */
@@ -12,8 +12,8 @@
 
 #include "cli/message.h"
 
-/* Pictures come in two widths: on a narrow screen the second is shown, so that words stay large
- * enough. */
+/* The two widths of each picture: a narrow screen shows the second, so that its text stays
+ * legible. */
 #define PAGE_WIDE 688.0
 #define PAGE_NARROW 336.0
 
@@ -24,22 +24,23 @@ typedef struct {
 
 void page_begin(page *p, FILE *file, const char *title);
 
-/* The same with a line at the head of each sheet of paper; "" makes none. */
+/* The same with a header on each sheet of paper; "" for none. */
 void page_begin_headed(page *p, FILE *file, const char *title, const char *head);
 void page_end(page *p);
 
-/* What it comes to, under the title: a word ("Good"), a sentence, and what to do next. */
-typedef enum { PAGE_GOOD, PAGE_CAUTION, PAGE_BAD } page_mood;
-void page_verdict(page *p, page_mood mood, const char *word, const char *sentence,
+/* The verdict, under the title: a word ("Good"), a sentence, and what to do next. */
+typedef enum { PAGE_GOOD, PAGE_CAUTION, PAGE_BAD } page_severity;
+void page_verdict(page *p, page_severity severity, const char *word, const char *sentence,
                   const char *next);
 
-/* The same with a line between word and sentence that answers what was asked: "PASS: ...", "FAIL: ...". */
+/* The same with the outcome of --need and --tolerance between word and sentence: "PASS: ...",
+ * "FAIL: ...". */
 typedef struct {
-    const char *text; /* null: nothing was asked */
+    const char *text; /* null: neither was given */
     int is_passed;
 } page_answer;
-void page_verdict_of(page *p, page_mood mood, const char *word, const page_answer *answer,
-                     const char *sentence, const char *next);
+void page_verdict_with_answer(page *p, page_severity severity, const char *word,
+                              const page_answer *answer, const char *sentence, const char *next);
 
 /* Begins a section; it ends with the next or with the page. */
 void page_section(page *p, const char *heading);
@@ -48,7 +49,7 @@ void page_section(page *p, const char *heading);
 void page_say(page *p, const char *format, ...) MESSAGE_FORMAT(2, 3);
 void page_note(page *p, const char *format, ...) MESSAGE_FORMAT(2, 3);
 
-/* A few figures that are the heart of it: value, and what it is. */
+/* The most important figures: value, and what it is. */
 void page_figures_begin(page *p);
 void page_figure(page *p, const char *value, const char *what);
 void page_figures_end(page *p);
@@ -57,39 +58,39 @@ void page_figures_end(page *p);
 typedef void page_drawing(FILE *file, const void *data, double width);
 void page_picture(page *p, const char *caption, page_drawing *draw, const void *data);
 
-/* The same across the whole sheet: on paper others stand in pairs. */
-void page_panorama(page *p, const char *caption, page_drawing *draw, const void *data);
+/* The same over the full width of the sheet; on paper, other pictures are set in pairs. */
+void page_wide_picture(page *p, const char *caption, page_drawing *draw, const void *data);
 
-/* Parts of a picture side by side where there is room, else one below the other: draw into
- * p->file in between. */
+/* Parts of a picture side by side, or one below the other on a narrow screen: draw into p->file in
+ * between. */
 void page_row_begin(page *p);
 void page_row_end(page *p, const char *caption);
 
-/* A table: the first column is of words, the others of figures unless is_text says so. */
+/* A table. The first column is text, the others are figures unless text_columns says otherwise. */
 typedef struct {
-    const char *caption; /* stands above; a table that is too wide for a phone scrolls below it */
+    const char *caption;        /* above the table, which scrolls if it is too wide for a phone */
     const char *const *heading; /* count texts */
     unsigned count;
-    unsigned text_columns; /* bit k: column k is of words */
+    unsigned text_columns; /* bit k: column k is text */
 } page_table;
 void page_table_begin(page *p, const page_table *table);
 void page_cells(page *p, const page_table *table, const char *const *cell);     /* one row */
-void page_bad_cells(page *p, const page_table *table, const char *const *cell); /* a red one */
+void page_bad_cells(page *p, const page_table *table, const char *const *cell); /* a red row */
 void page_table_end(page *p);
 
-/* What is to be copied, letter by letter; or drawn into p->file in between, escaped as HTML wants it. */
+/* Text to be copied verbatim. Between begin and end, write to p->file, escaped for HTML. */
 void page_code(page *p, const char *text);
 void page_code_begin(page *p);
 void page_code_end(page *p);
 
-/* What is folded up until somebody wants it. */
+/* A part that can be folded. */
 void page_fold_begin(page *p, const char *summary, int is_open);
 void page_fold_end(page *p);
 
-/* Facts: a name and what there is to say. */
+/* A list of facts: name and text. */
 void page_facts_begin(page *p);
 void page_fact(page *p, const char *name, const char *format, ...) MESSAGE_FORMAT(3, 4);
-/* The same of a command or a name: letter by letter, in a face of one width. */
+/* The same for a command or a name: verbatim, in a fixed-width font. */
 void page_literal(page *p, const char *name, const char *text);
 void page_facts_end(page *p);
 

@@ -7,26 +7,26 @@
 #define TURN 6.2831853071795865
 #define RADIUS 136.0
 #define CENTRE_X (SPHERE_WIDTH / 2)
-#define CENTRE_Y (REACH + 2)
-#define REACH (RADIUS + 26) /* of labels, up and down */
+#define CENTRE_Y (LABEL_RADIUS + 2)
+#define LABEL_RADIUS (RADIUS + 26) /* labels lie within it */
 #define CAPTION_Y (SPHERE_HEIGHT - 6)
-#define AXES 6u
-#define DIGIT 7.6    /* width in a label, at most */
-#define PERIOD 4.2   /* of other characters */
-#define TOGETHER 3.0 /* pixels: drawn as one spot */
-#define MARKER 4.5
-#define WIDER 1.3  /* times that, of what is left out or next */
-#define CELL 2     /* pixels of shading */
-#define CELLS 136u /* in the diameter */
-#define PLACE 4    /* pixels that a small marker takes */
-#define PLACES 69u
+#define AXIS_NAMES 5u      /* seen in one half */
+#define DIGIT_WIDTH 7.6    /* of a digit or a letter in a label */
+#define OTHER_WIDTH 4.2    /* of other characters */
+#define MERGE_DISTANCE 3.0 /* pixels: marks closer than this share a spot */
+#define MARKER 4.5         /* radius */
+#define EMPHASIS 1.3       /* factor of the radius, for marks left out or next */
+#define CELL 2             /* pixels of shading */
+#define CELLS 136u         /* in the diameter */
+#define HIDE_CELL 4        /* pixels in which one of many marks of a kind is drawn */
+#define HIDE_CELLS 69u
 
 static unsigned half_of(const double v[3])
 {
     return v[2] < -SPHERE_EQUATOR;
 }
 
-/* x to the right, y up, the lower half as if the sphere were of glass. */
+/* x to the right, y up; the lower half is seen through the sphere. */
 static void project(const double v[3], double *x, double *y)
 {
     const double across = hypot(v[0], v[1]);
@@ -40,7 +40,7 @@ static void project(const double v[3], double *x, double *y)
     }
 }
 
-/* The direction of a point of the disc, given from its centre, y down. */
+/* The direction at a point of the disc, relative to its centre, y down. */
 static void unproject(double x, double y, unsigned half, double v[3])
 {
     const double radius = hypot(x, y) / RADIUS;
@@ -52,7 +52,7 @@ static void unproject(double x, double y, unsigned half, double v[3])
     v[2] = half ? -height : height;
 }
 
-/* ---- where everything goes --------------------------------------------------------------------- */
+/* ---- layout ------------------------------------------------------------------------------------ */
 
 static void find_spots(sphere *s)
 {
@@ -61,8 +61,9 @@ static void find_spots(sphere *s)
         sphere_spot here = {.half = half_of(m->up), .radius = MARKER, .kind = m->kind};
         unsigned i = 0;
         project(m->up, &here.x, &here.y);
-        while (i < s->spots && (s->spot[i].half != here.half ||
-                                hypot(here.x - s->spot[i].x, here.y - s->spot[i].y) >= TOGETHER)) {
+        while (i < s->spots &&
+               (s->spot[i].half != here.half ||
+                hypot(here.x - s->spot[i].x, here.y - s->spot[i].y) >= MERGE_DISTANCE)) {
             i++;
         }
         if (i == s->spots) {
@@ -74,7 +75,7 @@ static void find_spots(sphere *s)
     }
 }
 
-/* Where there are several to take next, they bear letters. */
+/* Adds the letters of SPHERE_NEXT marks. */
 static void add_letters(sphere *s, unsigned spot)
 {
     char *label = s->spot[spot].label;
@@ -86,7 +87,7 @@ static void add_letters(sphere *s, unsigned spot)
             continue;
         }
         if (s->spot_of[n] == spot && length + 4 < SPHERE_LABEL_MAX) {
-            s->spot[spot].radius = fmax(s->spot[spot].radius, WIDER * MARKER);
+            s->spot[spot].radius = fmax(s->spot[spot].radius, EMPHASIS * MARKER);
             snprintf(label + length, SPHERE_LABEL_MAX - length, "%s%c", length > 0 ? ", " : "",
                      'a' + (int)letter);
         }
@@ -138,24 +139,24 @@ static void set_label(sphere *s, unsigned i)
     }
 }
 
-static void take(sphere *s, sphere_box b)
+static void reserve(sphere *s, sphere_box b)
 {
-    s->taken[s->taken_count++] = b;
+    s->occupied[s->occupied_count++] = b;
 }
 
-static int is_free(const sphere *s, sphere_box b)
+static int is_vacant(const sphere *s, sphere_box b)
 {
-    for (unsigned i = 0; i < s->taken_count; i++) {
-        const sphere_box *t = &s->taken[i];
+    for (unsigned i = 0; i < s->occupied_count; i++) {
+        const sphere_box *t = &s->occupied[i];
         if (fabs(b.x - t->x) < b.w + t->w && fabs(b.y - t->y) < b.h + t->h) {
             return 0;
         }
     }
-    return fabs(b.x - CENTRE_X) + b.w < CENTRE_X - 2 && fabs(b.y - CENTRE_Y) + b.h < REACH;
+    return fabs(b.x - CENTRE_X) + b.w < CENTRE_X - 2 && fabs(b.y - CENTRE_Y) + b.h < LABEL_RADIUS;
 }
 
-/* What speaks against a place for a label: lines that run through it. */
-static double blemish(sphere_box b)
+/* The cost of a place for a label: the rim and the axes should not run through it. */
+static double placement_cost(sphere_box b)
 {
     const double dx = fabs(b.x - CENTRE_X);
     const double dy = fabs(b.y - CENTRE_Y);
@@ -171,28 +172,28 @@ static double label_width(const char *label)
     double width = 0;
 
     for (const char *c = label; *c != '\0'; c++) {
-        width += (*c >= '0' && *c <= '9') || *c >= 'a' ? DIGIT : PERIOD;
+        width += (*c >= '0' && *c <= '9') || *c >= 'a' ? DIGIT_WIDTH : OTHER_WIDTH;
     }
     return width;
 }
 
-/* Looks for a free place around a spot, near ones and the upper right first. */
+/* Looks for a vacant place around a spot, preferably close and at the upper right. */
 static void place_label(const sphere *s, sphere_spot *at)
 {
     static const int side[8][2] = {{1, 1}, {-1, 1}, {1, -1}, {-1, -1},
                                    {1, 0}, {-1, 0}, {0, 1},  {0, -1}};
     const double w = label_width(at->label) / 2;
     const double h = 6;
-    double least = HUGE_VAL;
+    double lowest = HUGE_VAL;
 
     for (unsigned ring = 0; ring < 4; ring++) {
         for (unsigned k = 0; k < 8; k++) {
             const double away = at->radius + (k < 4 ? 1.6 + 7 * ring : 3.5 + 10 * ring);
             const sphere_box b = {at->x + side[k][0] * (away + w), at->y - side[k][1] * (away + h),
                                   w, h};
-            const double cost = 7 * ring + 0.25 * k + blemish(b);
-            if (cost < least && is_free(s, b)) {
-                least = cost;
+            const double cost = 7 * ring + 0.25 * k + placement_cost(b);
+            if (cost < lowest && is_vacant(s, b)) {
+                lowest = cost;
                 at->place = b;
                 at->anchor = side[k][0] > 0 ? SVG_START : side[k][0] < 0 ? SVG_END : SVG_MIDDLE;
                 at->is_labelled = 1;
@@ -201,11 +202,11 @@ static void place_label(const sphere *s, sphere_spot *at)
     }
 }
 
-/* The axes pierce the sphere at four places of the rim, seen in both halves, and in the middle. */
+/* The axes meet the sphere at four points of the rim, seen in both halves, and in the centre. */
 static const struct {
     const char *name;
-    double x, y; /* of the middle of its name, from the centre */
-} axis_names[2][AXES - 1] = {
+    double x, y; /* centre of its name, relative to that of the disc */
+} axis_names[2][AXIS_NAMES] = {
     {{"+x", RADIUS + 20, 0},
      {"-x", -RADIUS - 20, 0},
      {"+y", 0, -RADIUS - 17},
@@ -220,15 +221,15 @@ static const struct {
 
 static void place_half(sphere *s, unsigned half)
 {
-    s->taken_count = 0;
-    for (unsigned i = 0; i < AXES - 1; i++) {
-        take(s, (sphere_box){CENTRE_X + axis_names[half][i].x, CENTRE_Y + axis_names[half][i].y, 11,
-                             7});
+    s->occupied_count = 0;
+    for (unsigned i = 0; i < AXIS_NAMES; i++) {
+        reserve(s, (sphere_box){CENTRE_X + axis_names[half][i].x, CENTRE_Y + axis_names[half][i].y,
+                                11, 7});
     }
     for (unsigned i = 0; i < s->spots; i++) {
         const sphere_spot *at = &s->spot[i];
         if (at->half == half) {
-            take(s, (sphere_box){at->x, at->y, at->radius + 1.5, at->radius + 1.5});
+            reserve(s, (sphere_box){at->x, at->y, at->radius + 1.5, at->radius + 1.5});
         }
     }
     for (unsigned i = 0; i < s->spots; i++) {
@@ -237,10 +238,10 @@ static void place_half(sphere *s, unsigned half)
             continue;
         }
         place_label(s, at);
-        if (at->is_labelled) { /* with a margin, so that two do not read as one */
-            take(s, (sphere_box){at->place.x, at->place.y, at->place.w + 4, at->place.h + 5});
+        if (at->is_labelled) { /* with a margin between labels */
+            reserve(s, (sphere_box){at->place.x, at->place.y, at->place.w + 4, at->place.h + 5});
         }
-        s->homeless[half] += !at->is_labelled;
+        s->unlabelled[half] += !at->is_labelled;
     }
 }
 
@@ -275,7 +276,7 @@ static unsigned class_of(const sphere_shading *shading, const double up[3])
     return k;
 }
 
-/* Where row y, counted from the top, begins and ends on the disc. */
+/* The cells of row y, from the top, that are on the disc. */
 static void row_extent(unsigned y, unsigned *begin, unsigned *end)
 {
     const double from_centre = (y + 0.5) * CELL - RADIUS;
@@ -285,7 +286,7 @@ static void row_extent(unsigned y, unsigned *begin, unsigned *end)
     *end = (unsigned)((RADIUS + reach) / CELL + 0.5);
 }
 
-/* Cells of equal class in a row make one rectangle, those of one class one path. */
+/* One path for each class, with one rectangle for each run of its cells in a row. */
 static void draw_class(FILE *file, const unsigned char (*cell)[CELLS], unsigned k)
 {
     fprintf(file, "<path class=\"shade s%u\" d=\"", k);
@@ -320,7 +321,7 @@ static void draw_shading(FILE *file, const sphere *s, unsigned half)
             double up[3];
             const double dx = (x + 0.5) * CELL - RADIUS;
             const double dy = (y + 0.5) * CELL - RADIUS;
-            const double shrink = fmin(1, RADIUS / hypot(dx, dy)); /* cells that jut out */
+            const double shrink = fmin(1, RADIUS / hypot(dx, dy)); /* cells beyond the rim */
             unproject(shrink * dx, shrink * dy, half, up);
             cell[y][x] = (unsigned char)class_of(s->shading, up);
         }
@@ -346,17 +347,17 @@ static void draw_graticule(FILE *file)
 
 static void draw_axis_names(FILE *file, unsigned half)
 {
-    for (unsigned i = 0; i < AXES - 1; i++) {
+    for (unsigned i = 0; i < AXIS_NAMES; i++) {
         svg_text(file, "soft halo", SVG_MIDDLE, CENTRE_X + axis_names[half][i].x,
                  CENTRE_Y + axis_names[half][i].y + 5, axis_names[half][i].name);
     }
 }
 
-/* A label that is far off is tied to its spot. */
-static void draw_tie(FILE *file, const sphere_spot *s)
+/* A line from a spot to its label, if that is not close. */
+static void draw_leader(FILE *file, const sphere_spot *s)
 {
     const sphere_box *b = &s->place;
-    const double x = b->x + fmax(-b->w, fmin(b->w, s->x - b->x)); /* of its edge, the nearest */
+    const double x = b->x + fmax(-b->w, fmin(b->w, s->x - b->x)); /* nearest point of its edge */
     const double y = b->y + fmax(-b->h, fmin(b->h, s->y - b->y));
 
     if (hypot(x - s->x, y - s->y) > s->radius + 7) {
@@ -372,13 +373,13 @@ static void draw_label(FILE *file, const sphere_spot *s)
     svg_text(file, "ink small halo", s->anchor, b->x + end, b->y + 4.3, s->label);
 }
 
-/* Ties first: no label lies below one. */
+/* Leaders first, so that none covers a label. */
 static void draw_labels(FILE *file, const sphere *s, unsigned half)
 {
-    for (unsigned way = 0; way < 2; way++) {
+    for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned i = 0; i < s->spots; i++) {
             if (s->spot[i].half == half && s->spot[i].is_labelled) {
-                (way == 0 ? draw_tie : draw_label)(file, &s->spot[i]);
+                (pass == 0 ? draw_leader : draw_label)(file, &s->spot[i]);
             }
         }
     }
@@ -388,19 +389,19 @@ static void draw_labels(FILE *file, const sphere *s, unsigned half)
 static const struct {
     const char *colour;
     svg_shape shape;
-} looks[SPHERE_KINDS] = {
+} marker_style[SPHERE_KINDS] = {
     [SPHERE_POSITION] = {"c1", SVG_CIRCLE},  [SPHERE_GROUP_2] = {"c2", SVG_SQUARE},
     [SPHERE_GROUP_3] = {"c3", SVG_TRIANGLE}, [SPHERE_LEFT_OUT] = {"c2", SVG_CROSS},
     [SPHERE_NEXT] = {"c3", SVG_TARGET},
 };
 
-static void draw_marker(FILE *file, sphere_kind kind, const char *way, double x, double y,
+static void draw_marker(FILE *file, sphere_kind kind, const char *fill, double x, double y,
                         double radius)
 {
     char style[16];
 
-    snprintf(style, sizeof style, "%s %s", looks[kind].colour, way);
-    svg_marker(file, style, looks[kind].shape, x, y, radius);
+    snprintf(style, sizeof style, "%s %s", marker_style[kind].colour, fill);
+    svg_marker(file, style, marker_style[kind].shape, x, y, radius);
 }
 
 void sphere_marker(FILE *file, sphere_kind kind, double x, double y)
@@ -408,12 +409,13 @@ void sphere_marker(FILE *file, sphere_kind kind, double x, double y)
     draw_marker(file, kind, "full", x, y, MARKER);
 }
 
-/* Marks without numbers may be a million: of equal ones at a place of the disc one is enough. */
+/* There may be a million marks without numbers: of each kind, one in a cell of the disc is
+ * enough. */
 static int is_hidden(const sphere *s, sphere_kind kind, double x, double y,
-                     unsigned char (*seen)[PLACES])
+                     unsigned char (*seen)[HIDE_CELLS])
 {
-    unsigned char *cell = &seen[(unsigned)((y - CENTRE_Y + RADIUS) / PLACE)]
-                               [(unsigned)((x - CENTRE_X + RADIUS) / PLACE)];
+    unsigned char *cell = &seen[(unsigned)((y - CENTRE_Y + RADIUS) / HIDE_CELL)]
+                               [(unsigned)((x - CENTRE_X + RADIUS) / HIDE_CELL)];
     const unsigned char bit = (unsigned char)(1u << kind);
     const int hidden = s->spots == 0 && (*cell & bit);
 
@@ -421,20 +423,21 @@ static int is_hidden(const sphere *s, sphere_kind kind, double x, double y,
     return hidden;
 }
 
-/* A mark of another kind at the same spot is drawn smaller than the marker that it lies on. */
+/* A mark of another kind at the same spot is drawn smaller, on top. */
 static void draw_marks(FILE *file, const sphere *s, unsigned half)
 {
-    const double alone = s->count <= SPHERE_NUMBERED ? MARKER : s->count <= 300 ? 3 : 1.8;
+    const double small = s->count <= SPHERE_NUMBERED ? MARKER : s->count <= 300 ? 3 : 1.8;
 
-    unsigned char seen[PLACES][PLACES] = {{0}};
+    unsigned char seen[HIDE_CELLS][HIDE_CELLS] = {{0}};
 
     for (unsigned n = 0; n < s->count; n++) {
         const sphere_mark *m = &s->mark[n];
         const sphere_spot *spot = s->spots > 0 ? &s->spot[s->spot_of[n]] : NULL;
-        const int is_upon = spot && spot->kind != m->kind;
-        const double radius = m->kind == SPHERE_LEFT_OUT || m->kind == SPHERE_NEXT ? WIDER * MARKER
-                              : spot && !is_upon                                   ? spot->radius
-                                                                                   : alone;
+        const int is_on_top = spot && spot->kind != m->kind;
+        const double radius = m->kind == SPHERE_LEFT_OUT || m->kind == SPHERE_NEXT
+                                  ? EMPHASIS * MARKER
+                              : spot && !is_on_top ? spot->radius
+                                                   : small;
         double x;
         double y;
         if (half_of(m->up) != half) {
@@ -444,7 +447,7 @@ static void draw_marks(FILE *file, const sphere *s, unsigned half)
         if (is_hidden(s, m->kind, x, y, seen)) {
             continue;
         }
-        draw_marker(file, m->kind, is_upon || s->shading ? "over" : "full", x, y, radius);
+        draw_marker(file, m->kind, is_on_top || s->shading ? "over" : "full", x, y, radius);
     }
 }
 

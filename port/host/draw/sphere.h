@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * draw/sphere.h: directions on the two halves of the sphere, z up and z down, in Lambert's equal-area
- * projection, both seen from +z, with numbers that stand clear of one another.
+ * draw/sphere.h: directions on the two halves of the sphere, z up and z down, in Lambert's
+ * equal-area projection, both seen from +z, with numbers that do not overlap.
  *
  * A half is drawn into a box of SPHERE_WIDTH by SPHERE_HEIGHT pixels whose upper left corner is
  * the origin: a picture of its own, or a part of one (svg_group_begin).
@@ -15,10 +15,10 @@
 
 #define SPHERE_WIDTH 336.0
 #define SPHERE_HEIGHT 348.0
-#define SPHERE_NUMBERED 48u /* more directions than this bear no numbers */
-#define SPHERE_EQUATOR 1e-9 /* |z| that is still level, and belongs to the upper half */
+#define SPHERE_NUMBERED 48u /* more directions than this are not numbered */
+#define SPHERE_EQUATOR 1e-9 /* |z| up to this is on the equator, which belongs to the upper half */
 
-/* What a mark stands for; each has a colour and a shape of its own. */
+/* The meaning of a mark, shown by its colour and shape. */
 typedef enum {
     SPHERE_POSITION, /* of any group, or the first one */
     SPHERE_GROUP_2,
@@ -33,8 +33,8 @@ typedef struct {
     sphere_kind kind;
 } sphere_mark;
 
-/* A figure for every direction, shown by colours: class k where it is below threshold[k], the last
- * class elsewhere. */
+/* A quantity that depends on direction, shown by colours: class k where it is below threshold[k],
+ * the last class elsewhere. */
 #define SPHERE_CLASSES 6u
 typedef struct {
     double (*value)(const void *context, const double up[3]);
@@ -44,15 +44,15 @@ typedef struct {
 } sphere_shading;
 
 #define SPHERE_LABEL_MAX 24
-#define SPHERE_TAKEN_MAX (2 * SPHERE_NUMBERED + 16)
+#define SPHERE_OCCUPIED_MAX (2 * SPHERE_NUMBERED + 16)
 
-/* A place in the picture: middle and half of the sides. */
+/* A rectangle in the picture: its centre, and half of its sides. */
 typedef struct {
     double x, y;
     double w, h;
 } sphere_box;
 
-/* Marks that share a spot share a label. */
+/* A spot of the picture with one mark or several, which share a label. */
 typedef struct {
     double x, y;
     unsigned half;
@@ -61,24 +61,24 @@ typedef struct {
     char label[SPHERE_LABEL_MAX];
     sphere_box place; /* of the label */
     svg_anchor anchor;
-    int is_labelled; /* there is room */
+    int is_labelled; /* a place was found for the label */
 } sphere_spot;
 
 typedef struct {
     const sphere_mark *mark;
     unsigned count;
     const sphere_shading *shading; /* or null */
-    unsigned homeless[2];          /* spots of each half without a number for want of room */
-    /* inside */
+    unsigned unlabelled[2];        /* spots of each half whose number has no place */
+    /* private */
     unsigned spots;
-    unsigned spot_of[SPHERE_NUMBERED]; /* each mark's */
+    unsigned spot_of[SPHERE_NUMBERED]; /* index of the spot of each mark */
     sphere_spot spot[SPHERE_NUMBERED];
-    unsigned taken_count;
-    sphere_box taken[SPHERE_TAKEN_MAX]; /* by markers and words, of the half in work */
+    unsigned occupied_count;
+    sphere_box occupied[SPHERE_OCCUPIED_MAX]; /* by markers and texts of the half being arranged */
 } sphere;
 
-/* Finds a place for everything. Marks are numbered from 1 in their order, SPHERE_NEXT bears no
- * number, but a letter where there are several. The marks and the shading stay the caller's. */
+/* Places marks and labels. Marks are numbered from 1 in their order; those of SPHERE_NEXT have
+ * letters instead, or no label if there is only one. `mark` and `shading` must outlive s. */
 void sphere_arrange(sphere *s, const sphere_mark *mark, unsigned count,
                     const sphere_shading *shading);
 

@@ -11,8 +11,8 @@
 #define REPLACEMENT "\xEF\xBF\xBD" /* U+FFFD */
 #define MINUS "\xE2\x88\x92"       /* U+2212 */
 
-/* Colours for all kinds of colour vision (Okabe and Ito), lighter ones on black. Plain classes and
- * currentColor: word processors understand no more. Paper stays white. */
+/* Colours for all kinds of colour vision (Okabe and Ito), lighter on black. Only plain classes and
+ * currentColor, as word processors know nothing else. Print is on white. */
 static const char styles[] = ".invcal .paper{fill:#fff}\n"
                              ".invcal .ink{fill:#1a1a1a}\n"
                              ".invcal .soft{fill:#555}\n"
@@ -88,7 +88,7 @@ const char *svg_fixed(double x, unsigned places, char text[SVG_NUMBER_MAX])
     return text;
 }
 
-/* A coordinate: no zeros at the end, files with thousands of them become smaller. */
+/* A coordinate, without trailing zeros: this makes files with thousands of them smaller. */
 static void write_coordinate(FILE *file, double x)
 {
     char text[SVG_NUMBER_MAX];
@@ -110,7 +110,7 @@ static void write_attribute(FILE *file, const char *name, double x)
     putc('"', file);
 }
 
-/* What XML or good sense keeps out: controls of either kind, and two codes that are no characters. */
+/* Control characters, C0 and C1, and the noncharacters U+FFFE and U+FFFF. */
 static int is_banned(const char *c, unsigned length)
 {
     const unsigned char *byte = (const unsigned char *)c;
@@ -285,8 +285,8 @@ static void write_polygon(FILE *file, const char *style, const double (*corner)[
 
 void svg_marker(FILE *file, const char *style, svg_shape shape, double x, double y, double radius)
 {
-    const double side = 0.9 * radius; /* half of it, of a square */
-    const double up = 1.45 * radius;  /* to the corner of a triangle, of a diamond */
+    const double side = 0.9 * radius; /* half the side of a square */
+    const double up = 1.45 * radius;  /* centre to corner of a triangle or a diamond */
     const double arm = 0.95 * radius; /* of a cross, along x and y */
     const double thick = 0.42 * radius;
     const double cross[][2] = {
@@ -315,7 +315,7 @@ void svg_marker(FILE *file, const char *style, svg_shape shape, double x, double
     case SVG_DIAMOND:
         write_polygon(file, style, diamond, 4);
         break;
-    case SVG_TARGET: /* a dot and a ring, on a ground of their own */
+    case SVG_TARGET: /* a dot and a ring, on the colour of the background */
         svg_circle(file, "paper", x, y, 1.8 * radius);
         snprintf(part, sizeof part, "%.2s curve", style);
         svg_circle(file, part, x, y, 1.5 * radius);

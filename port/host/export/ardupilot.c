@@ -47,9 +47,9 @@ static int check(const export_job *job)
         return message_usage("export", "--instance %u: must be 0 to 2 for ArduPilot",
                              job->instance);
     }
-    export_diagonal_tell(job, &d);
+    export_diagonal_message(job, &d);
     if (!export_gyro_bias(job, bias)) {
-        export_gyro_tell(job, EXPORT_NO_UNIT);
+        export_gyro_warn(job, EXPORT_NO_UNIT);
     }
     if (largest > OFFSET_RANGE) {
         message("warning: an offset of %.4g m/s^2 is beyond ArduPilot's range of +-3.5; a ground "
@@ -64,14 +64,15 @@ static int check(const export_job *job)
  *
  *     accel -= offset;  accel.x *= scale.x;  (y, z alike)
  *
- * then turned to the body. So offset is in m/s^2, comes before the scale, and both are the best
- * diagonal fit to driver -> m/s^2, in the axes that an ArduPilot log shows before AHRS_ORIENTATION. Backends correct a sample before it is
- * logged (IMU, ACC): the log must be of a vehicle with offsets 0, scales 1 and AHRS_ORIENTATION 0.
+ * then turned to the body. So the offset is in m/s^2 and is applied before the scale, and both are
+ * the best diagonal fit to driver -> m/s^2, in the axes of an ArduPilot log before
+ * AHRS_ORIENTATION. Backends correct a sample before it is logged (IMU, ACC): the log must be of a
+ * vehicle with offsets 0, scales 1 and AHRS_ORIENTATION 0.
  *
  * Names and ranges: AP_InertialSensor.cpp: INS_ACCOFFS_X ... Z, -3.5 to 3.5 m/s^2, and
  * INS_ACCSCAL_X ... Z, 0.8 to 1.2. Its own calibration refuses scales beyond and offsets above
- * 9.80665 (AccelCalibrator::accept_result()), and so is done here. Before take-off it wants
- * INS_ACC_ID to be the sensor's (accel_calibrated_ok_all()).
+ * 9.80665 (AccelCalibrator::accept_result()), and so does this export. Before take-off, INS_ACC_ID
+ * must be that of the sensor (accel_calibrated_ok_all()).
  *
  * File: NAME,VALUE; '#' begins a comment (MissionPlanner, ParamFile.loadParamFile(); pymavlink,
  * mavparm.py, load()). */

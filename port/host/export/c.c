@@ -4,9 +4,10 @@
 #include "text/constant.h"
 #include "cli/message.h"
 
-#define NAME_MAX_OF_C 80
+#define IDENTIFIER_MAX 80
 
-/* A float must hold every number: this library's usual build and the plain arrays are float. */
+/* Every number must fit into a float, the type of the plain arrays and of this library's default
+ * build. */
 static int check_range(const export_job *job)
 {
     const invcal_calibration *c = &job->file.calibration;
@@ -65,13 +66,13 @@ static void write_c(FILE *file, const export_job *job)
     fprintf(file, "#include \"invcal/invcal.h\"\n\n");
     constant_write(file, name, c->offset, (const double(*)[3])c->matrix);
     if (job->file.has_gyro) {
-        char gyro[NAME_MAX_OF_C];
+        char gyro[IDENTIFIER_MAX];
         snprintf(gyro, sizeof gyro, "%s_gyro", name);
         constant_write(file, gyro, job->file.gyro.offset,
                        (const double(*)[3])job->file.gyro.matrix);
     }
     if (job->file.has_gyro_g) {
-        char g[NAME_MAX_OF_C];
+        char g[IDENTIFIER_MAX];
         snprintf(g, sizeof g, "%s_gyro_g", name);
         constant_write_matrix(file, g, (const double(*)[3])job->file.gyro_g);
     }
@@ -95,7 +96,7 @@ static void write_offset(FILE *file, const char *name, const char *which, const 
     fputs(";\n", file);
 }
 
-/* The same without the library: two arrays of float, which any C compiler takes. */
+/* The same without the library: two arrays of float, for any C compiler. */
 static void write_arrays(FILE *file, const export_job *job)
 {
     const invcal_calibration *c = &job->file.calibration;

@@ -13,7 +13,7 @@
 #define POINTS 16u /* of a quarter of a ring */
 
 /* The eigenvalues of P'P. */
-static void squares(double p[3][3], double value[3])
+static void squared_singular_values(double p[3][3], double value[3])
 {
     double packed[6];
 
@@ -28,9 +28,9 @@ static void squares(double p[3][3], double value[3])
     }
 }
 
-/* The root mean square of |P u| - 1 has no elementary form. In the axes of P'P the integrand is
- * the same in all octants; over one of them z is uniform, and the midpoint rule in z and in the
- * angle is good to six digits. */
+/* The root mean square of |P u| - 1 has no elementary form. In the axes of P'P the integrand is the
+ * same in all octants. In one of them z is uniformly distributed, and the midpoint rule in z and in
+ * the angle is accurate to six digits. */
 static double length_rms(const double value[3])
 {
     double sum = 0;
@@ -65,10 +65,10 @@ static export_error error_of(const double scale[3], double b[3][3])
             e[i][j] = p[i][j] - (i == j);
         }
     }
-    squares(e, value);
+    squared_singular_values(e, value);
     error.rms = sqrt((value[0] + value[1] + value[2]) / 3);
     error.max = sqrt(fmax(value[0], fmax(value[1], value[2])));
-    squares(p, value);
+    squared_singular_values(p, value);
     const double longest = sqrt(fmax(value[0], fmax(value[1], value[2])));
     const double shortest = sqrt(fmin(value[0], fmin(value[1], value[2])));
     error.length_max = fmax(fabs(longest - 1), fabs(shortest - 1));
@@ -77,16 +77,15 @@ static export_error error_of(const double scale[3], double b[3][3])
 }
 
 /* With another offset c, axis i of the error is s_i (B_i u + o_i - c_i) - u_i, B_i row i of B.
- * Its mean square is s_i^2 (|B_i|^2/3 + (o_i - c_i)^2) - 2 s_i B_ii/3 + 1/3: least for c = o and
- * s_i = B_ii / |B_i|^2, whatever the other axes do. What is left is (1 - B_ii^2/|B_i|^2)/3, and
- * no setting leaves less. */
+ * Its mean square is s_i^2 (|B_i|^2/3 + (o_i - c_i)^2) - 2 s_i B_ii/3 + 1/3, with the minimum
+ * (1 - B_ii^2/|B_i|^2)/3 at c = o and s_i = B_ii / |B_i|^2, independent of the other axes. */
 export_diagonal export_diagonal_fit(const invcal_calibration *full)
 {
     export_diagonal d;
     double b[3][3];
     double cut_off[3];
 
-    (void)matrix_inverse(full, b); /* has been inverted before: export_driver */
+    (void)matrix_inverse(full, b); /* regular: see export_driver */
     for (unsigned i = 0; i < 3; i++) {
         d.scale[i] = b[i][i] / (b[i][0] * b[i][0] + b[i][1] * b[i][1] + b[i][2] * b[i][2]);
         cut_off[i] = full->matrix[i][i];
@@ -96,7 +95,7 @@ export_diagonal export_diagonal_fit(const invcal_calibration *full)
     return d;
 }
 
-void export_diagonal_tell(const export_job *job, const export_diagonal *d)
+void export_diagonal_message(const export_job *job, const export_diagonal *d)
 {
     message("%s has no cross terms: the best fit leaves %.4f mg rms, %.4f mg at most (in length "
             "%.4f and %.4f); dropping them would leave %.4f and %.4f (%.4f and %.4f)",

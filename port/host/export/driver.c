@@ -9,7 +9,7 @@
 #include "cli/message.h"
 #include "text/unit.h"
 
-/* m/s^2 per unit of the readings; 0 if they are counts, or nobody knows. */
+/* m/s^2 per unit of the readings; 0 if they are counts or unknown. */
 static double unit_si(const char *unit)
 {
     reading_unit u;
@@ -17,8 +17,8 @@ static double unit_si(const char *unit)
     return unit_parse(unit, &u) ? unit_scale(u, UNIT_STANDARD_GRAVITY) : 0;
 }
 
-/* The driver's scale is a figure of its own: it follows neither from the range of data nor
- * from an earlier calibration. */
+/* 1 if a nominal value is from a data sheet or a unit, as the driver's are; not one from the range
+ * of the data or from an earlier calibration. */
 static int is_stated(const char *origin)
 {
     return strcmp(origin, "given") == 0 || strcmp(origin, "unit") == 0 ||
@@ -33,7 +33,7 @@ static const char *find_scale(const export_job *job, const double *given_zero,
     const double unit = unit_si(c->unit);
     const char *from = given_lsb  ? "--zero and --lsb"
                        : unit > 0 ? c->unit
-                       : is_stated(c->zero_from) && is_stated(c->lsb_from) && !c->is_skewed
+                       : is_stated(c->zero_from) && is_stated(c->lsb_from) && !c->has_cross_terms
                            ? "the nominal zero and scale of the calibration"
                            : NULL;
 
@@ -46,7 +46,7 @@ static const char *find_scale(const export_job *job, const double *given_zero,
 
 /* The driver delivers d = S (raw - zero), S = diag(lsb); calibrated = si M (raw - offset) m/s^2.
  * So raw = S^-1 d + zero, and calibrated = si M S^-1 (d - S (offset - zero)). */
-static void see_from_driver(export_job *job, const double zero[3], const double lsb[3])
+static void set_driver_calibration(export_job *job, const double zero[3], const double lsb[3])
 {
     const invcal_calibration *c = &job->file.calibration;
 
@@ -71,7 +71,7 @@ int export_driver(export_job *job, const double *zero, const double *lsb)
                              "(m/s^2 per input unit)",
                              job->source);
     }
-    see_from_driver(job, driver_zero, driver_lsb);
+    set_driver_calibration(job, driver_zero, driver_lsb);
     if (!matrix_inverse(&job->driver, inverse) ||
         !(fabs(job->driver.offset[0]) + fabs(job->driver.offset[1]) + fabs(job->driver.offset[2]) <
           1e30)) {

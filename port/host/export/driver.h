@@ -2,9 +2,9 @@
  *
  * export/driver.h: a calibration as seen from a driver that delivers m/s^2.
  *
- * PX4, ArduPilot and ROS correct readings that their driver has brought to m/s^2 by a scale of
- * its own; a calibration file corrects whatever its log held. The driver's scale leads from one
- * to the other, and is never guessed.
+ * PX4, ArduPilot and ROS correct readings that their driver has converted to m/s^2; a calibration
+ * file corrects readings in the unit of its log. To convert between them, the driver's zero and
+ * scale must be known; they are never guessed.
  */
 #ifndef EXPORT_DRIVER_H
 #define EXPORT_DRIVER_H

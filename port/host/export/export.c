@@ -27,7 +27,7 @@ static const option options[OPTIONS] = {
 static const char *const operands[] = {"CAL.json"};
 static const option_syntax syntax = {"export", options, OPTIONS, operands, 1, 0};
 
-/* What a format must take for an option to make sense. */
+/* What a format must need for an option to make sense. */
 static const unsigned option_needs[OPTIONS] = {
     [NAME] = EXPORT_NAMED,        [ZERO] = EXPORT_DRIVER,        [LSB] = EXPORT_DRIVER,
     [INSTANCE] = EXPORT_INSTANCE, [DEVICE_ID] = EXPORT_INSTANCE,
@@ -92,7 +92,7 @@ static int is_keyword(const char *word)
     return 0;
 }
 
-/* A name goes into C source as it is. One underscore in front would be the compiler's. */
+/* A name is copied into C source. A leading underscore is reserved. */
 static int read_name(const char *name)
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
@@ -127,7 +127,7 @@ static int read_scale(request *r)
     return failure;
 }
 
-static int read_whole(unsigned which, const char *value, double low, double high, double *out)
+static int read_integer(unsigned which, const char *value, double low, double high, double *out)
 {
     if (!value) {
         return EXIT_GOOD;
@@ -143,9 +143,9 @@ static int read_whole(unsigned which, const char *value, double low, double high
 static int check_files(const request *r)
 {
     const named_file input = {"CAL.json", r->path};
-    const named_file made = {"--out", r->value[OUT]};
+    const named_file output_file = {"--out", r->value[OUT]};
 
-    return files_check(syntax.command, &input, 1, &made, 1);
+    return files_check(syntax.command, &input, 1, &output_file, 1);
 }
 
 static int read_request(int argc, char **argv, request *r, export_job *job)
@@ -156,9 +156,10 @@ static int read_request(int argc, char **argv, request *r, export_job *job)
     failure = failure ? failure : read_format(r);
     failure = failure ? failure : read_name(r->value[NAME]);
     failure = failure ? failure : read_scale(r);
-    failure = failure ? failure : read_whole(INSTANCE, r->value[INSTANCE], 0, 3, &instance);
-    failure = failure ? failure
-                      : read_whole(DEVICE_ID, r->value[DEVICE_ID], 1, 2147483647, &job->device_id);
+    failure = failure ? failure : read_integer(INSTANCE, r->value[INSTANCE], 0, 3, &instance);
+    failure = failure
+                  ? failure
+                  : read_integer(DEVICE_ID, r->value[DEVICE_ID], 1, 2147483647, &job->device_id);
     failure = failure ? failure : check_files(r);
     job->instance = failure ? 0 : (unsigned)instance;
     job->name = r->value[NAME];
@@ -167,7 +168,7 @@ static int read_request(int argc, char **argv, request *r, export_job *job)
     return failure;
 }
 
-/* What is exported all the same, but should not be trusted as a good one is. */
+/* Warns of a calibration that is exported although it is not good. */
 static void warn(const export_job *job)
 {
     const calibration_file *c = &job->file;
@@ -186,7 +187,8 @@ static void warn(const export_job *job)
     }
 }
 
-/* Without its nonlinear terms the rest is not the best that is linear: that takes a part of them. */
+/* The linear part alone is not the best linear calibration, which would include a part of the
+ * nonlinear terms. */
 static int refuse_nonlinear(const export_job *job)
 {
     return message_usage(syntax.command,
@@ -195,8 +197,8 @@ static int refuse_nonlinear(const export_job *job)
                          job->source, job->format);
 }
 
-/* All that can be refused, before anything is written. */
-static int settle(const request *r, export_job *job)
+/* All checks, before anything is written. */
+static int check_job(const request *r, export_job *job)
 {
     const unsigned takes = r->format->takes;
     const double gravity = job->file.gravity;
@@ -258,7 +260,7 @@ static int run(int argc, char **argv)
     int failure = read_request(argc, argv, &r, &job);
 
     failure = failure ? failure : calibration_file_read_all(r.path, &job.file);
-    failure = failure ? failure : settle(&r, &job);
+    failure = failure ? failure : check_job(&r, &job);
     if (!failure && job.file.has_thermal) {
         message("warning: %s: its temperature terms are not exported; the result holds at %.6g °C",
                 job.source, job.file.thermal.reference);
@@ -287,9 +289,9 @@ static const char *const help[] = {
     "errors. Of one made with --thermal, the calibration at its reference temperature is\n"
     "exported, with a warning.\n"
     "\n"
-    "The length of the field implies the unit: 9.7 to 9.9 is gravity in m/s^2, 0.99 to 1.01 in g, "
-    "990 to 1010\n"
-    "in mg. Any other is that of a magnetometer, for which only the three C formats exist.\n"
+    "The length of the field implies the unit: 9.7 to 9.9 is gravity in m/s^2, 0.99 to 1.01\n"
+    "in g, 990 to 1010 in mg. Any other is that of a magnetometer, for which only the three C\n"
+    "formats exist.\n"
     "\n"
     "A gyroscope in CAL.json is included in c, c-arrays (NAME_gyro in rad/s) and fusion\n"
     "(degrees/s). px4 and ardupilot take its bias, if its columns have a unit (else a warning\n"

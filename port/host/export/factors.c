@@ -7,7 +7,7 @@
 #include "cli/message.h"
 #include "export/text.h"
 
-#define RATIO_MAX 1e3 /* of misalignment: with more, floats would lose the reading */
+#define RATIO_MAX 1e3 /* of off-diagonal to diagonal, so that floats suffice */
 
 int export_factors_check(const export_job *job, const invcal_calibration *c, double factor)
 {

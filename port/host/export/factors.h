@@ -14,11 +14,11 @@ typedef struct {
     double scale[3];
 } export_factors;
 
-/* Of the accelerometer, or the gyroscope: EXIT_GOOD; EXIT_DATA, with a message, if an axis has no part in its own reading or is lost in
- * those of the others: axes that are interchanged. */
+/* Checks the calibration of accelerometer or gyroscope. Returns EXIT_GOOD; EXIT_DATA, with a
+ * message, if a diagonal element is too small: the axes are interchanged. */
 int export_factors_check(const export_job *job, const invcal_calibration *c, double factor);
 
-/* Of the matrix, times `factor`. */
+/* The factors of the matrix, times `factor`. */
 export_factors export_factors_of(const invcal_calibration *c, double factor);
 
 #endif

@@ -15,17 +15,17 @@
 /* What is exported, and what the command line adds. */
 typedef struct {
     calibration_file file;
-    const char *source;        /* name of the file, as people should see it */
+    const char *source;        /* name of the file, for messages and comments */
     const char *format;        /* name of the format */
     const char *name;          /* --name; null: the format's own */
     double si;                 /* m/s^2 per field unit; 0: the field is no acceleration */
-    const char *driver_from;   /* how the scale of the driver is known, in words */
-    invcal_calibration driver; /* from the driver's readings, m/s^2, to m/s^2 */
+    const char *driver_from;   /* source of the driver's scale, in words */
+    invcal_calibration driver; /* from the driver's readings, m/s^2, to calibrated, m/s^2 */
     unsigned instance;         /* of the sensor, from 0 */
     double device_id;          /* NUMBER_UNKNOWN: leave the system's own alone */
 } export_job;
 
-/* What a format takes, and so which options it has. */
+/* What a format needs, and so which options it has. */
 enum {
     EXPORT_NAMED = 1,        /* --name */
     EXPORT_GRAVITY = 2,      /* the length of the field must be known */
@@ -38,8 +38,8 @@ enum {
 typedef struct {
     const char *name;
     unsigned takes;
-    /* Refuses, with a message, what the system could not use; warns of what it should know.
-     * Null: takes everything. Returns an exit code. */
+    /* Refuses, with a message, a calibration that the system could not use; prints warnings.
+     * Null: accepts everything. Returns an exit code. */
     int (*check)(const export_job *job);
     void (*write)(FILE *file, const export_job *job);
 } export_format;

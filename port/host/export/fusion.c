@@ -8,7 +8,7 @@
 
 #define IN_DEGREES (1 / UNIT_DEGREE)
 
-/* Braces as in Fusion's own examples: flat, so that they fit all versions of its unions. */
+/* Flat braces, as in Fusion's own examples: they fit all versions of its unions. */
 static void write_values(FILE *file, const char *type, const char *name, const char *part,
                          const double *x, unsigned n)
 {
@@ -54,9 +54,9 @@ static int check(const export_job *job)
  *
  *     FusionModelInertial(uncalibrated, M, s, b) = M ((uncalibrated - b) o s)   (o: axis by axis)
  *
- * The result is to be in g, and what the filter takes off for gravity is 1 (FusionAhrs.c): so the
- * matrix is divided by the length of the field, which makes it 1 at rest here. Then b = offset in
- * input units, and matrix / field = M diag(s) column by column, M with ones on its diagonal. */
+ * The result must be in g, as the filter subtracts 1 for gravity (FusionAhrs.c): so the matrix is
+ * divided by the length of the field, which makes a calibrated reading at rest 1. Then b = offset
+ * in input units, and matrix / field = M diag(s) column by column, M with ones on its diagonal. */
 static void write_inertial(FILE *file, const export_job *job, const char *name)
 {
     const export_factors f = export_factors_of(&job->file.calibration, 1 / job->file.gravity);
@@ -71,7 +71,7 @@ static void write_inertial(FILE *file, const export_job *job, const char *name)
     write_values(file, "FusionVector", name, "Offset", job->file.calibration.offset, 3);
 }
 
-/* The same of the gyroscope; the filter takes degrees/s. */
+/* The same for the gyroscope; the filter expects degrees/s. */
 static void write_gyro(FILE *file, const export_job *job)
 {
     const export_factors f = export_factors_of(&job->file.gyro, IN_DEGREES);
@@ -89,7 +89,7 @@ static void write_gyro(FILE *file, const export_job *job)
 }
 
 /* FusionModelMagnetic(uncalibrated, softIronMatrix, hardIronOffset) = matrix (uncalibrated -
- * offset), as here. Only the direction of the result counts: its unit stays that of the field. */
+ * offset), as here. Only the direction of the result matters: it is in the unit of the field. */
 static void write_magnetic(FILE *file, const export_job *job, const char *name)
 {
     const invcal_calibration *c = &job->file.calibration;

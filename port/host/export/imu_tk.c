@@ -16,10 +16,10 @@ static void write_row(FILE *file, double x, double y, double z)
  *
  * T has ones on its diagonal, K is diagonal, and X is what the log holds: raw counts in its own
  * examples (apps/test_imu_calib.cpp). So B = offset, and matrix = T K column by column; the result
- * is brought to m/s^2. A triangular frame gives its "body frame": zeros below the diagonal of T.
+ * is converted to m/s^2. A triangular frame gives its "body frame": zeros below the diagonal of T.
  *
- * File: save() writes T, K in full, and B; load() reads these 21 numbers, with any white space
- * between, and no further. It knows no comments, so ours stand behind. */
+ * File: save() writes T, K in full, and B; load() reads these 21 numbers, separated by any white
+ * space, and no further. It does not know comments, so ours follow the numbers. */
 static void write_triad(FILE *file, const invcal_calibration *c, double factor)
 {
     const export_factors f = export_factors_of(c, factor);
@@ -51,8 +51,8 @@ static void write_file(FILE *file, const export_job *job)
     export_comment(file, EXPORT_COMMENT, "imu_tk: T K (X - B), X in input units, result in m/s^2");
 }
 
-/* The gyroscope's file is of the same kind; the result is in rad/s, as MultiPosCalibration_ takes g and makes
- * rotations. */
+/* The gyroscope's file has the same format, with the result in rad/s, the unit of
+ * MultiPosCalibration_. */
 static int check_gyro(const export_job *job)
 {
     return export_factors_check(job, &job->file.gyro, 1);

@@ -16,8 +16,8 @@ static double length(double x, double y, double z)
     return sqrt(x * x + y * y + z * z);
 }
 
-/* Releases that load parameters by set_offset and set_scale keep 0 and 1 if the new vector is
- * within 0.01 of that (m/s^2 and none). */
+/* Releases that load parameters with set_offset and set_scale ignore an offset within 0.01 m/s^2 of
+ * 0, and scales within 0.01 of 1. */
 static int is_ignored(const double offset[3], const double scale[3])
 {
     return !(length(offset[0], offset[1], offset[2]) > IGNORED) ||
@@ -41,9 +41,9 @@ static int check(const export_job *job)
     if (failure) {
         return failure;
     }
-    export_diagonal_tell(job, &d);
+    export_diagonal_message(job, &d);
     if (!export_gyro_bias(job, bias)) {
-        export_gyro_tell(job, EXPORT_NO_UNIT);
+        export_gyro_warn(job, EXPORT_NO_UNIT);
     }
     if (is_ignored(job->driver.offset, d.scale)) {
         message("warning: some PX4 releases ignore an offset shorter than 0.01 m/s^2, or scales "
@@ -57,18 +57,18 @@ static int check(const export_job *job)
  *     corrected = rotation (data - thermal offset - offset) o scale     (o: axis by axis)
  *
  * data is sensor_accel, m/s^2 in the axes that the driver delivers, after its own rotation
- * (src/lib/drivers/accelerometer/PX4Accelerometer.cpp, update()). So offset is in m/s^2, comes
- * before the scale, and both are the best diagonal fit to driver -> m/s^2. vehicle_imu,
- * sensor_combined and vehicle_acceleration are corrected by it (VehicleIMU.cpp, Publish()): a
- * calibration of one of those would have to be put behind that of the vehicle.
+ * (src/lib/drivers/accelerometer/PX4Accelerometer.cpp, update()). So the offset is in m/s^2 and is
+ * applied before the scale, and both are the best diagonal fit to driver -> m/s^2. vehicle_imu,
+ * sensor_combined and vehicle_acceleration have been corrected by it (VehicleIMU.cpp, Publish()): a
+ * calibration of one of those would have to be combined with that of the vehicle.
  *
  * Names and limits: src/modules/sensors/module.yaml: CAL_ACCn_XOFF ... ZOFF without limits,
- * CAL_ACCn_XSCALE ... ZSCALE 0.1 to 3. CAL_ACCn_ID says whose they are; without it PX4 looks for
- * no calibration (Utilities.cpp). CAL_ACCn_PRIO and ROT stay PX4's own.
+ * CAL_ACCn_XSCALE ... ZSCALE 0.1 to 3. CAL_ACCn_ID identifies the sensor; without it PX4 ignores
+ * the calibration (Utilities.cpp). CAL_ACCn_PRIO and ROT are left to PX4.
  *
  * File: QGroundControl, ParameterManager::readParametersFromStream(): vehicle, component, name,
- * value and MAV_PARAM_TYPE (9: float, 6: int32) with tabs between; '#' begins a comment. PX4's own
- * `param import` reads binary files only. Parameters are floats: so many digits are written. */
+ * value and MAV_PARAM_TYPE (9: float, 6: int32), separated by tabs; '#' begins a comment. PX4's own
+ * `param import` reads binary files only. Numbers are written with the digits of a float. */
 static void write_file(FILE *file, const export_job *job)
 {
     const export_diagonal d = export_diagonal_fit(&job->driver);

@@ -18,7 +18,7 @@ static int check(const export_job *job)
     find_bias(&job->driver, bias);
     const int failure = export_check_range(job, bias, 3, 0);
     if (!failure) {
-        export_gyro_tell(job, no_gyro);
+        export_gyro_warn(job, no_gyro);
     }
     return failure;
 }
@@ -28,11 +28,11 @@ static int check(const export_job *job)
  *
  *     corrected = SM raw - bias
  *
- * raw is linear_acceleration of sensor_msgs/Imu, which is in m/s^2 (REP 103). The bias is taken off
- * behind the matrix: matrix (raw - offset) = matrix raw - matrix offset, so SM is the matrix and
+ * raw is linear_acceleration of sensor_msgs/Imu, in m/s^2 (REP 103). The bias is subtracted after
+ * the multiplication: matrix (raw - offset) = matrix raw - matrix offset, so SM is the matrix and
  * bias = matrix offset, all of driver -> m/s^2.
  *
- * File: loadCalib() wants the members SM, 9 numbers by rows, and bias, 3 numbers, in YAML. */
+ * File: loadCalib() reads the members SM, 9 numbers by rows, and bias, 3 numbers, from YAML. */
 static void write_file(FILE *file, const export_job *job)
 {
     const invcal_calibration *c = &job->driver;

@@ -13,8 +13,8 @@
 #define LINE_MAX_BYTES 512
 #define SOURCE_SHOWN 60
 
-/* No '*' and no '/' make the end of a comment, no '\' or '?' (trigraphs) the end of a line. */
-static int is_harmless(char c)
+/* Without '*' a comment cannot end, without '\' and '?' (trigraphs) a line cannot continue. */
+static int is_safe(char c)
 {
     return c >= ' ' && c <= '~' && !strchr("*\\?", c);
 }
@@ -28,12 +28,12 @@ void export_comment(FILE *file, const char *prefix, const char *format, ...)
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     for (char *c = text; *c != '\0'; c++) {
-        *c = is_harmless(*c) ? *c : '_';
+        *c = is_safe(*c) ? *c : '_';
     }
     fprintf(file, "%s%s\n", prefix, text);
 }
 
-/* The end of a long path matters more than its beginning. */
+/* The end of a long path. */
 static const char *tail(const char *path)
 {
     const size_t length = strlen(path);
@@ -136,7 +136,7 @@ int export_gyro_bias(const export_job *job, double bias[3])
     return c->has_gyro && c->gyro_lsb > 0 && !c->gyro_is_counts;
 }
 
-void export_gyro_tell(const export_job *job, const char *why)
+void export_gyro_warn(const export_job *job, const char *why)
 {
     if (job->file.has_gyro) {
         message("warning: %s: the gyroscope is left out: %s", job->source, why);

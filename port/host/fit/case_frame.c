@@ -7,21 +7,21 @@
 #include "maths/rotation.h"
 #include "text/number.h"
 
-#define OFF_MOST 0.2 /* rad: no table leans that much */
+#define SCATTER_MAX 0.2 /* rad: no table is that uneven */
 
-int case_parse(const char *text, case_wish *wish)
+int case_parse(const char *text, case_axes *stated)
 {
     int is_known = 0;
 
-    for (wish->count = 0; wish->count < CASE_MOST; text++) {
+    for (stated->count = 0; stated->count < CASE_MAX; text++) {
         const int is_signed = *text == '+' || *text == '-';
-        wish->sign[wish->count] = *text == '-' ? -1 : 1;
+        stated->sign[stated->count] = *text == '-' ? -1 : 1;
         text += is_signed;
         if (*text == '\0' || !strchr(is_signed ? "xyz" : "xyz.", *text)) {
             return 0;
         }
         is_known |= *text != '.';
-        wish->axis[wish->count++] = *text++;
+        stated->axis[stated->count++] = *text++;
         if (*text == '\0') {
             return is_known;
         }
@@ -32,56 +32,56 @@ int case_parse(const char *text, case_wish *wish)
     return 0;
 }
 
-static void up_of(const case_wish *wish, unsigned number, double up[3])
+static void get_up(const case_axes *stated, unsigned index, double up[3])
 {
     for (unsigned i = 0; i < 3; i++) {
-        up[i] = wish->axis[number] == "xyz"[i] ? wish->sign[number] : 0;
+        up[i] = stated->axis[index] == "xyz"[i] ? stated->sign[index] : 0;
     }
 }
 
-invcal_status case_add(invcal_frame *frame, const case_wish *wish, unsigned number,
+invcal_status case_add(invcal_frame *frame, const case_axes *stated, unsigned index,
                        const invcal_calibration *calibration, const double raw[3])
 {
     double up[3];
 
-    if (number >= wish->count || wish->axis[number] == '.') {
+    if (index >= stated->count || stated->axis[index] == '.') {
         return INVCAL_OK;
     }
-    up_of(wish, number, up);
+    get_up(stated, index, up);
     return invcal_frame_add(frame, calibration, raw, up);
 }
 
-/* The way up of all positions stated, if it is one. */
-static int find_level(const case_wish *wish, double up[3])
+/* The up direction of the stated positions. Returns 1 if it is the same for all. */
+static int find_common_up(const case_axes *stated, double up[3])
 {
     int is_level = 1;
     unsigned first = 0;
 
-    while (wish->axis[first] == '.') {
+    while (stated->axis[first] == '.') {
         first++;
     }
-    for (unsigned n = first; n < wish->count; n++) {
-        is_level &= wish->axis[n] == '.' ||
-                    (wish->axis[n] == wish->axis[first] && wish->sign[n] == wish->sign[first]);
+    for (unsigned n = first; n < stated->count; n++) {
+        is_level &= stated->axis[n] == '.' || (stated->axis[n] == stated->axis[first] &&
+                                               stated->sign[n] == stated->sign[first]);
     }
-    up_of(wish, first, up);
+    get_up(stated, first, up);
     return is_level;
 }
 
-/* Of n directions across two axes each, three angles are taken. */
-static void judge(const invcal_frame_quality *quality, double noise, case_frame *out)
+/* n directions have 2 n components across themselves; three angles are solved for. */
+static void find_sigma(const invcal_frame_quality *quality, double noise, case_frame *out)
 {
     const double n = out->used;
-    const double seen = out->used > 2 ? quality->scatter * sqrt(n / (2 * n - 3)) : 0;
-    const double one = fmax(seen, noise); /* noise may be NaN: then what is seen */
+    const double estimated = out->used > 2 ? quality->scatter * sqrt(n / (2 * n - 3)) : 0;
+    const double sigma = fmax(estimated, noise); /* noise may be NaN */
 
     out->scatter = quality->scatter;
     for (unsigned i = 0; i < 3; i++) {
-        out->sigma[i] = one > 0 ? quality->sigma[i] * one : NUMBER_UNKNOWN;
+        out->sigma[i] = sigma > 0 ? quality->sigma[i] * sigma : NUMBER_UNKNOWN;
     }
 }
 
-invcal_status case_solve(const invcal_frame *frame, const case_wish *wish, double noise,
+invcal_status case_solve(const invcal_frame *frame, const case_axes *stated, double noise,
                          case_frame *out)
 {
     invcal_frame_quality quality;
@@ -92,14 +92,14 @@ invcal_status case_solve(const invcal_frame *frame, const case_wish *wish, doubl
     for (unsigned i = 0; i < 3; i++) {
         out->sigma[i] = NUMBER_UNKNOWN;
     }
-    if (frame->count > 0 && find_level(wish, up)) {
+    if (frame->count > 0 && find_common_up(stated, up)) {
         out->is_level = 1;
         status = invcal_frame_level(frame, up, out->rotation);
     } else {
         status = invcal_frame_solve(frame, out->rotation, &quality);
         if (status == INVCAL_OK) {
-            judge(&quality, noise, out);
-            status = out->scatter < OFF_MOST ? INVCAL_OK : INVCAL_BAD_DIRECTION;
+            find_sigma(&quality, noise, out);
+            status = out->scatter < SCATTER_MAX ? INVCAL_OK : INVCAL_BAD_DIRECTION;
         }
     }
     if (status == INVCAL_OK) {

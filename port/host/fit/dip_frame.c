@@ -9,10 +9,10 @@
 #include "cli/message.h"
 #include "maths/rotation.h"
 
-#define USUAL 0.1   /* of the length, to either side */
-#define BLOCKS 24ul /* that show how instants are correlated */
+#define LENGTH_TOLERANCE 0.1 /* relative to the median */
+#define BLOCKS 24ul          /* whose sums show the correlation of instants */
 
-enum { WAYS = 24 };
+enum { PERMUTATIONS = 24 };
 
 /* A direction of the accelerometer and one of the magnetometer, both of length 1. */
 typedef struct {
@@ -35,8 +35,8 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Calibrates all instants: lengths go to length[0] and length[1]. Returns how many are finite. */
-static unsigned long calibrate(const waved *log, const invcal_calibration *accelerometer,
+/* Calibrates all instants, and stores their lengths. Returns the number of finite ones. */
+static unsigned long calibrate(const magnetometer_log *log, const invcal_calibration *accelerometer,
                                instant *all, double *length[2])
 {
     unsigned long count = 0;
@@ -55,21 +55,21 @@ static unsigned long calibrate(const waved *log, const invcal_calibration *accel
     return count;
 }
 
-/* Keeps those of the usual lengths, in their order. Returns how many. */
-static unsigned long keep_usual(instant *all, unsigned long count, double *length[2],
-                                double *sorted)
+/* Keeps the instants whose lengths are near the medians, in their order. Returns their number. */
+static unsigned long keep_typical(instant *all, unsigned long count, double *length[2],
+                                  double *sorted)
 {
-    double usual[2];
+    double typical[2];
     unsigned long kept = 0;
 
     for (unsigned s = 0; s < 2; s++) {
         memcpy(sorted, length[s], count * sizeof *sorted);
         qsort(sorted, count, sizeof *sorted, compare);
-        usual[s] = sorted[count / 2];
+        typical[s] = sorted[count / 2];
     }
     for (unsigned long n = 0; n < count; n++) {
-        if (fabs(length[0][n] - usual[0]) <= USUAL * usual[0] &&
-            fabs(length[1][n] - usual[1]) <= USUAL * usual[1]) {
+        if (fabs(length[0][n] - typical[0]) <= LENGTH_TOLERANCE * typical[0] &&
+            fabs(length[1][n] - typical[1]) <= LENGTH_TOLERANCE * typical[1]) {
             all[kept++] = all[n];
         }
     }
@@ -78,14 +78,14 @@ static unsigned long keep_usual(instant *all, unsigned long count, double *lengt
 
 /* ---- the rotation ------------------------------------------------------------------------------- */
 
-/* Axes of the field exchanged: field[j] of before becomes sign[j] field[from[j]]. */
+/* A signed permutation of the axes of the field: component j becomes sign[j] field[from[j]]. */
 typedef struct {
     unsigned from[3];
     int sign[3];
-} exchange;
+} axis_permutation;
 
-/* The n-th of those that are rotations. */
-static exchange exchange_of(unsigned n)
+/* Number n of the 24 that are rotations. */
+static axis_permutation permutation_of(unsigned n)
 {
     static const unsigned orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
                                           {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
@@ -93,22 +93,22 @@ static exchange exchange_of(unsigned n)
     const int first = n & 1 ? -1 : 1;
     const int second = n & 2 ? -1 : 1;
     const int parity = order < 3 ? 1 : -1;
-    exchange e = {.sign = {first, second, parity * first * second}};
+    axis_permutation p = {.sign = {first, second, parity * first * second}};
 
-    memcpy(e.from, orders[order], sizeof e.from);
-    return e;
+    memcpy(p.from, orders[order], sizeof p.from);
+    return p;
 }
 
-/* The sums that exchanged readings would have given. */
-static invcal_dip sums_exchanged(const invcal_dip *sums, const exchange *e)
+/* The sums that the permuted readings would have given. */
+static invcal_dip sums_permuted(const invcal_dip *sums, const axis_permutation *p)
 {
     invcal_dip out = *sums;
     unsigned from[INVCAL_DIP_ROW];
     int sign[INVCAL_DIP_ROW];
 
     for (unsigned k = 0; k < INVCAL_DIP_ROW; k++) {
-        from[k] = k < 9 ? 3 * (k / 3) + e->from[k % 3] : k;
-        sign[k] = k < 9 ? e->sign[k % 3] : 1;
+        from[k] = k < 9 ? 3 * (k / 3) + p->from[k % 3] : k;
+        sign[k] = k < 9 ? p->sign[k % 3] : 1;
     }
     for (unsigned r = 0; r < INVCAL_DIP_ROW; r++) {
         for (unsigned c = 0; c <= r; c++) {
@@ -121,15 +121,15 @@ static invcal_dip sums_exchanged(const invcal_dip *sums, const exchange *e)
     return out;
 }
 
-/* The best of all exchanges. Returns 0 if there is none. */
+/* The best solution over all permutations. Returns 0 if there is none. */
 static int find_rotation(const invcal_dip *sums, double alike, double rotation[3][3],
                          invcal_dip_quality *quality)
 {
     int is_found = 0;
 
-    for (unsigned n = 0; n < WAYS; n++) {
-        const exchange e = exchange_of(n);
-        const invcal_dip here = sums_exchanged(sums, &e);
+    for (unsigned n = 0; n < PERMUTATIONS; n++) {
+        const axis_permutation p = permutation_of(n);
+        const invcal_dip here = sums_permuted(sums, &p);
         invcal_dip_quality q;
         double r[3][3];
         if (invcal_dip_solve(&here, alike, r, &q) != INVCAL_OK ||
@@ -140,18 +140,19 @@ static int find_rotation(const invcal_dip *sums, double alike, double rotation[3
         *quality = q;
         for (unsigned i = 0; i < 3; i++) {
             for (unsigned j = 0; j < 3; j++) {
-                rotation[i][e.from[j]] = e.sign[j] * r[i][j];
+                rotation[i][p.from[j]] = p.sign[j] * r[i][j];
             }
         }
     }
     return is_found;
 }
 
-/* How many times larger the sums of the angles' gradients are than with independent instants. */
+/* The factor by which the squared sums of the angles' gradients over blocks exceed those of
+ * independent instants. */
 static double find_alike(const instant *all, unsigned long count, const double (*r)[3], double sine)
 {
-    double together = 0;
-    double apart = 0;
+    double block_squares = 0;
+    double instant_squares = 0;
     double sum[3] = {0};
 
     for (unsigned long n = 0; n < count; n++) {
@@ -167,14 +168,14 @@ static double find_alike(const instant *all, unsigned long count, const double (
             const unsigned k = (i + 2) % 3;
             const double g = error * (turned[j] * u[k] - turned[k] * u[j]);
             sum[i] += g;
-            apart += g * g;
+            instant_squares += g * g;
         }
         if ((n + 1) % (count / BLOCKS + 1) == 0 || n + 1 == count) {
-            together += sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
+            block_squares += sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
             memset(sum, 0, sizeof sum);
         }
     }
-    return apart > 0 ? fmax(1, together / apart) : 1;
+    return instant_squares > 0 ? fmax(1, block_squares / instant_squares) : 1;
 }
 
 static dip_answer solve(const instant *all, unsigned long count, dip_frame *out)
@@ -187,34 +188,35 @@ static dip_answer solve(const instant *all, unsigned long count, dip_frame *out)
         (void)invcal_dip_add(&sums, all[n].up, all[n].field);
     }
     if (!find_rotation(&sums, 1, out->rotation, &quality)) {
-        return DIP_OPEN;
+        return DIP_UNDETERMINED;
     }
     out->alike = find_alike(all, count, (const double(*)[3])out->rotation, quality.sine);
     if (!find_rotation(&sums, out->alike, out->rotation, &quality)) {
-        return DIP_OPEN;
+        return DIP_UNDETERMINED;
     }
     memcpy(out->sigma, quality.sigma, sizeof out->sigma);
     rotation_vector((const double(*)[3])out->rotation, out->angle);
     out->dip = -asin(quality.sine);
     out->scatter = quality.scatter;
     out->heading = quality.heading;
-    return DIP_TOLD;
+    return DIP_FOUND;
 }
 
-int dip_frame_find(const waved *log, const invcal_calibration *accelerometer, dip_frame *out)
+int dip_frame_find(const magnetometer_log *log, const invcal_calibration *accelerometer,
+                   dip_frame *out)
 {
-    const size_t room = log->instants + 1;
-    instant *all = calloc(room, sizeof *all);
-    double *length = calloc(3 * room, sizeof *length);
+    const size_t size = log->instants + 1;
+    instant *all = calloc(size, sizeof *all);
+    double *length = calloc(3 * size, sizeof *length);
     const int failure = !all || !length;
 
     *out = (dip_frame){.answer = DIP_NO_ACCELEROMETER, .is_corrected = accelerometer != NULL};
     if (failure) {
         message("not enough memory for %lu samples", log->instants);
     } else {
-        double *of_each[2] = {length, length + room};
+        double *of_each[2] = {length, length + size};
         out->of = calibrate(log, accelerometer, all, of_each);
-        out->used = out->of > 0 ? keep_usual(all, out->of, of_each, length + 2 * room) : 0;
+        out->used = out->of > 0 ? keep_typical(all, out->of, of_each, length + 2 * size) : 0;
         if (out->of > 0) {
             out->answer = 2 * out->used < out->of ? DIP_UNEVEN : solve(all, out->used, out);
         }

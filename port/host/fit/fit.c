@@ -33,7 +33,7 @@ invcal_calibration fit_in_field_units(const invcal_calibration *calibration, dou
 {
     invcal_calibration c = *calibration;
 
-    (void)invcal_scale(&c, field); /* the length of a field is positive */
+    (void)invcal_scale(&c, field); /* cannot fail: field is positive */
     return c;
 }
 
@@ -58,13 +58,13 @@ fit_solution fit_solution_of(const invcal_calibration *symmetric, const fit_sett
     return s;
 }
 
-/* calibrated = A (u - delta), u what nominal makes of a reading. */
+/* A of calibrated = A (u - delta), u the nominal reading. */
 static void correction_of(const invcal_calibration *symmetric, const invcal_calibration *nominal,
                           double a[3][3])
 {
     double inverse[3][3];
 
-    (void)matrix_inverse(nominal, inverse); /* no solution without */
+    (void)matrix_inverse(nominal, inverse); /* a solution implies that it exists */
     for (unsigned i = 0; i < 3; i++) {
         const double *m = symmetric->matrix[i];
         for (unsigned j = 0; j < 3; j++) {
@@ -73,7 +73,7 @@ static void correction_of(const invcal_calibration *symmetric, const invcal_cali
     }
 }
 
-/* Noise of u moves the length of a calibrated reading along eta by |A eta| times itself. */
+/* Noise of u appears in the length of a calibrated reading along eta multiplied by |A eta|. */
 double fit_weight(const invcal_calibration *symmetric, const invcal_calibration *nominal,
                   const double eta[3])
 {
@@ -105,15 +105,16 @@ void fit_information(const double *raw, unsigned count, const fit_settings *sett
                      double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)])
 {
     const invcal_calibration *nominal = &settings->nominal;
-    const double usual = fit_sensitivity(&solution->symmetric, nominal);
+    const double sensitivity = fit_sensitivity(&solution->symmetric, nominal);
     invcal_sums sums;
     invcal_row row;
 
     invcal_sums_init(&sums);
-    for (unsigned n = 0; n < count; n++) { /* as the solution did: none can fail */
+    for (unsigned n = 0; n < count; n++) { /* none can fail, as none did in the solution */
         (void)invcal_observe(&solution->symmetric, &raw[3 * (size_t)n], &row);
         invcal_sums_add_row(&sums, &row,
-                            usual * usual * fit_weight(&solution->symmetric, nominal, row.h));
+                            sensitivity * sensitivity *
+                                fit_weight(&solution->symmetric, nominal, row.h));
     }
     invcal_sums_system(&sums);
     memcpy(information, sums.sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) * sizeof *information);
@@ -128,9 +129,9 @@ void fit_information(const double *raw, unsigned count, const fit_settings *sett
 fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings,
                            const fit_solution *solution)
 {
-    const double usual = fit_sensitivity(&solution->symmetric, &settings->nominal);
+    const double sensitivity = fit_sensitivity(&solution->symmetric, &settings->nominal);
     fit_quality out = {.coverage = invcal_coverage(q->sigma_dof),
-                       .noise = q->noise < 1 ? usual * q->noise : 1,
+                       .noise = q->noise < 1 ? sensitivity * q->noise : 1,
                        .dof = q->dof,
                        .sigma_dof = q->sigma_dof,
                        .rms = q->rms,
@@ -145,7 +146,8 @@ fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings
     return out;
 }
 
-/* What positions leave open may take any shape. Angles that are held are nothing to look for. */
+/* If parameters are undetermined, the shape of the fit means nothing: report that first. Six faces
+ * never determine the angles. */
 invcal_status fit_explain(const double *raw, unsigned count, const fit_settings *settings,
                           invcal_status status, fit_reason *reason)
 {

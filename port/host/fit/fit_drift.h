@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: MIT
  *
- * fit/fit_drift.h: twelve parameters: the nine, and how far the offset of each axis drifts meanwhile.
+ * fit/fit_drift.h: solves for twelve parameters: the nine, and the drift of each offset during the
+ * session.
  */
 #ifndef FIT_DRIFT_H
 #define FIT_DRIFT_H
 
 #include "fit/fit.h"
 
-#define FIT_DRIFT_FEWEST 14u /* positions: two more than the unknowns (fit_extended.h) */
+#define FIT_DRIFT_POSITIONS_MIN 14u /* two more than unknowns (fit_extended.h) */
 
-/* Calibrates; the result holds in the middle.
+/* Calibrates; the result holds for the middle of the session.
  *
- * tau    when each position was visited, from -1/2 at the first of all to 1/2 at the last.
- * drift  by how much the offsets of the three axes grow from the first to the last, over the field.
- * sigma  their standard deviations.
+ * tau    time of each position, from -1/2 at the first to 1/2 at the last.
+ * drift  out: change of the three offsets from the first to the last, over the field.
+ * sigma  out: their standard deviations.
  *
- * Returns as fit_make; INVCAL_UNDETERMINED, too, if the order hides a drift. */
+ * Returns as fit_make; INVCAL_UNDETERMINED, too, if the order of the positions hides a drift. */
 invcal_status fit_drift_make(const double *raw, const double *tau, unsigned count,
                              const fit_settings *settings, fit_solution *solution,
                              fit_quality *quality, double drift[3], double sigma[3]);

@@ -9,36 +9,36 @@
  *     gamma0 = ge (1 + k sin^2 phi) / sqrt(1 - e^2 sin^2 phi)                       (Somigliana)
  *     gamma  = gamma0 (1 - 2 (1 + f + m - 2 f sin^2 phi) h / a + 3 h^2 / a^2)
  *
- * 9.7803253359 m/s^2 at the equator, 9.8061977694 at 45 degrees, 9.8321849379 at the poles; 1 m
- * of height takes 3.086e-6.
+ * 9.7803253359 m/s^2 at the equator, 9.8061977694 at 45 degrees, 9.8321849379 at the poles; 1 m of
+ * height takes 3.086e-6.
  *
- * What an error of g does: scale only, and the same on all axes. A calibration is over field: g'
- * instead of g gives a matrix, and every calibrated reading, times g' / g. Offsets,
- * angles and the ratios of the scales are untouched, and so are residuals: nothing in a calibration
- * can reveal the error. Calibrated in g there is none.
+ * An error of g affects the scale only, and equally on all axes: with g' instead of g, the matrix
+ * and every calibrated reading are multiplied by g' / g. Offsets, angles and the ratios of the
+ * scales do not change, nor do the residuals, so that nothing in a calibration can reveal the
+ * error. A calibration in g has none.
  */
 #ifndef GRAVITY_H
 #define GRAVITY_H
 
-/* What normal gravity does not know, m/s^2: the masses in the neighbourhood. The root mean square of
- * free-air anomalies over the Earth is 35 mGal (1201 mGal^2, Heiskanen and Moritz, section 7-3) to
- * 42 mGal (1795 mGal^2 at a point, Tscherning and Rapp 1974), 1 mGal = 1e-5 m/s^2; 100 and more
- * are met in high mountains. This is 50 mGal, 51 millionths of g, as people live on land.
+/* The error of normal gravity, m/s^2, due to the masses in the neighbourhood. The root mean square
+ * of free-air anomalies over the Earth is 35 mGal (1201 mGal^2, Heiskanen and Moritz, section 7-3)
+ * to 42 mGal (1795 mGal^2 at a point, Tscherning and Rapp 1974), 1 mGal = 1e-5 m/s^2; 100 and more
+ * occur in high mountains. This is 50 mGal, 51 millionths of g, as most users are on land.
  *
- * Small compared with it are the tides (0.2 mGal), and up to 100 m between height above the sea and above
- * the ellipsoid (31 mGal, part of the anomaly if h is counted from the sea). Not small is a degree
- * of latitude, 90 mGal at 45 degrees: state a tenth of it. */
+ * Small compared with it are the tides (0.2 mGal), and up to 100 m between height above the sea and
+ * above the ellipsoid (31 mGal, part of the anomaly if h is counted from the sea). Not small is a
+ * degree of latitude, 90 mGal at 45 degrees: state a tenth of it. */
 #define GRAVITY_SIGMA 5e-4
 
 #define GRAVITY_LOWEST (-500.0) /* height, metres */
-#define GRAVITY_HIGHEST 10000.0 /* the other end */
+#define GRAVITY_HIGHEST 10000.0
 
 /* Normal gravity, m/s^2.
  *
  * latitude  geodetic, degrees, north positive, -90 ... 90.
  * height    metres above sea level or above the ellipsoid, GRAVITY_LOWEST ... GRAVITY_HIGHEST.
  *
- * A NaN beyond these ranges. Error against the field of the ellipsoid: 1e-9 m/s^2 at height 0 and
+ * NaN outside these ranges. Error against the field of the ellipsoid: 1e-9 m/s^2 at height 0 and
  * 1.4e-10 for each metre. */
 double gravity_at(double latitude, double height);
 

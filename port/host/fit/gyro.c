@@ -9,17 +9,19 @@
 #include "maths/matrix.h"
 #include "text/number.h"
 
-#define ROOM 24       /* bits of the largest reading; others may be 128 times as large */
-#define FLAT 5u       /* readings that are alike at the end of a range */
-#define SAME_UNIT 1.3 /* times: less is a scale error */
-#define NEAR_UNIT 1.15
-#define FITS 0.25   /* rad: more fits no axes */
-#define NEVER 1e-4  /* of all turning: an axis that has less never turns, */
-#define TURNED 0.02 /* though others turn this much about it */
-#define MOVED 4.0   /* times the mean square at rest */
-#define FEW_RESTS 2u
-#define SAME_MEAN 1e-12
-#define SLOW_TURN 0.01 /* rad/s of the largest reading, unit unknown: no rest seems to turn */
+#define COUNT_BITS 24      /* of the largest reading found; others may be 128 times as large */
+#define RAIL_RUN_MIN 5u    /* equal readings in a row at the end of the range */
+#define UNIT_TOLERANCE 1.3 /* ratio: a smaller one is a scale error */
+#define NAMED_UNIT_TOLERANCE 1.15
+#define MISFIT_MAX 0.25  /* rad: with a larger one, no axes fit */
+#define SIGNAL_MIN 1e-4  /* share of all rotation: an axis with less has no signal */
+#define SEEN_MIN 0.02    /* share of rotation about it that the accelerometer must have seen */
+#define MOTION_RATIO 4.0 /* over the mean square at rest */
+#define RESTS_MIN 2u
+#define MEAN_TOLERANCE 1e-12
+/* If the unit is unknown, the largest reading in rad/s: so small that the device seems to turn in
+ * no rest. */
+#define RATE_RANGE_DEFAULT 0.01
 
 /* Too large for the stack. */
 static invcal_moves moves;
@@ -36,26 +38,26 @@ static const char *axes_words(const int8_t axes[3], axes_text text)
 
 /* ---- readings ----------------------------------------------------------------------------------- */
 
-/* The size of a count, by the largest of a thousand readings: a single wrong one must not make all others
- * coarse. */
-static double find_count(const turns *t)
+/* The size of a count, by the largest of a thousand readings: most likely a single wrong one, which
+ * would make all counts coarse, is not among them. */
+static double find_count(const gyro_log *log)
 {
-    const size_t step = t->readings / 1000 + 1;
+    const size_t step = log->readings / 1000 + 1;
     double most = 0;
 
-    for (size_t i = 0; i < t->readings; i += step) {
+    for (size_t i = 0; i < log->readings; i += step) {
         for (unsigned k = 0; k < 3; k++) {
-            most = fmax(most, fabs(t->reading[i].x[k]));
+            most = fmax(most, fabs(log->reading[i].x[k]));
         }
     }
-    return most > 0 ? ldexp(1, (int)ceil(log2(most)) - ROOM) : 1;
+    return most > 0 ? ldexp(1, (int)ceil(log2(most)) - COUNT_BITS) : 1;
 }
 
-static int is_whole(const turns *t)
+static int is_whole(const gyro_log *log)
 {
-    for (size_t i = 0; i < t->readings; i++) {
+    for (size_t i = 0; i < log->readings; i++) {
         for (unsigned k = 0; k < 3; k++) {
-            if (fabs(t->reading[i].x[k] - nearbyint(t->reading[i].x[k])) > 0) {
+            if (fabs(log->reading[i].x[k] - nearbyint(log->reading[i].x[k])) > 0) {
                 return 0;
             }
         }
@@ -63,60 +65,60 @@ static int is_whole(const turns *t)
     return 1;
 }
 
-/* Where an axis is at the end of its range: equal readings there, more of them in a row than anywhere
- * else. side: -1 the least, 1 the greatest. NaN: nowhere. */
-static double rail_of(const turns *t, unsigned axis, double side)
+/* The end of an axis' range: its extreme reading, if that is repeated in a row more often than any
+ * other. side: -1 minimum, 1 maximum. NaN: not reached. */
+static double find_rail(const gyro_log *log, unsigned axis, double side)
 {
     double end = -HUGE_VAL;
     size_t run = 0;
     size_t at_end = 0;
     size_t elsewhere = 0;
 
-    for (size_t i = 0; i < t->readings; i++) {
-        end = fmax(end, side * t->reading[i].x[axis]);
+    for (size_t i = 0; i < log->readings; i++) {
+        end = fmax(end, side * log->reading[i].x[axis]);
     }
-    for (size_t i = 0; i < t->readings; i++) {
-        const double x = side * t->reading[i].x[axis];
-        const int goes_on = i > 0 && !(fabs(x - side * t->reading[i - 1].x[axis]) > 0);
-        run = goes_on ? run + 1 : 1;
+    for (size_t i = 0; i < log->readings; i++) {
+        const double x = side * log->reading[i].x[axis];
+        const int is_equal = i > 0 && !(fabs(x - side * log->reading[i - 1].x[axis]) > 0);
+        run = is_equal ? run + 1 : 1;
         size_t *longest = x < end ? &elsewhere : &at_end;
         *longest = run > *longest ? run : *longest;
     }
-    return at_end >= FLAT && at_end > elsewhere ? side * end : NUMBER_UNKNOWN;
+    return at_end >= RAIL_RUN_MIN && at_end > elsewhere ? side * end : NUMBER_UNKNOWN;
 }
 
 /* Returns 0 if an axis is stuck. */
 static int check_readings(gyro_fit *g)
 {
-    const turns *t = g->turns;
+    const gyro_log *log = g->log;
 
     for (unsigned k = 0; k < 3; k++) {
         size_t i = 1;
-        while (i < t->readings && !(fabs(t->reading[i].x[k] - t->reading[0].x[k]) > 0)) {
+        while (i < log->readings && !(fabs(log->reading[i].x[k] - log->reading[0].x[k]) > 0)) {
             i++;
         }
-        if (i >= t->readings) {
+        if (i >= log->readings) {
             gyro_refuse(g, "stuck", "the gyroscope's %c never changes", "xyz"[k]);
             gyro_advise(g, "check that it is read, and record again");
             return 0;
         }
-        g->rail[0][k] = rail_of(t, k, -1);
-        g->rail[1][k] = rail_of(t, k, 1);
+        g->rail[0][k] = find_rail(log, k, -1);
+        g->rail[1][k] = find_rail(log, k, 1);
     }
     return 1;
 }
 
 /* ---- rests -------------------------------------------------------------------------------------- */
 
-/* Is position k kept? They come in their order. */
+/* 1 if position k is kept. */
 static int is_kept(const rejection *kept, unsigned k)
 {
     return !rejection_has(kept, kept->count, k);
 }
 
-/* The samples of the log again, as rests_read took them. */
+/* Feeds the samples of the log again, as rests_read did. */
 typedef struct {
-    const turns *t;
+    const gyro_log *log;
     const positions *p;
     const rejection *kept;
     invcal_rests rests;
@@ -124,18 +126,19 @@ typedef struct {
     size_t i;
 } replay;
 
-static void begin_replay(replay *r, const turns *t, unsigned rate, const double *clip,
+static void begin_replay(replay *r, const gyro_log *log, unsigned rate, const double *clip,
                          const positions *p, const rejection *kept)
 {
-    *r = (replay){.t = t, .p = p, .kept = kept};
-    (void)invcal_rests_init(&r->rests, rate); /* it was accepted before */
+    *r = (replay){.log = log, .p = p, .kept = kept};
+    (void)invcal_rests_init(&r->rests, rate); /* it accepted the rate before */
     if (clip) {
-        (void)invcal_rests_rails(&r->rests, (int32_t)nearbyint(clip[0] / t->unit),
-                                 (int32_t)nearbyint(clip[1] / t->unit));
+        (void)invcal_rests_rails(&r->rests, (int32_t)nearbyint(clip[0] / log->unit),
+                                 (int32_t)nearbyint(clip[1] / log->unit));
     }
 }
 
-/* Returns whether the rest just taken is the next position. A live stream that requires longer rests has fewer. */
+/* Returns whether the latest rest is the next position: a live stream that requires longer rests
+ * has fewer. */
 static int is_position(const replay *r)
 {
     const double *mean = &r->p->mean[3 * (size_t)r->position];
@@ -145,19 +148,20 @@ static int is_position(const replay *r)
         return 0;
     }
     for (unsigned i = 0; i < 3; i++) {
-        const double x = (double)rest.sum[i] / rest.count * r->t->unit;
-        if (!(fabs(x - mean[i]) <= SAME_MEAN * fabs(x))) {
+        const double x = (double)rest.sum[i] / rest.count * r->log->unit;
+        if (!(fabs(x - mean[i]) <= MEAN_TOLERANCE * fabs(x))) {
             return 0;
         }
     }
     return 1;
 }
 
-/* One sample, or the end. A rest that is left out ends no move: the moves see it as refused. */
-static invcal_event go_on(replay *r)
+/* Feeds a sample, or the end. A rest that is left out must not end a move, and is reported as
+ * refused. */
+static invcal_event replay_step(replay *r)
 {
-    const turns_sample *s = &r->t->sample[r->i];
-    const int is_end = r->i == r->t->samples;
+    const gyro_log_sample *s = &r->log->sample[r->i];
+    const int is_end = r->i == r->log->samples;
 
     if (!is_end && s->is_gap) {
         invcal_rests_gap(&r->rests);
@@ -173,48 +177,48 @@ static invcal_event go_on(replay *r)
     return event;
 }
 
-/* Those that are kept, the last INVCAL_MAX_MOVES of them. */
+/* Finds the kept rests, up to the last INVCAL_MAX_MOVES. */
 static void find_rests(gyro_fit *g, replay *r)
 {
-    while (r->i <= r->t->samples) {
+    while (r->i <= r->log->samples) {
         invcal_rest rest;
-        const size_t now = r->i < r->t->samples ? r->i + 1 : r->i;
-        if (go_on(r) != INVCAL_TAKEN || !invcal_rests_get(&r->rests, &rest)) {
+        const size_t now = r->i < r->log->samples ? r->i + 1 : r->i;
+        if (replay_step(r) != INVCAL_TAKEN || !invcal_rests_get(&r->rests, &rest)) {
             continue;
         }
         if (g->rests == INVCAL_MAX_MOVES) {
             memmove(&g->rest[0], &g->rest[1], (INVCAL_MAX_MOVES - 1) * sizeof g->rest[0]);
             g->rests--;
-            g->more++;
+            g->earlier_rests++;
         }
-        /* samples in a block that is not full are behind rests.time, and counted here */
-        const uint32_t behind = r->rests.time - rest.end;
+        /* samples of a partly filled block are not in rests.time, but counted here */
+        const uint32_t pending = r->rests.time - rest.end;
         const uint32_t length = rest.end - rest.begin;
-        const size_t end = now > behind ? now - behind : 1;
+        const size_t end = now > pending ? now - pending : 1;
         g->rest[g->rests++] = (gyro_rest){
             .position = r->position - 1, .begin = end > length ? end - length : 0, .end = end};
     }
 }
 
 /* The mean reading of a rest, input units; NaN without readings. */
-static void mean_of(const turns *t, long lag, const gyro_rest *rest, double mean[3])
+static void mean_of(const gyro_log *log, long lag, const gyro_rest *rest, double mean[3])
 {
-    const long first = (long)t->sample[rest->begin].upto + lag;
-    const long last = (long)t->sample[rest->end - 1].upto + lag;
+    const long first = (long)log->sample[rest->begin].reading_end + lag;
+    const long last = (long)log->sample[rest->end - 1].reading_end + lag;
 
     mean[0] = mean[1] = mean[2] = NUMBER_UNKNOWN;
-    if (first < 0 || last > (long)t->readings || last <= first) {
+    if (first < 0 || last > (long)log->readings || last <= first) {
         return;
     }
     mean[0] = mean[1] = mean[2] = 0;
     for (long i = first; i < last; i++) {
         for (unsigned k = 0; k < 3; k++) {
-            mean[k] += t->reading[i].x[k] / (double)(last - first);
+            mean[k] += log->reading[i].x[k] / (double)(last - first);
         }
     }
 }
 
-/* The way up of each rest, and its mean reading, in input units for now. */
+/* Sets the up direction of each rest, and its mean reading, at first in input units. */
 static void fill_rests(gyro_fit *g, long lag, const positions *p, const invcal_calibration *start)
 {
     for (unsigned i = 0; i < g->rests; i++) {
@@ -225,7 +229,7 @@ static void fill_rests(gyro_fit *g, long lag, const positions *p, const invcal_c
         for (unsigned k = 0; k < 3; k++) {
             rest->up[k] /= length;
         }
-        mean_of(g->turns, lag, rest, rest->bias);
+        mean_of(g->log, lag, rest, rest->bias);
     }
 }
 
@@ -237,8 +241,8 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The median of all rests: a single false one does no harm. */
-static void usual_bias(const gyro_fit *g, double bias[3])
+/* The median of all rests, which a single false rest hardly affects. */
+static void find_median_bias(const gyro_fit *g, double bias[3])
 {
     double x[INVCAL_MAX_MOVES] = {0};
 
@@ -253,40 +257,39 @@ static void usual_bias(const gyro_fit *g, double bias[3])
     }
 }
 
-static int is_as_before(const turns *t, size_t i)
+static int is_unchanged(const gyro_log *log, size_t i)
 {
-    const double *x = t->reading[i].x;
-    const double *y = t->reading[i - 1].x;
+    const double *x = log->reading[i].x;
+    const double *y = log->reading[i - 1].x;
 
     return !(fabs(x[0] - y[0]) > 0 || fabs(x[1] - y[1]) > 0 || fabs(x[2] - y[2]) > 0);
 }
 
-/* Returns 0 if all axes stay as they are from before the last move on. */
+/* Returns 0 if no axis has changed since before the last move. */
 static int check_end(gyro_fit *g, const positions *p)
 {
-    const turns *t = g->turns;
-    size_t from = t->readings - 1;
+    const gyro_log *log = g->log;
+    size_t from = log->readings - 1;
     size_t at = 0;
     size_t first;
     size_t last;
     unsigned k = 0;
 
-    while (from > 0 && is_as_before(t, from)) {
+    while (from > 0 && is_unchanged(log, from)) {
         from--;
     }
-    gyro_between(t, 0, &g->rest[g->rests - 2], &first, &last);
+    gyro_between(log, 0, &g->rest[g->rests - 2], &first, &last);
     if (from > first) {
         return 1;
     }
-    while (at < t->samples && t->sample[at].upto <= from) {
+    while (at < log->samples && log->sample[at].reading_end <= from) {
         at++;
     }
     while (k + 1 < g->rests && g->rest[k + 1].begin <= at) {
         k++;
     }
     const position_origin *o = &p->origin[g->rest[k].position];
-    if (t->file ||
-        at < g->rest[k].begin) { /* the line is one of another file, or before all rests */
+    if (log->file || at < g->rest[k].begin) { /* the line is of another file, or before all rests */
         gyro_refuse(g, "stuck", "the gyroscope reads the same from position %u (line %lu) on",
                     g->rest[k].position + 1, o->line);
     } else {
@@ -300,13 +303,13 @@ static int check_end(gyro_fit *g, const positions *p)
 /* ---- unit and axes ------------------------------------------------------------------------------ */
 
 /* The mean square of readings about the bias. */
-static double mean_square(const turns *t, size_t first, size_t last, const double bias[3])
+static double mean_square(const gyro_log *log, size_t first, size_t last, const double bias[3])
 {
     double sum = 0;
 
     for (size_t i = first; i < last; i++) {
         for (unsigned k = 0; k < 3; k++) {
-            sum += pow(t->reading[i].x[k] - bias[k], 2);
+            sum += pow(log->reading[i].x[k] - bias[k], 2);
         }
     }
     return last > first ? sum / (double)(last - first) : 0;
@@ -318,7 +321,7 @@ static double median(double *x, unsigned n)
     return n > 0 ? x[n / 2] : 0;
 }
 
-/* In the rests, or between them: the median, as a single reading may be wrong. */
+/* In the rests; the median, as a single reading may be wrong. */
 static double square_at_rest(const gyro_fit *g, long lag, const double bias[3])
 {
     double square[INVCAL_MAX_MOVES];
@@ -327,13 +330,13 @@ static double square_at_rest(const gyro_fit *g, long lag, const double bias[3])
         const gyro_rest itself[2] = {{.end = g->rest[i].begin + 1}, {.begin = g->rest[i].end}};
         size_t first;
         size_t last;
-        gyro_between(g->turns, lag, itself, &first, &last);
-        square[i] = mean_square(g->turns, first, last, bias);
+        gyro_between(g->log, lag, itself, &first, &last);
+        square[i] = mean_square(g->log, first, last, bias);
     }
     return median(square, g->rests);
 }
 
-/* Whether it reads much more between the rests than in them. */
+/* Whether the readings are much larger between the rests than in them. */
 static int has_turned(const gyro_fit *g, long lag, const double bias[3])
 {
     double square[INVCAL_MAX_MOVES];
@@ -341,14 +344,14 @@ static int has_turned(const gyro_fit *g, long lag, const double bias[3])
     for (unsigned i = 0; i + 1 < g->rests; i++) {
         size_t first;
         size_t last;
-        gyro_between(g->turns, lag, &g->rest[i], &first, &last);
-        square[i] = mean_square(g->turns, first, last, bias);
+        gyro_between(g->log, lag, &g->rest[i], &first, &last);
+        square[i] = mean_square(g->log, first, last, bias);
     }
-    return median(square, g->rests - 1) > MOVED * square_at_rest(g, lag, bias);
+    return median(square, g->rests - 1) > MOTION_RATIO * square_at_rest(g, lag, bias);
 }
 
-/* A gyroscope axis without signal, though the accelerometer saw turns about it. */
-static int find_dead(const gyro_fit *g, long lag, const double bias[3])
+/* A gyroscope axis without signal, although the accelerometer saw turns about it; -1: none. */
+static int find_dead_axis(const gyro_fit *g, long lag, const double bias[3])
 {
     double turned[3] = {0};
     double seen[3] = {0};
@@ -358,7 +361,7 @@ static int find_dead(const gyro_fit *g, long lag, const double bias[3])
         const double *b = g->rest[i + 1].up;
         size_t first;
         size_t last;
-        gyro_between(g->turns, lag, &g->rest[i], &first, &last);
+        gyro_between(g->log, lag, &g->rest[i], &first, &last);
         double all = 0;
         double square[3];
         for (unsigned k = 0; k < 3; k++) {
@@ -366,26 +369,26 @@ static int find_dead(const gyro_fit *g, long lag, const double bias[3])
             const unsigned n = (k + 2) % 3;
             double sum = 0;
             for (size_t j = first; j < last; j++) {
-                sum += g->turns->reading[j].x[k] - bias[k];
+                sum += g->log->reading[j].x[k] - bias[k];
             }
             square[k] = sum * sum;
             all += square[k];
             seen[k] += pow(a[m] * b[n] - a[n] * b[m], 2);
         }
-        for (unsigned k = 0; k < 3 && all > 0; k++) { /* each move alike, as one may be wrong */
+        for (unsigned k = 0; k < 3 && all > 0; k++) { /* equal weights, as a move may be wrong */
             turned[k] += square[k] / all;
         }
     }
     for (unsigned k = 0; k < 3; k++) {
-        if (turned[k] <= NEVER * (turned[0] + turned[1] + turned[2]) &&
-            seen[k] > TURNED * (seen[0] + seen[1] + seen[2])) {
+        if (turned[k] <= SIGNAL_MIN * (turned[0] + turned[1] + turned[2]) &&
+            seen[k] > SEEN_MIN * (seen[0] + seen[1] + seen[2])) {
             return (int)k;
         }
     }
     return -1;
 }
 
-static int is_near(double a, double b, double times)
+static int is_within(double a, double b, double times)
 {
     return a < b * times && b < a * times;
 }
@@ -395,54 +398,56 @@ static double name_unit(double turn)
     static const double units[] = {1, UNIT_DEGREE, 1e-3, 1e-3 * UNIT_DEGREE};
 
     for (unsigned i = 0; i < 4; i++) {
-        if (is_near(turn, units[i], NEAR_UNIT)) {
+        if (is_within(turn, units[i], NAMED_UNIT_TOLERANCE)) {
             return units[i];
         }
     }
     return 0;
 }
 
-/* The unit: stated, or found from the moves. Returns 0 if these contradict. */
-static int settle_unit(gyro_fit *g, const gyro_wish *wish, const gyro_guess *guess)
+/* The unit, as stated or found from the moves. Returns 0 if they contradict each other. */
+static int choose_unit(gyro_fit *g, const gyro_options *options, const gyro_guess *guess)
 {
-    const double header = g->turns->turn;
-    const double named = guess->moves < 2 ? 0 : name_unit(guess->turn);
-    const int is_stated = wish->turn > 0 || header > 0;
+    const double header = g->log->rate_unit;
+    const double named = guess->moves < 2 ? 0 : name_unit(guess->rate_unit);
+    const int is_stated = options->rate_unit > 0 || header > 0;
 
-    g->turn = wish->turn > 0 ? wish->turn : header;
-    g->turn_from = wish->turn > 0 ? UNIT_FROM_OPTION : UNIT_FROM_HEADER;
+    g->rate_unit = options->rate_unit > 0 ? options->rate_unit : header;
+    g->rate_unit_from = options->rate_unit > 0 ? UNIT_FROM_OPTION : UNIT_FROM_HEADER;
     if (!is_stated) {
-        g->is_counts = !(named > 0) || is_whole(g->turns);
-        g->turn = g->is_counts ? guess->turn : named;
-        g->turn_from = UNIT_FROM_SIZE;
+        g->is_counts = !(named > 0) || is_whole(g->log);
+        g->rate_unit = g->is_counts ? guess->rate_unit : named;
+        g->rate_unit_from = UNIT_FROM_SIZE;
         return 1;
     }
-    if (guess->moves < 2 || !guess->is_clear || is_near(guess->turn, g->turn, SAME_UNIT)) {
+    if (guess->moves < 2 || !guess->is_clear ||
+        is_within(guess->rate_unit, g->rate_unit, UNIT_TOLERANCE)) {
         return 1;
     }
     gyro_refuse(
         g, "unit",
         "the stated unit of the gyroscope is %s (%.6g rad/s), but the accelerometer saw turns "
         "%.3g times as large",
-        wish->turn > 0 ? "--gyro-lsb" : unit_turn_words(header), g->turn, guess->turn / g->turn);
+        options->rate_unit > 0 ? "--gyro-lsb" : unit_angular_rate_words(header), g->rate_unit,
+        guess->rate_unit / g->rate_unit);
     if (named > 0) {
-        gyro_advise(g, "its unit is %s: state --gyro-lsb %s", unit_turn_words(named),
+        gyro_advise(g, "its unit is %s: state --gyro-lsb %s", unit_angular_rate_words(named),
                     fabs(named - 1) < 1e-9             ? "rad/s"
                     : fabs(named - UNIT_DEGREE) < 1e-9 ? "deg/s"
                     : named < 1e-4                     ? "0.001"
                                                        : "0.0572958");
     } else {
-        gyro_advise(g, "state --gyro-lsb %.3g, in degrees/s", guess->turn / UNIT_DEGREE);
+        gyro_advise(g, "state --gyro-lsb %.3g, in degrees/s", guess->rate_unit / UNIT_DEGREE);
     }
     return 0;
 }
 
-static int check_axes(gyro_fit *g, const gyro_wish *wish, const gyro_guess *guess)
+static int check_axes(gyro_fit *g, const gyro_options *options, const gyro_guess *guess)
 {
     int8_t axes[3];
     axes_text text;
 
-    if (!(guess->misfit < FITS)) {
+    if (!(guess->misfit < MISFIT_MAX)) {
         gyro_say_misfit(g, guess->misfit);
         return 0;
     }
@@ -454,7 +459,7 @@ static int check_axes(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gues
         return 0;
     }
     for (unsigned i = 0; i < 3; i++) {
-        const int8_t stated = wish->axes[abs(guess->axes[i]) - 1];
+        const int8_t stated = options->axes[abs(guess->axes[i]) - 1];
         axes[i] = (int8_t)(guess->axes[i] < 0 ? -stated : stated);
     }
     gyro_refuse(g, "axes",
@@ -466,17 +471,18 @@ static int check_axes(gyro_fit *g, const gyro_wish *wish, const gyro_guess *gues
 }
 
 /* Returns 0 if the moves are refused. */
-static int find_unit_and_axes(gyro_fit *g, const gyro_wish *wish, long lag, const double bias[3])
+static int find_unit_and_axes(gyro_fit *g, const gyro_options *options, long lag,
+                              const double bias[3])
 {
     gyro_guess guess = {0};
 
-    memcpy(g->axes, wish->axes, sizeof g->axes);
+    memcpy(g->axes, options->axes, sizeof g->axes);
     if (!has_turned(g, lag, bias)) {
         gyro_refuse(g, "too few", "the gyroscope reads no turns between the rests");
         gyro_advise(g, "record without a break from rest to rest, moves included");
         return 0;
     }
-    const int dead = find_dead(g, lag, bias);
+    const int dead = find_dead_axis(g, lag, bias);
     if (dead >= 0) {
         gyro_refuse(
             g, "stuck",
@@ -485,17 +491,17 @@ static int find_unit_and_axes(gyro_fit *g, const gyro_wish *wish, long lag, cons
         gyro_advise(g, "check that this axis is read, and record again");
         return 0;
     }
-    const int is_told = gyro_search(g->turns, lag, g->rest, g->rests, bias, g->axes, &guess);
-    if (!settle_unit(g, wish, &guess)) {
+    const int has_guess = gyro_search(g->log, lag, g->rest, g->rests, bias, g->axes, &guess);
+    if (!choose_unit(g, options, &guess)) {
         return 0;
     }
-    if (!(g->turn > 0)) {
+    if (!(g->rate_unit > 0)) {
         gyro_refuse(g, "too few",
                     "too few complete moves between rests to determine the unit of the gyroscope");
         gyro_advise(g, "turn to other sides, each within ten seconds, or state --gyro-lsb");
         return 0;
     }
-    return !is_told || check_axes(g, wish, &guess);
+    return !has_guess || check_axes(g, options, &guess);
 }
 
 /* ---- solution ----------------------------------------------------------------------------------- */
@@ -505,7 +511,8 @@ static int32_t count_of(double value, double unit)
     return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, nearbyint(value / unit)));
 }
 
-/* The ends of the range, as counts of all axes: where they differ the nearest counts, so that none is missed. */
+/* Sets the ends of the range, common to all axes: the narrowest of their ranges, so that no
+ * clipping is missed. */
 static void set_rails(const gyro_fit *g, double unit)
 {
     double low = -HUGE_VAL;
@@ -529,7 +536,7 @@ static void set_rails(const gyro_fit *g, double unit)
     }
 }
 
-static void feed(const gyro_fit *g, const turns_reading *r, double unit)
+static void feed(const gyro_fit *g, const gyro_log_reading *r, double unit)
 {
     double x[3];
     int32_t raw[3];
@@ -544,43 +551,46 @@ static void feed(const gyro_fit *g, const turns_reading *r, double unit)
     invcal_moves_feed(&moves, raw);
 }
 
-/* All moves again, now as the library keeps them. */
+/* Records all moves again, in the structure of the library. */
 static invcal_status make_moves(gyro_fit *g, replay *r, long lag, const double bias[3], double unit)
 {
     invcal_calibration nominal = {.offset = {0}};
-    const turns *t = g->turns;
+    const gyro_log *log = g->log;
     size_t next = 0;
     double zero[3];
 
     gyro_axes(g->axes, bias, zero);
     for (unsigned k = 0; k < 3; k++) {
         nominal.offset[k] = zero[k] / unit;
-        nominal.matrix[k][k] = g->turn > 0 ? g->turn * unit : ldexp(SLOW_TURN, -ROOM);
+        nominal.matrix[k][k] =
+            g->rate_unit > 0 ? g->rate_unit * unit : ldexp(RATE_RANGE_DEFAULT, -COUNT_BITS);
     }
     moves.count = 0;
-    const invcal_status status = invcal_moves_init(&moves, &nominal, t->rate);
+    const invcal_status status = invcal_moves_init(&moves, &nominal, log->rate);
     if (status != INVCAL_OK) {
         return status;
     }
     set_rails(g, unit);
-    while (r->i <= t->samples) {
-        const long upto = r->i < t->samples ? (long)t->sample[r->i].upto + lag : 0;
-        while ((long)next < upto && next < t->readings) {
-            feed(g, &t->reading[next++], unit);
+    while (r->i <= log->samples) {
+        const long reading_end =
+            r->i < log->samples ? (long)log->sample[r->i].reading_end + lag : 0;
+        while ((long)next < reading_end && next < log->readings) {
+            feed(g, &log->reading[next++], unit);
         }
-        invcal_moves_follow(&moves, &r->rests, go_on(r));
+        invcal_moves_follow(&moves, &r->rests, replay_step(r));
     }
     return INVCAL_OK;
 }
 
-/* Of the two rests of a move, that in which the device turned: the one whose bias is farther from the usual. */
+/* Of the two rests of a move, finds the one in which the device turned: its bias is farther from
+ * the median. */
 static void find_turned(const gyro_fit *g, const double bias[3], gyro_move *m)
 {
     m->rate = -1;
     for (unsigned k = m->to - 1; k <= m->to; k++) {
         double square = 0;
         for (unsigned i = 0; i < 3; i++) {
-            square += pow(g->turn * (g->rest[k].bias[i] - bias[i]), 2);
+            square += pow(g->rate_unit * (g->rest[k].bias[i] - bias[i]), 2);
         }
         if (sqrt(square) > m->rate) {
             m->turned = k;
@@ -589,7 +599,8 @@ static void find_turned(const gyro_fit *g, const double bias[3], gyro_move *m)
     }
 }
 
-/* Which move led to which rest, and whether it counts. moves.rest and g->rest end with the same. */
+/* Lists the moves with the rests they led to, and whether they are used. The last rests of
+ * moves.rest and g->rest are the same. */
 static void list_moves(gyro_fit *g, long lag, const double bias[3])
 {
     const unsigned first = g->rests - moves.count;
@@ -600,8 +611,8 @@ static void list_moves(gyro_fit *g, long lag, const double bias[3])
         size_t begin;
         size_t end;
         *m = (gyro_move){.to = first + i, .angle = NUMBER_UNKNOWN, .residual = NUMBER_UNKNOWN};
-        gyro_between(g->turns, lag, &g->rest[m->to - 1], &begin, &end);
-        m->seconds = end > begin ? (double)(end - begin) / g->turns->rate : 0;
+        gyro_between(g->log, lag, &g->rest[m->to - 1], &begin, &end);
+        m->seconds = end > begin ? (double)(end - begin) / g->log->rate : 0;
         m->why = invcal_moves_reason(&moves, i);
         if (m->why == INVCAL_OK && (g->imu.left_out >> i & 1)) {
             m->why = INVCAL_MOVE_APART;
@@ -613,7 +624,7 @@ static void list_moves(gyro_fit *g, long lag, const double bias[3])
     }
 }
 
-/* The g-sensitivity of the calibrated rate: the library's is of the nominal one. */
+/* The g-sensitivity of the calibrated rate; that of the library is of the nominal rate. */
 static void calibrate_g(gyro_fit *g)
 {
     for (unsigned i = 0; i < 9; i++) {
@@ -624,7 +635,7 @@ static void calibrate_g(gyro_fit *g)
     }
 }
 
-/* In the raw axes of the gyroscope, per input unit. */
+/* Converts the calibration to the raw axes of the gyroscope and to input units. */
 static void finish(gyro_fit *g, double unit)
 {
     const invcal_calibration c = g->imu.gyro;
@@ -643,7 +654,7 @@ static void finish(gyro_fit *g, double unit)
     g->interval = invcal_coverage(g->imu.dof);
 }
 
-/* The means of the rests of g, as invcal_imu_solve wants them. */
+/* Copies the means of the rests, as invcal_imu_solve needs them. */
 static void means_of(const gyro_fit *g, const positions *p, double raw[3 * INVCAL_MAX_MOVES])
 {
     for (unsigned i = 0; i < g->rests; i++) {
@@ -668,40 +679,42 @@ int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *
     return g->moves > 0 && invcal_turns_after(out, raw, g->rests, start, &moves, NULL) == INVCAL_OK;
 }
 
-/* How late readings are: only if rests are quieter then. Rests and bias are filled in accordingly. */
+/* The delay of the readings; 0 unless the rests are quieter with it. Fills rests and bias
+ * accordingly. */
 static long find_lag(gyro_fit *g, const positions *p, const invcal_calibration *start,
                      double bias[3])
 {
-    long lag = gyro_lag(g->turns);
+    long lag = gyro_find_lag(g->log);
 
     fill_rests(g, 0, p, start);
-    usual_bias(g, bias);
-    if (lag != 0 && square_at_rest(g, 0, bias) > MOVED * square_at_rest(g, lag, bias)) {
+    find_median_bias(g, bias);
+    if (lag != 0 && square_at_rest(g, 0, bias) > MOTION_RATIO * square_at_rest(g, lag, bias)) {
         fill_rests(g, lag, p, start);
-        usual_bias(g, bias);
+        find_median_bias(g, bias);
         return lag;
     }
     return 0;
 }
 
-int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate, const double *clip,
-              const positions *p, const rejection *kept, const invcal_calibration *start)
+int gyro_make(gyro_fit *g, const gyro_log *log, const gyro_options *options, unsigned rate,
+              const double *clip, const positions *p, const rejection *kept,
+              const invcal_calibration *start)
 {
     static replay r; /* too large for the stack */
-    gyro_wish asked = *wish;
+    gyro_options with_axes = *options;
     double bias[3];
 
-    *g = (gyro_fit){.is_there = t->readings > 0, .turns = t};
-    for (int8_t i = 0; i < 3 && wish->axes[0] == 0; i++) {
-        asked.axes[i] = (int8_t)(i + 1);
+    *g = (gyro_fit){.has_readings = log->readings > 0, .log = log};
+    for (int8_t i = 0; i < 3 && options->axes[0] == 0; i++) {
+        with_axes.axes[i] = (int8_t)(i + 1);
     }
-    if (!g->is_there || !check_readings(g)) {
+    if (!g->has_readings || !check_readings(g)) {
         return EXIT_GOOD;
     }
-    const double unit = find_count(t);
-    begin_replay(&r, t, rate, clip, p, kept);
+    const double unit = find_count(log);
+    begin_replay(&r, log, rate, clip, p, kept);
     find_rests(g, &r);
-    if (g->rests < FEW_RESTS) {
+    if (g->rests < RESTS_MIN) {
         gyro_say_status(g, INVCAL_TOO_FEW);
         return EXIT_GOOD;
     }
@@ -713,9 +726,9 @@ int gyro_make(gyro_fit *g, const turns *t, const gyro_wish *wish, unsigned rate,
         return EXIT_GOOD;
     }
     const long lag = find_lag(g, p, start, bias);
-    g->lag = (double)lag / t->rate;
-    const int fits = find_unit_and_axes(g, &asked, lag, bias);
-    begin_replay(&r, t, rate, clip, p, kept);
+    g->lag = (double)lag / log->rate;
+    const int fits = find_unit_and_axes(g, &with_axes, lag, bias);
+    begin_replay(&r, log, rate, clip, p, kept);
     invcal_status status = make_moves(g, &r, lag, bias, unit);
     status = status == INVCAL_OK && fits ? solve(g, p, start) : status;
     list_moves(g, lag, bias);

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * The residual of each move, sample by sample: the library keeps segments, and reports only the worst move.
+ * Residuals of the moves, by integrating sample by sample: the library keeps segments, and reports
+ * only the worst move.
  */
 #include <math.h>
 #include <string.h>
 
 #include "fit/gyro.h"
 
-#define LEAST_RANGE 2.0 /* K */
-#define LEAST_RESTS 6u
+#define RANGE_MIN 2.0 /* K */
+#define RESTS_MIN 6u
 
 static double dot(const double a[3], const double b[3])
 {
@@ -40,19 +41,19 @@ static void turn_by(double c[3][3], const double th[3])
     }
 }
 
-/* The acceleration of a sample, over the field. */
-static void felt(const gyro_fit *g, size_t number, double out[3])
+/* The calibrated acceleration of a sample, over the field. */
+static void acceleration_at(const gyro_fit *g, size_t index, double out[3])
 {
-    const turns *t = g->turns;
+    const gyro_log *log = g->log;
     double raw[3];
 
     for (unsigned k = 0; k < 3; k++) {
-        raw[k] = t->sample[number].raw[k] * t->unit;
+        raw[k] = log->sample[index].raw[k] * log->unit;
     }
     invcal_apply(&g->imu.accelerometer, raw, out);
 }
 
-/* The bias: the mean of both rests, plus the effect of acceleration less theirs. */
+/* The bias: the mean of both rests, corrected for the difference in acceleration. */
 static void bias_at(const gyro_fit *g, const gyro_rest *rest, const double f[3], double out[3])
 {
     for (unsigned i = 0; i < 3; i++) {
@@ -63,26 +64,26 @@ static void bias_at(const gyro_fit *g, const gyro_rest *rest, const double f[3],
     }
 }
 
-/* C of the whole move, and the angle that it turned. */
+/* The rotation matrix of the whole move, and the angle of its path. */
 static void integrate(const gyro_fit *g, long lag, const gyro_rest *rest, double c[3][3],
                       double *angle)
 {
-    const turns *t = g->turns;
+    const gyro_log *log = g->log;
     size_t next;
     size_t last;
 
-    gyro_between(t, lag, rest, &next, &last);
+    gyro_between(log, lag, rest, &next, &last);
     for (size_t i = rest[0].end; i < rest[1].begin; i++) {
         double f[3];
         double bias[3];
-        felt(g, i, f);
+        acceleration_at(g, i, f);
         bias_at(g, rest, f, bias);
-        for (; next < last && (long)next < (long)t->sample[i].upto + lag; next++) {
+        for (; next < last && (long)next < (long)log->sample[i].reading_end + lag; next++) {
             double u[3];
             double th[3];
-            gyro_axes(g->axes, t->reading[next].x, u);
+            gyro_axes(g->axes, log->reading[next].x, u);
             for (unsigned k = 0; k < 3; k++) {
-                u[k] = (g->turn * u[k] - bias[k]) / t->rate;
+                u[k] = (g->rate_unit * u[k] - bias[k]) / log->rate;
             }
             for (unsigned k = 0; k < 3; k++) {
                 th[k] = dot(&g->imu.parameter[3 * (size_t)k], u);
@@ -93,7 +94,7 @@ static void integrate(const gyro_fit *g, long lag, const gyro_rest *rest, double
     }
 }
 
-/* Between the way up at the end, turned back, and that at the beginning. */
+/* The angle between the up direction at the beginning, and that at the end, rotated back. */
 static double residual(const double (*c)[3], const gyro_rest *rest)
 {
     double a[3];
@@ -106,26 +107,26 @@ static double residual(const double (*c)[3], const gyro_rest *rest)
     return atan2(sqrt(dot(y, y)), dot(a, rest[0].up));
 }
 
-/* Of the readings at rest, about their mean: the density, rad/s/sqrt(Hz). */
+/* The noise density of the quietest rest, rad/s/sqrt(Hz). */
 static double density(const gyro_fit *g, long lag)
 {
-    const turns *t = g->turns;
-    double least = HUGE_VAL;
+    const gyro_log *log = g->log;
+    double lowest = HUGE_VAL;
 
     for (unsigned i = 0; i < g->rests; i++) {
         double square = 0;
         size_t n = 0;
         for (size_t k = g->rest[i].begin; k < g->rest[i].end; k++) {
-            const long at = (long)t->sample[k].upto + lag - 1;
-            for (unsigned j = 0; j < 3 && at >= 0 && at < (long)t->readings; j++, n++) {
+            const long at = (long)log->sample[k].reading_end + lag - 1;
+            for (unsigned j = 0; j < 3 && at >= 0 && at < (long)log->readings; j++, n++) {
                 double x[3];
-                gyro_axes(g->axes, t->reading[at].x, x);
-                square += pow(g->turn * x[j] - g->rest[i].bias[j], 2);
+                gyro_axes(g->axes, log->reading[at].x, x);
+                square += pow(g->rate_unit * x[j] - g->rest[i].bias[j], 2);
             }
         }
-        least = n > 30 && isfinite(square) ? fmin(least, square / (double)n / t->rate) : least;
+        lowest = n > 30 && isfinite(square) ? fmin(lowest, square / (double)n / log->rate) : lowest;
     }
-    return least < HUGE_VAL ? sqrt(least) : 0;
+    return lowest < HUGE_VAL ? sqrt(lowest) : 0;
 }
 
 /* The sizes of the parts of a move's error, rad on an axis. */
@@ -137,15 +138,15 @@ static void find_parts(gyro_fit *g, long lag)
 
     for (unsigned i = 0; i < g->moves; i++) {
         const gyro_rest *rest = &g->rest[g->move[i].to];
-        double middle[3];
-        double half[3];
+        double bias_from[3];
+        double bias_to[3];
         if (g->move[i].why != INVCAL_OK || !isfinite(rest->bias[0] + rest[-1].bias[0])) {
             continue;
         }
-        bias_at(g, rest - 1, rest->up, half); /* without what orientation explains */
-        bias_at(g, rest - 1, rest[-1].up, middle);
+        bias_at(g, rest - 1, rest->up, bias_to); /* to subtract the effect of orientation */
+        bias_at(g, rest - 1, rest[-1].up, bias_from);
         for (unsigned k = 0; k < 3; k++) {
-            change += pow(rest->bias[k] - rest[-1].bias[k] - (half[k] - middle[k]), 2) / 3;
+            change += pow(rest->bias[k] - rest[-1].bias[k] - (bias_to[k] - bias_from[k]), 2) / 3;
         }
         seconds += g->move[i].seconds;
         count++;
@@ -158,26 +159,26 @@ static void find_parts(gyro_fit *g, long lag)
     }
 }
 
-/* A straight line through the bias against temperature, axis by axis. */
+/* Fits a straight line to the bias of each axis over temperature. */
 static void find_thermal(gyro_fit *g, const positions *p)
 {
-    double least = HUGE_VAL;
-    double most = -HUGE_VAL;
+    double lowest = HUGE_VAL;
+    double highest = -HUGE_VAL;
 
     for (unsigned i = 0; i < g->rests && p->has_temperature; i++) {
-        least = fmin(least, p->origin[g->rest[i].position].temperature);
-        most = fmax(most, p->origin[g->rest[i].position].temperature);
+        lowest = fmin(lowest, p->origin[g->rest[i].position].temperature);
+        highest = fmax(highest, p->origin[g->rest[i].position].temperature);
     }
-    if (!(most - least >= LEAST_RANGE) || g->rests < LEAST_RESTS) {
+    if (!(highest - lowest >= RANGE_MIN) || g->rests < RESTS_MIN) {
         return;
     }
-    g->range = most - least;
+    g->range = highest - lowest;
     for (unsigned axis = 0; axis < 3; axis++) {
         double n = 0;
         double sum[5] = {0}; /* t, b, tt, tb, bb */
         for (unsigned i = 0; i < g->rests; i++) {
             const gyro_rest *rest = &g->rest[i];
-            const double t = p->origin[rest->position].temperature - least;
+            const double t = p->origin[rest->position].temperature - lowest;
             const double level = g->imu.g_is_used ? dot(g->imu.slope[axis], rest->up) : 0;
             const double b = rest->bias[axis] - g->rest[g->rests - 1].bias[axis] - level;
             if (isfinite(t + b)) {
@@ -204,7 +205,7 @@ void gyro_measure(gyro_fit *g, long lag, const positions *p)
         double x[3];
         gyro_axes(g->axes, rest->bias, x);
         for (unsigned k = 0; k < 3; k++) {
-            rest->bias[k] = g->turn * x[k];
+            rest->bias[k] = g->rate_unit * x[k];
         }
         invcal_apply(&g->imu.accelerometer, &p->mean[3 * (size_t)rest->position], rest->up);
         const double length = sqrt(dot(rest->up, rest->up));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What must be known before the moves can be solved: the delay of the readings, their unit, and their axes.
+ * Finds what is needed to solve the moves: the delay of the readings, their unit, and their axes.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -8,36 +8,36 @@
 
 #include "fit/gyro.h"
 
-#define BIN 0.05      /* seconds */
-#define LAGS 40       /* bins to either side: 2 s */
-#define ENOUGH 160u   /* bins */
-#define TOGETHER 0.4  /* the least correlation that shows a lag, */
-#define BETTER 0.05   /* this much above that of no lag, */
-#define LEAST_LAG 0.1 /* seconds: less does no harm */
+#define BIN 0.05                  /* seconds */
+#define LAG_BINS_MAX 40           /* to either side: 2 s */
+#define BINS_MIN 160u             /* needed to show a lag */
+#define CORRELATION_MIN 0.4       /* that shows a lag */
+#define CORRELATION_GAIN_MIN 0.05 /* over that without a lag */
+#define LAG_MIN 0.1               /* seconds: less has no effect */
 
-#define MOVES 16u       /* that are tried: the first ones */
-#define STEPS 96u       /* of a move */
-#define LEAST_TURN 0.35 /* rad between the ways up: 20 degrees */
-#define FINER 1.08      /* a scale and the next */
-#define BELOW 3         /* scales below the first estimate, */
-#define SCALES 18 /* and all of them: the path of a hand is longer than the arc, never shorter */
-#define WAYS 48u
-#define CLEAR 4.0 /* sum of squares of the second best way over the best */
+#define MOVES_MAX 16u   /* the first ones are used */
+#define STEPS_MAX 96u   /* of a move */
+#define ANGLE_MIN 0.35  /* rad between the up directions: 20 degrees */
+#define SCALE_STEP 1.08 /* ratio of a scale to the one below */
+#define SCALES_BELOW 3  /* the first estimate */
+#define SCALES 18       /* in all: the path of a hand is longer than the arc, never shorter */
+#define ASSIGNMENTS 48u /* of gyroscope axes to accelerometer axes, with signs */
+#define CLEAR_RATIO 4.0 /* of the mean square misfits of the second best assignment and the best */
 
 /* ---- late readings ------------------------------------------------------------------------------ */
 
-/* One bin of time: the mean reading of both. */
+/* A bin of time, with the sums of the readings of both sensors. */
 typedef struct {
     double a[3];
-    double rate; /* of turn, without sign */
+    double rate; /* magnitude of the angular rate */
     unsigned count, readings;
 } bin;
 
-static size_t reading_at(const turns *t, long lag, size_t number)
+static size_t reading_at(const gyro_log *log, long lag, size_t index)
 {
-    const long at = (long)t->sample[number].upto + lag;
+    const long at = (long)log->sample[index].reading_end + lag;
 
-    return at < 0 ? 0 : (size_t)at > t->readings ? t->readings : (size_t)at;
+    return at < 0 ? 0 : (size_t)at > log->readings ? log->readings : (size_t)at;
 }
 
 static int compare(const void *a, const void *b)
@@ -48,36 +48,36 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Of up to a thousand readings of an axis. */
-static double median_of(const turns *t, unsigned axis)
+/* The median of up to a thousand readings of an axis. */
+static double median_of(const gyro_log *log, unsigned axis)
 {
     double x[1000];
-    const size_t step = t->readings / 1000 + 1;
+    const size_t step = log->readings / 1000 + 1;
     unsigned n = 0;
 
-    for (size_t i = 0; i < t->readings && n < 1000; i += step) {
-        x[n++] = t->reading[i].x[axis];
+    for (size_t i = 0; i < log->readings && n < 1000; i += step) {
+        x[n++] = log->reading[i].x[axis];
     }
     qsort(x, n, sizeof x[0], compare);
     return n > 0 ? x[n / 2] : 0;
 }
 
-static size_t fill_bins(const turns *t, bin *b, size_t each)
+static size_t fill_bins(const gyro_log *log, bin *b, size_t each)
 {
-    const double middle[3] = {median_of(t, 0), median_of(t, 1), median_of(t, 2)};
-    const size_t bins = t->samples / each;
+    const double middle[3] = {median_of(log, 0), median_of(log, 1), median_of(log, 2)};
+    const size_t bins = log->samples / each;
     size_t next = 0;
 
     for (size_t i = 0; i < bins * each; i++) {
         bin *one = &b[i / each];
         for (unsigned k = 0; k < 3; k++) {
-            one->a[k] += t->sample[i].raw[k];
+            one->a[k] += log->sample[i].raw[k];
         }
         one->count++;
-        for (; next < t->sample[i].upto; next++) {
+        for (; next < log->sample[i].reading_end; next++) {
             double square = 0;
             for (unsigned k = 0; k < 3; k++) {
-                square += pow(t->reading[next].x[k] - middle[k], 2);
+                square += pow(log->reading[next].x[k] - middle[k], 2);
             }
             one->rate += sqrt(square);
             one->readings++;
@@ -86,7 +86,7 @@ static size_t fill_bins(const turns *t, bin *b, size_t each)
     return bins;
 }
 
-/* How fast the accelerometer's readings change in a bin. */
+/* The change of the accelerometer's readings around a bin. */
 static double change(const bin *b, size_t i)
 {
     double square = 0;
@@ -106,7 +106,7 @@ static double correlation(const bin *b, const double *a, size_t bins, long lag)
     double yy = 0;
     double xy = 0;
 
-    for (size_t i = LAGS + 1; i + LAGS + 1 < bins; i++) {
+    for (size_t i = LAG_BINS_MAX + 1; i + LAG_BINS_MAX + 1 < bins; i++) {
         const bin *g = &b[(size_t)((long)i + lag)];
         const double w = g->readings > 0 ? sqrt(g->rate / g->readings) : 0;
         n++;
@@ -122,34 +122,36 @@ static double correlation(const bin *b, const double *a, size_t bins, long lag)
 
 static double best_lag(const bin *b, const double *a, size_t bins)
 {
-    double c[2 * LAGS + 1];
-    long best = -LAGS;
+    double c[2 * LAG_BINS_MAX + 1];
+    long best = -LAG_BINS_MAX;
 
-    for (long k = -LAGS; k <= LAGS; k++) {
-        c[k + LAGS] = correlation(b, a, bins, k);
-        best = c[k + LAGS] > c[best + LAGS] ? k : best;
+    for (long k = -LAG_BINS_MAX; k <= LAG_BINS_MAX; k++) {
+        c[k + LAG_BINS_MAX] = correlation(b, a, bins, k);
+        best = c[k + LAG_BINS_MAX] > c[best + LAG_BINS_MAX] ? k : best;
     }
-    const double most = c[best + LAGS];
-    if (!(most > TOGETHER && most > c[LAGS] + BETTER) || labs(best) == LAGS) {
+    const double highest = c[best + LAG_BINS_MAX];
+    if (!(highest > CORRELATION_MIN && highest > c[LAG_BINS_MAX] + CORRELATION_GAIN_MIN) ||
+        labs(best) == LAG_BINS_MAX) {
         return 0;
     }
-    const double left = c[best + LAGS - 1];
-    const double right = c[best + LAGS + 1];
-    return (double)best + (left - right) / (2 * (left - 2 * most + right)); /* of a parabola */
+    const double left = c[best + LAG_BINS_MAX - 1];
+    const double right = c[best + LAG_BINS_MAX + 1];
+    return (double)best +
+           (left - right) / (2 * (left - 2 * highest + right)); /* vertex of a parabola */
 }
 
-long gyro_lag(const turns *t)
+long gyro_find_lag(const gyro_log *log)
 {
     const double sample_rate =
-        t->rate * (double)t->samples / (double)(t->readings ? t->readings : 1);
+        log->rate * (double)log->samples / (double)(log->readings ? log->readings : 1);
     const size_t each = (size_t)fmax(1, nearbyint(BIN * sample_rate));
-    const size_t room = t->samples / each;
-    bin *b = room > ENOUGH ? calloc(room, sizeof *b) : NULL;
-    double *a = b ? calloc(room, sizeof *a) : NULL;
+    const size_t capacity = log->samples / each;
+    bin *b = capacity > BINS_MIN ? calloc(capacity, sizeof *b) : NULL;
+    double *a = b ? calloc(capacity, sizeof *a) : NULL;
     double lag = 0;
 
     if (a) {
-        const size_t bins = fill_bins(t, b, each);
+        const size_t bins = fill_bins(log, b, each);
         for (size_t i = 1; i + 1 < bins; i++) {
             a[i] = sqrt(change(b, i));
         }
@@ -157,18 +159,18 @@ long gyro_lag(const turns *t)
     }
     free(a);
     free(b);
-    return fabs(lag) > LEAST_LAG ? lround(lag * t->rate) : 0;
+    return fabs(lag) > LAG_MIN ? lround(lag * log->rate) : 0;
 }
 
 /* ---- unit and axes ------------------------------------------------------------------------------ */
 
 /* A move in steps: the integral of the readings over each, input units times seconds. */
 typedef struct {
-    double step[STEPS][3];
+    double step[STEPS_MAX][3];
     unsigned steps;
     const double *up[2];
     double angle; /* between them */
-    double path;  /* of the readings, without sign */
+    double path;  /* sum of the magnitudes of the readings */
 } move;
 
 void gyro_axes(const int8_t axes[3], const double x[3], double out[3])
@@ -182,10 +184,10 @@ void gyro_axes(const int8_t axes[3], const double x[3], double out[3])
     memcpy(out, turned, sizeof turned);
 }
 
-void gyro_between(const turns *t, long lag, const gyro_rest *rest, size_t *first, size_t *last)
+void gyro_between(const gyro_log *log, long lag, const gyro_rest *rest, size_t *first, size_t *last)
 {
-    *first = reading_at(t, lag, rest[0].end - 1);
-    *last = reading_at(t, lag, rest[1].begin > 0 ? rest[1].begin - 1 : 0);
+    *first = reading_at(log, lag, rest[0].end - 1);
+    *last = reading_at(log, lag, rest[1].begin > 0 ? rest[1].begin - 1 : 0);
 }
 
 static double dot(const double a[3], const double b[3])
@@ -193,27 +195,27 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static int fill_move(const turns *t, long lag, const gyro_rest *rest, const double bias[3],
+static int fill_move(const gyro_log *log, long lag, const gyro_rest *rest, const double bias[3],
                      const int8_t axes[3], move *m)
 {
     size_t first;
     size_t last;
 
-    gyro_between(t, lag, rest, &first, &last);
+    gyro_between(log, lag, rest, &first, &last);
     *m = (move){.up = {rest[0].up, rest[1].up}};
     m->angle = acos(fmax(-1, fmin(1, dot(m->up[0], m->up[1]))));
-    if (last <= first || (double)(last - first) > 10 * t->rate || !(m->angle > LEAST_TURN)) {
+    if (last <= first || (double)(last - first) > 10 * log->rate || !(m->angle > ANGLE_MIN)) {
         return 0;
     }
-    const size_t each = (last - first) / STEPS + 1;
+    const size_t each = (last - first) / STEPS_MAX + 1;
     for (size_t i = first; i < last; i++) {
         double x[3];
         const size_t at = (i - first) / each;
-        if (t->reading[i].is_gap) {
+        if (log->reading[i].is_gap) {
             return 0;
         }
         for (unsigned k = 0; k < 3; k++) {
-            x[k] = (t->reading[i].x[k] - bias[k]) / t->rate;
+            x[k] = (log->reading[i].x[k] - bias[k]) / log->rate;
         }
         gyro_axes(axes, x, x);
         m->path += sqrt(dot(x, x));
@@ -240,8 +242,9 @@ static void turn_by(const double th[3], double v[3])
     }
 }
 
-/* What turns the way up at the end, back by all steps, into that at the beginning, squared. */
-static double misfit(const move *m, const int8_t axes[3], double turn)
+/* The squared angle between the up direction at the beginning, and that at the end, rotated back by
+ * all steps. */
+static double misfit(const move *m, const int8_t axes[3], double scale)
 {
     double v[3];
     double th[3];
@@ -250,22 +253,22 @@ static double misfit(const move *m, const int8_t axes[3], double turn)
     for (unsigned n = m->steps; n > 0; n--) {
         gyro_axes(axes, m->step[n - 1], th);
         for (unsigned i = 0; i < 3; i++) {
-            th[i] *= turn;
+            th[i] *= scale;
         }
         turn_by(th, v);
     }
     return pow(acos(fmax(-1, fmin(1, dot(v, m->up[0])))), 2);
 }
 
-/* The mean of the better three quarters: a move between false rests means nothing. */
-static double misfit_of_all(const move *m, unsigned moves, const int8_t axes[3], double turn)
+/* The mean over the best three quarters of the moves: some may be between false rests. */
+static double misfit_of_all(const move *m, unsigned moves, const int8_t axes[3], double scale)
 {
     const unsigned counted = moves - moves / 4;
-    double square[MOVES];
+    double square[MOVES_MAX];
     double sum = 0;
 
     for (unsigned i = 0; i < moves; i++) {
-        square[i] = misfit(&m[i], axes, turn);
+        square[i] = misfit(&m[i], axes, scale);
     }
     qsort(square, moves, sizeof square[0], compare);
     for (unsigned i = 0; i < counted; i++) {
@@ -274,8 +277,8 @@ static double misfit_of_all(const move *m, unsigned moves, const int8_t axes[3],
     return sum / counted;
 }
 
-/* Way k of 48. */
-static void set_way(unsigned k, int8_t axes[3])
+/* Assignment k of ASSIGNMENTS. */
+static void set_assignment(unsigned k, int8_t axes[3])
 {
     static const int8_t orders[6][3] = {{1, 2, 3}, {2, 3, 1}, {3, 1, 2},
                                         {2, 1, 3}, {1, 3, 2}, {3, 2, 1}};
@@ -285,44 +288,45 @@ static void set_way(unsigned k, int8_t axes[3])
     }
 }
 
-/* The best scale of a way: out of a grid, then to a thousandth. Returns its misfit. */
+/* The best scale for an assignment: from a grid, then refined to a thousandth. Returns its
+ * misfit. */
 static double best_scale(const move *m, unsigned moves, const int8_t axes[3], double from,
-                         int is_fine, double *turn)
+                         int is_fine, double *scale)
 {
     double least = HUGE_VAL;
-    double width = FINER;
+    double width = SCALE_STEP;
 
     for (unsigned n = 0; n < SCALES; n++) {
-        const double scale = from * pow(FINER, (double)n - BELOW);
-        const double square = misfit_of_all(m, moves, axes, scale);
-        *turn = square < least ? scale : *turn;
+        const double tried = from * pow(SCALE_STEP, (double)n - SCALES_BELOW);
+        const double square = misfit_of_all(m, moves, axes, tried);
+        *scale = square < least ? tried : *scale;
         least = fmin(least, square);
     }
     while (is_fine && width > 1.001) {
         width = sqrt(width);
-        const double middle = *turn;
+        const double middle = *scale;
         for (int side = -1; side <= 1; side += 2) {
             const double square = misfit_of_all(m, moves, axes, middle * pow(width, side));
-            *turn = square < least ? middle * pow(width, side) : *turn;
+            *scale = square < least ? middle * pow(width, side) : *scale;
             least = fmin(least, square);
         }
     }
     return least;
 }
 
-int gyro_search(const turns *t, long lag, const gyro_rest *rest, unsigned rests,
+int gyro_search(const gyro_log *log, long lag, const gyro_rest *rest, unsigned rests,
                 const double bias[3], const int8_t axes[3], gyro_guess *out)
 {
-    static move all[MOVES]; /* too large for the stack */
-    double ratio[MOVES];
-    double square[WAYS];
-    double turn = 0;
+    static move all[MOVES_MAX]; /* too large for the stack */
+    double ratio[MOVES_MAX];
+    double square[ASSIGNMENTS];
+    double scale = 0;
     unsigned best = 0;
     unsigned moves = 0;
-    double next = HUGE_VAL;
+    double second = HUGE_VAL;
 
-    for (unsigned i = 0; i + 1 < rests && moves < MOVES; i++) {
-        if (fill_move(t, lag, &rest[i], bias, axes, &all[moves]) && all[moves].path > 0) {
+    for (unsigned i = 0; i + 1 < rests && moves < MOVES_MAX; i++) {
+        if (fill_move(log, lag, &rest[i], bias, axes, &all[moves]) && all[moves].path > 0) {
             ratio[moves] = all[moves].angle / all[moves].path;
             moves++;
         }
@@ -332,19 +336,19 @@ int gyro_search(const turns *t, long lag, const gyro_rest *rest, unsigned rests,
         return 0;
     }
     qsort(ratio, moves, sizeof ratio[0], compare);
-    for (unsigned k = 0; k < WAYS; k++) {
-        int8_t way[3];
-        set_way(k, way);
-        square[k] = best_scale(all, moves, way, ratio[moves / 2], 0, &turn);
+    for (unsigned k = 0; k < ASSIGNMENTS; k++) {
+        int8_t assigned[3];
+        set_assignment(k, assigned);
+        square[k] = best_scale(all, moves, assigned, ratio[moves / 2], 0, &scale);
         best = square[k] < square[best] ? k : best;
     }
-    for (unsigned k = 0; k < WAYS; k++) {
-        next = k != best && square[k] < next ? square[k] : next;
+    for (unsigned k = 0; k < ASSIGNMENTS; k++) {
+        second = k != best && square[k] < second ? square[k] : second;
     }
-    out->is_clear = next > CLEAR * square[best];
-    /* an equally good scale is no reason to doubt the axes */
-    best = !out->is_clear && square[0] < CLEAR * square[best] ? 0 : best;
-    set_way(best, out->axes);
-    out->misfit = sqrt(best_scale(all, moves, out->axes, ratio[moves / 2], 1, &out->turn));
+    out->is_clear = second > CLEAR_RATIO * square[best];
+    /* unless they are clear, the stated axes are kept if they fit nearly as well */
+    best = !out->is_clear && square[0] < CLEAR_RATIO * square[best] ? 0 : best;
+    set_assignment(best, out->axes);
+    out->misfit = sqrt(best_scale(all, moves, out->axes, ratio[moves / 2], 1, &out->rate_unit));
     return 1;
 }

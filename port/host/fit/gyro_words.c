@@ -84,7 +84,8 @@ void gyro_add_reasons(gyro_fit *g)
     }
 }
 
-/* Advice for the reason that most moves share, if any is unusable; else, or after it, to make more. */
+/* Advice for the reason that most moves share, if any is unusable; else, or after it, to make
+ * more. */
 static void advise_moves(gyro_fit *g)
 {
     static const struct {
@@ -131,8 +132,8 @@ void gyro_say_no_start(gyro_fit *g)
                                           : "the rests are nearly in a plane:");
 }
 
-/* No convergence, or residuals that no noise has. The search found these axes to fit: that leaves moves which are too
- * few, or a part of them that are wrong. */
+/* No convergence, or residuals that no noise has. The search found these axes to fit: that leaves
+ * moves which are too few, or a part of them that are wrong. */
 static void say_apart(gyro_fit *g, invcal_status status)
 {
     const unsigned used = count_why(g, INVCAL_OK);

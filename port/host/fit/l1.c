@@ -4,11 +4,11 @@
 #include <math.h>
 #include <stddef.h>
 
-#define TURNS 200u
-#define FINEST 1e-3 /* of the mean absolute residual: smaller ones weigh as this */
-#define LEAST 1e-15 /* over the field: readings without any noise */
+#define ITERATIONS 200u
+#define RESIDUAL_MIN 1e-3 /* over the mean absolute residual: smaller ones are weighted like this */
+#define NOISE_MIN 1e-15   /* over the field, for readings without any noise */
 
-/* |calibrated|^2 - 1, half of it: the residual of the row but for a factor that all rows share. */
+/* Half of |calibrated|^2 - 1: the residual of the row, up to a factor common to all rows. */
 static double residual(const invcal_calibration *c, const double raw[3])
 {
     double v[3];
@@ -30,12 +30,12 @@ static double mean_residual(const double *raw, unsigned count, const invcal_cali
             used++;
         }
     }
-    return sum / used + LEAST;
+    return sum / used + NOISE_MIN;
 }
 
-/* Weighted by what c leaves; all alike without c. */
+/* Solves with weights by the residuals of c; equal weights if c is null. */
 static invcal_status solve(const double *raw, unsigned count, const invcal_calibration *nominal,
-                           const invcal_calibration *c, double usual, invcal_calibration *out)
+                           const invcal_calibration *c, double mean, invcal_calibration *out)
 {
     invcal_sums sums;
     invcal_row row;
@@ -44,7 +44,8 @@ static invcal_status solve(const double *raw, unsigned count, const invcal_calib
     for (unsigned i = 0; i < count; i++) {
         const double *u = &raw[3 * (size_t)i];
         if (invcal_observe(nominal, u, &row) == INVCAL_OK) {
-            invcal_sums_add_row(&sums, &row, c ? usual / fmax(residual(c, u), FINEST * usual) : 1);
+            invcal_sums_add_row(&sums, &row,
+                                c ? mean / fmax(residual(c, u), RESIDUAL_MIN * mean) : 1);
         }
     }
     return invcal_solve(&sums, nominal, out);
@@ -56,7 +57,7 @@ invcal_status l1_fit(const double *raw, unsigned count, const invcal_calibration
     invcal_calibration c;
     invcal_status status = solve(raw, count, nominal, NULL, 1, &c);
 
-    for (unsigned turn = 0; turn < TURNS && status == INVCAL_OK; turn++) {
+    for (unsigned iteration = 0; iteration < ITERATIONS && status == INVCAL_OK; iteration++) {
         const invcal_calibration last = c;
         status = solve(raw, count, nominal, &last, mean_residual(raw, count, nominal, &last), &c);
     }

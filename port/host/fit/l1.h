@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * fit/l1.h: the nine parameters with the least sum of absolute residuals, a cross-check of least squares.
+ * fit/l1.h: solves for the nine parameters with the least sum of absolute residuals, as a
+ * cross-check of least squares.
  *
- * One wrong position draws a least squares fit as far as it is wrong; the sum of absolute values counts only on
- * which side it is. So the l1 estimate of all positions, and least squares without outliers, agree if the
- * right ones were left out. Of normal noise its sigma is sqrt(pi/2) = 1.25 times that of least squares, and the
- * difference of the two has sqrt(pi/2 - 1) = 0.76 of that, with many positions. A wrong position moves it, however
- * wrong, by sqrt(pi/2) sigma_r sqrt(leverage) at most.
+ * An outlier shifts a least squares fit in proportion to its error; with absolute values only its
+ * side matters. So the l1 estimate from all positions agrees with least squares without outliers if
+ * the right ones were left out. With normal noise and many positions, its sigma is sqrt(pi/2) =
+ * 1.25 times that of least squares, and the sigma of their difference sqrt(pi/2 - 1) = 0.76 times.
+ * An outlier, however large, shifts it by at most sqrt(pi/2) sigma_r sqrt(leverage).
  */
 #ifndef L1_H
 #define L1_H
@@ -14,11 +15,11 @@
 #include "fit/fit.h"
 
 #define L1_DIFFERENCE 0.7555 /* sqrt(pi/2 - 1) */
-#define L1_PULL 1.2533       /* sqrt(pi/2): of a wrong position */
+#define L1_PULL 1.2533       /* sqrt(pi/2): by an outlier */
 
-/* Minimises sum |J + h(u) p| of the exact rows (invcal/expert.h), by least squares with weights 1/|residual|
- * two hundred times: the sum is the least to a thousandth of itself. Readings that are none of the field are passed
- * over.
+/* Minimises sum |J + h(u) p| of the exact rows (invcal/expert.h), by two hundred iterations of
+ * least squares with weights 1/|residual|: the sum is within a thousandth of its minimum. Readings
+ * that cannot be of this field are skipped.
  *
  * x  delta, dk, gamma against nominal.
  *

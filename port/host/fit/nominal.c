@@ -8,11 +8,11 @@
 #include "maths/eigen.h"
 #include "maths/matrix.h"
 
-#define FLAT 0.02 /* least variance in a direction, over the square of the radius */
+#define VARIANCE_MIN 0.02 /* in any direction, over the square of the radius */
 
 int nominal_from_range(const positions *p, double field, double zero[3], double lsb[3])
 {
-    double half[3]; /* of the range; halves do not overflow */
+    double half[3]; /* half the range, which cannot overflow */
     double widest = 0;
 
     for (unsigned i = 0; i < 3; i++) {
@@ -34,7 +34,8 @@ int nominal_from_range(const positions *p, double field, double zero[3], double 
     return widest > 0;
 }
 
-/* The least squares of |x - z|^2 - R^2, about the mean m: covariance (z - m) = half the mean of |x - m|^2 (x - m). */
+/* The centre z of least squares of |x - z|^2 - R^2, from the mean m: covariance (z - m) is half the
+ * mean of |x - m|^2 (x - m). */
 int nominal_from_sphere(const double *raw, unsigned count, invcal_calibration *out)
 {
     double mean[3] = {0};
@@ -73,7 +74,7 @@ int nominal_from_sphere(const double *raw, unsigned count, invcal_calibration *o
         c.offset[i] = mean[i] + off;
         square += off * off;
     }
-    if (!(fmin(variance[0], fmin(variance[1], variance[2])) >= FLAT * square)) {
+    if (!(fmin(variance[0], fmin(variance[1], variance[2])) >= VARIANCE_MIN * square)) {
         return 0;
     }
     for (unsigned i = 0; i < 3; i++) {

@@ -10,24 +10,24 @@
 #include "maths/matrix.h"
 #include "text/number.h"
 
-#define WORST 1e8  /* condition of the system */
-#define RIDGE 1e-5 /* over the number of positions: what it holds, they do not */
-#define HELD 0.1   /* by more than this share */
+#define CONDITION_MAX 1e8
+#define RIDGE 1e-5   /* relative to the number of positions */
+#define HELD_MAX 0.1 /* the part of a parameter that the ridge may determine */
 
-enum { NINE = INVCAL_PARAMETERS, ALL = NINE + NONLINEARITY_MOST };
+enum { NINE = INVCAL_PARAMETERS, UNKNOWNS_MAX = NINE + NONLINEARITY_TERMS };
 
 static unsigned unknowns(unsigned degree)
 {
-    return degree > 2 ? ALL : NINE + 3;
+    return degree > 2 ? UNKNOWNS_MAX : NINE + 3;
 }
 
 /* h, eta^3, eta^4. */
-static void row_of(const double eta[3], double row[ALL])
+static void row_of(const double eta[3], double row[UNKNOWNS_MAX])
 {
     const invcal_calibration unit = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     invcal_row h;
 
-    (void)invcal_observe(&unit, eta, &h); /* a unit vector is a reading */
+    (void)invcal_observe(&unit, eta, &h); /* a unit vector is a valid reading */
     memcpy(row, h.h, NINE * sizeof *row);
     for (unsigned a = 0; a < 3; a++) {
         row[NINE + a] = eta[a] * eta[a] * eta[a];
@@ -38,9 +38,9 @@ static void row_of(const double eta[3], double row[ALL])
 static void sum_up(const double (*direction)[3], const double *weight, unsigned count, unsigned n,
                    double *a)
 {
-    double row[ALL];
+    double row[UNKNOWNS_MAX];
 
-    memset(a, 0, INVCAL_PACKED_SIZE(ALL) * sizeof *a);
+    memset(a, 0, INVCAL_PACKED_SIZE(UNKNOWNS_MAX) * sizeof *a);
     for (unsigned i = 0; i < count; i++) {
         const double w = weight ? weight[i] : 1;
         row_of(direction[i], row);
@@ -52,10 +52,11 @@ static void sum_up(const double (*direction)[3], const double *weight, unsigned 
     }
 }
 
-/* A parameter that a small ridge holds by more than a tenth is one that the directions do not. */
+/* If a small ridge determines a parameter by more than a tenth, the directions do not determine
+ * it. */
 static unsigned find_open(const double *information, unsigned count, unsigned n)
 {
-    double a[INVCAL_PACKED_SIZE(ALL)];
+    double a[INVCAL_PACKED_SIZE(UNKNOWNS_MAX)];
     const double ridge = RIDGE * (count + 1);
     unsigned open = 0;
 
@@ -67,7 +68,7 @@ static unsigned find_open(const double *information, unsigned count, unsigned n)
         return (1u << (n - NINE)) - 1;
     }
     for (unsigned r = NINE; r < n; r++) {
-        open |= (unsigned)!(ridge * a[INVCAL_PACKED(r, r)] <= HELD) << (r - NINE);
+        open |= (unsigned)!(ridge * a[INVCAL_PACKED(r, r)] <= HELD_MAX) << (r - NINE);
     }
     return open;
 }
@@ -77,22 +78,22 @@ static double largest(const double *root, unsigned first)
     return fmax(root[first], fmax(root[first + 1], root[first + 2]));
 }
 
-unsigned nonlinearity_least(unsigned degree)
+unsigned nonlinearity_min_positions(unsigned degree)
 {
-    return unknowns(degree) + FIT_EXTENDED_SPARE;
+    return unknowns(degree) + FIT_EXTENDED_REDUNDANT;
 }
 
 int nonlinearity_judge(const double (*direction)[3], const double *weight, unsigned count,
                        unsigned degree, nonlinearity_prospect *out, unsigned *open)
 {
     const unsigned n = unknowns(degree);
-    double a[INVCAL_PACKED_SIZE(ALL)];
+    double a[INVCAL_PACKED_SIZE(UNKNOWNS_MAX)];
 
     sum_up(direction, weight, count, n, a);
     out->degree = degree;
     out->condition = eigen_condition(a, n);
     const unsigned bits = find_open(a, count, n);
-    if (!(out->condition <= WORST) || bits || !matrix_invert_packed(a, n)) {
+    if (!(out->condition <= CONDITION_MAX) || bits || !matrix_invert_packed(a, n)) {
         if (open) {
             *open = bits ? bits : (1u << (n - NINE)) - 1;
         }
@@ -106,7 +107,7 @@ int nonlinearity_judge(const double (*direction)[3], const double *weight, unsig
     return 1;
 }
 
-/* The directions that a calibration makes of readings; null without memory. */
+/* The directions of calibrated readings. To be freed; null if memory is short. */
 static double (*directions(const double *raw, unsigned count, const invcal_calibration *c))[3]
 {
     double(*eta)[3] = malloc(((size_t)count + 1) * sizeof *eta);
@@ -145,12 +146,12 @@ static double power(const fit_extension *self, unsigned position, unsigned kind,
 
 invcal_status nonlinearity_fit(const double *raw, unsigned count, const fit_settings *settings,
                                unsigned degree, fit_solution *solution, fit_quality *quality,
-                               double out[NONLINEARITY_MOST], double sigma[NONLINEARITY_MOST])
+                               double out[NONLINEARITY_TERMS], double sigma[NONLINEARITY_TERMS])
 {
     const fit_extension extension = {.kinds = degree - 1, .value = power};
     fit_solution s;
     fit_quality q;
-    double found[2][NONLINEARITY_MOST];
+    double found[2][NONLINEARITY_TERMS];
 
     const invcal_status status =
         fit_extended_make(raw, count, settings, &extension, &s, &q, found[0], found[1]);
@@ -169,7 +170,7 @@ invcal_status nonlinearity_fit(const double *raw, unsigned count, const fit_sett
 
 const char *nonlinearity_name(unsigned e)
 {
-    static const char *const names[NONLINEARITY_MOST] = {
+    static const char *const names[NONLINEARITY_TERMS] = {
         "quadratic x", "quadratic y", "quadratic z", "cubic x", "cubic y", "cubic z"};
 
     return names[e];

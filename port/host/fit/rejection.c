@@ -10,19 +10,19 @@
 #include "cli/message.h"
 #include "text/random.h"
 
-#define ALLOWED 0.007 /* chance to leave out a good one of all */
-#define FEWEST 11u    /* positions needed to identify an outlier */
-#define ROUNDS                                                                                     \
-    20u /* with fewer and fewer wrong ones the noise is less and less; seldom more than 5 */
+#define FALSE_ALARM 0.007 /* chance that any good position is left out */
+#define POSITIONS_MIN 11u /* positions needed to identify an outlier */
+#define ROUNDS_MAX 20u    /* seldom more than 5 are needed */
 
-/* One turn of several: one position of each stretch of so many, at a random place in it, another in each
- * turn. (Every n-th would be the same few directions in a program that is repeated.) */
+/* One of several disjoint subsets of the positions: it has one position, at a random place, of
+ * every `count` consecutive ones. (Every n-th position could be the same few directions of a
+ * repeated program.) */
 typedef struct {
     unsigned number;
-    unsigned of;
-} turn;
+    unsigned count; /* of subsets */
+} subset;
 
-/* A reading that is none of this field, though most others are. */
+/* A reading that cannot be of this field. */
 static int is_impossible(const positions *p, unsigned i, const fit_settings *settings)
 {
     const double *mean = &p->mean[3 * (size_t)i];
@@ -31,10 +31,10 @@ static int is_impossible(const positions *p, unsigned i, const fit_settings *set
 
     invcal_apply(&settings->nominal, mean, u);
     return invcal_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE &&
-           sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1 <= REJECTION_TELLABLE;
+           sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1 <= REJECTION_LENGTH_MAX;
 }
 
-/* Up to one in eight, if there are enough others. */
+/* Rejects such readings: up to one in eight, if enough others remain. */
 static void reject_impossible(rejection *r, const positions *p, const fit_settings *settings)
 {
     unsigned count = 0;
@@ -42,7 +42,7 @@ static void reject_impossible(rejection *r, const positions *p, const fit_settin
     for (unsigned i = 0; i < p->count; i++) {
         count += (unsigned)is_impossible(p, i, settings);
     }
-    if (8 * count > p->count || p->count < FEWEST + count) {
+    if (8 * count > p->count || p->count < POSITIONS_MIN + count) {
         return;
     }
     for (unsigned i = 0; i < p->count; i++) {
@@ -79,9 +79,9 @@ static int compare(const void *a, const void *b)
 
 int rejection_has(const rejection *r, unsigned count, unsigned position)
 {
-    const rejected_position wanted = {.position = position};
+    const rejected_position key = {.position = position};
 
-    return count > 0 && bsearch(&wanted, r->list, count, sizeof *r->list, compare) != NULL;
+    return count > 0 && bsearch(&key, r->list, count, sizeof *r->list, compare) != NULL;
 }
 
 unsigned rejection_drifting(const rejection *r)
@@ -94,15 +94,15 @@ unsigned rejection_drifting(const rejection *r)
     return count;
 }
 
-/* Positions that are compared with each other, and their numbers. */
+/* The positions of a subset, and their numbers. */
 typedef struct {
     double mean[INVCAL_MAX_POSITIONS][3];
     unsigned number[INVCAL_MAX_POSITIONS];
     unsigned count;
-} crowd;
+} subset_means;
 
-/* What a position reads too much, calibrated. */
-static double excess(const invcal_calibration *c, const double *mean)
+/* The error of the length of a calibrated position. */
+static double length_error(const invcal_calibration *c, const double *mean)
 {
     double v[3];
 
@@ -110,15 +110,17 @@ static double excess(const invcal_calibration *c, const double *mean)
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
 }
 
-/* Those of a turn that are not among the `before` first of the list, which are rejected already. */
-static void gather(const rejection *r, const positions *p, turn t, unsigned before, crowd *c)
+/* Collects the positions of a subset, except the first `before` of the list, which are rejected
+ * already. */
+static void gather(const rejection *r, const positions *p, subset s, unsigned before,
+                   subset_means *c)
 {
-    random_source source = random_start(1); /* the same in each turn */
+    random_source source = random_start(1); /* the same for each subset */
 
     c->count = 0;
-    for (unsigned first = 0; first < p->count; first += t.of) {
-        const unsigned place = (unsigned)random_uniform(&source, 0, t.of);
-        const unsigned i = first + (t.number + place) % t.of;
+    for (unsigned first = 0; first < p->count; first += s.count) {
+        const unsigned place = (unsigned)random_uniform(&source, 0, s.count);
+        const unsigned i = first + (s.number + place) % s.count;
         if (i < p->count && !rejection_has(r, before, i)) {
             c->number[c->count] = i;
             memcpy(c->mean[c->count++], &p->mean[3 * (size_t)i], sizeof c->mean[0]);
@@ -126,33 +128,33 @@ static void gather(const rejection *r, const positions *p, turn t, unsigned befo
     }
 }
 
-/* What contradicts the others of its turn. Of one turn among several those that may be wrong count as if
- * they were: all the others decide (reconsider). */
-static void find_among(rejection *r, const positions *p, const fit_settings *settings, turn t,
-                       unsigned before)
+/* Rejects the positions that contradict the others of their subset. If there are several subsets,
+ * suspected ones are rejected, too, until reconsider compares them with all others. */
+static void judge_subset(rejection *r, const positions *p, const fit_settings *settings, subset s,
+                         unsigned before)
 {
-    crowd c;
+    subset_means c;
     invcal_calibration calibration;
     invcal_quality q;
 
-    gather(r, p, t, before, &c);
+    gather(r, p, s, before, &c);
     if (invcal_calibrate_judged(c.mean[0], c.count, &settings->nominal, settings->noise,
                                 &calibration, &q) != INVCAL_OK) {
         return;
     }
-    const invcal_mask out = t.of > 1 ? q.left_out | q.suspected : q.left_out;
+    const invcal_mask rejected = s.count > 1 ? q.left_out | q.suspected : q.left_out;
     for (unsigned i = 0; i < c.count; i++) {
-        r->suspected += (unsigned)((q.suspected & ~out) >> i & 1u);
-        if (out >> i & 1u) {
+        r->suspected += (unsigned)((q.suspected & ~rejected) >> i & 1u);
+        if (rejected >> i & 1u) {
             rejection_add(r, (rejected_position){.position = c.number[i]});
         }
     }
-    if (t.number == 0) {
+    if (s.number == 0) {
         r->found = q;
         r->is_judged = 1;
-        if (t.of > 1 && q.suspected != 0 && q.verdict == INVCAL_ROUGH) {
+        if (s.count > 1 && q.suspected != 0 && q.verdict == INVCAL_ROUGH) {
             r->found.verdict =
-                INVCAL_GOOD; /* for those only; all the others decide which are wrong */
+                INVCAL_GOOD; /* it was rough only for the suspected ones, which reconsider judges */
         }
     }
 }
@@ -200,33 +202,34 @@ static int compare_numbers(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The noise of a length among those that are kept by the median of its size, which up to half of them may
- * be wrong without much harm: 1.4826 is 1 over that of a standard normal variable. r->number, which is
- * found again in the end, lends the memory. */
+/* The noise of a length by the median absolute error of the kept positions, which tolerates up to
+ * half of them being wrong: 1.4826 is 1 over that of a standard normal variable. r->number, which
+ * rejection_finish fills later, serves as working memory. */
 static double robust_noise(rejection *r, const invcal_calibration *c)
 {
     for (unsigned k = 0; k < r->kept_count; k++) {
-        r->number[k] = fabs(excess(c, &r->kept[3 * (size_t)k]));
+        r->number[k] = fabs(length_error(c, &r->kept[3 * (size_t)k]));
     }
     qsort(r->number, r->kept_count, sizeof *r->number, compare_numbers);
     return 1.4826 * r->number[r->kept_count / 2];
 }
 
-/* Of many turns each has its false alarms, and what is wrong by little stands out of no turn: left out is,
- * in the end, what contradicts all the others together. What a position that is left out is predicted
- * wrong by, over the noise that the others show, has Student's t distribution; by Bonferroni's inequality
- * the chance that any of n good ones goes beyond a bound is at most n times that of one: S. Weisberg,
- * Applied Linear Regression, 3rd ed. (2005), 9.1.2. (That the calibration itself is uncertain adds 9/n to
- * the variance: nothing for so many.) The first time many wrong ones may hide behind the noise that they
- * themselves make, so that is a robust one. Returns whether others are left out now. */
+/* Each subset has its false alarms, and may be too small to show a small error. So positions are
+ * finally left out if they contradict all others together. The prediction error of a position that
+ * is left out, over the noise of the others, has Student's t distribution; by Bonferroni's
+ * inequality the chance that any of n good ones exceeds a bound is at most n times that of one: S.
+ * Weisberg, Applied Linear Regression, 3rd ed. (2005), 9.1.2. (The uncertainty of the calibration
+ * itself adds 9/n to the variance, which is negligible for that many.) In the first round, wrong
+ * positions may increase the noise so far that it hides them, so that a robust estimate is used.
+ * Returns whether the list has changed. */
 static int reconsider(rejection *r, const positions *p, const fit_settings *settings, int is_first)
 {
     invcal_calibration c;
     invcal_quality q;
     const unsigned before = r->count;
-    unsigned next = 0; /* of the list as it was, */
+    unsigned next = 0; /* of the old list */
     unsigned wrong = 0;
-    unsigned again = 0; /* and how many of it are left out again */
+    unsigned rejected_again = 0; /* of the old list */
 
     rejection_finish(r, p);
     if (invcal_calibrate(r->kept, r->kept_count, &settings->nominal, 0, &c, &q) != INVCAL_OK) {
@@ -241,30 +244,30 @@ static int reconsider(rejection *r, const positions *p, const fit_settings *sett
         if (is_out) {
             one.drift = was[next++].drift;
         }
-        const double t = excess(&c, &p->mean[3 * (size_t)i]) / noise;
+        const double t = length_error(&c, &p->mean[3 * (size_t)i]) / noise;
         const double chance = p->count * f_tail(1 / (1 + t * t / q.dof), 1, q.dof);
-        if (one.drift > 0 || chance <= ALLOWED) {
-            again += (unsigned)is_out;
+        if (one.drift > 0 || chance <= FALSE_ALARM) {
+            rejected_again += (unsigned)is_out;
             r->scratch[wrong++] = one;
         }
     }
     r->list = r->scratch;
     r->scratch = was;
     r->count = wrong;
-    return wrong != before || again != before;
+    return wrong != before || rejected_again != before;
 }
 
 void rejection_search(rejection *r, const positions *p, const fit_settings *settings)
 {
-    const unsigned turns = (p->count + INVCAL_MAX_POSITIONS - 1) / INVCAL_MAX_POSITIONS;
+    const unsigned subsets = (p->count + INVCAL_MAX_POSITIONS - 1) / INVCAL_MAX_POSITIONS;
     const unsigned before = r->count;
 
     qsort(r->list, before, sizeof *r->list, compare);
-    for (unsigned n = 0; n < turns; n++) {
-        find_among(r, p, settings, (turn){n, turns}, before);
+    for (unsigned n = 0; n < subsets; n++) {
+        judge_subset(r, p, settings, (subset){n, subsets}, before);
     }
-    int has_changed = turns > 1;
-    for (unsigned round = 0; has_changed && round < ROUNDS; round++) {
+    int has_changed = subsets > 1;
+    for (unsigned round = 0; has_changed && round < ROUNDS_MAX; round++) {
         has_changed = reconsider(r, p, settings, round == 0) || round == 0;
     }
 }
@@ -293,7 +296,8 @@ void rejection_free(rejection *r)
     *r = (rejection){0};
 }
 
-/* Before number j of the list stand its position - j that are kept: those up to `kept` count. */
+/* Before element j of the list there are position - j kept ones: counts the elements where these
+ * are at most `kept`. */
 unsigned rejection_original(const rejection *r, unsigned kept)
 {
     unsigned low = 0;

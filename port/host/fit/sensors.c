@@ -11,12 +11,12 @@
 #include "text/unit.h"
 
 #define KEY_MAX 24u
-#define TOO_FAR 1.5  /* times: no sensor is so far off, and ranges differ by more */
-#define RANGE_OF 1.2 /* times: as far as the counts of a range may be off */
+#define RATIO_MAX 1.5       /* no sensor has a larger scale error, and ranges differ by more */
+#define RANGE_TOLERANCE 1.2 /* ratio of counts that still match a range */
 
-/* Each row from the document that it names, "T" a table of it. What is not in a row the sheet does not state.
- * ST: sensitivities of mg a count, so counts a g are their inverse; what it calls accuracy of the zero-g
- * level is typical. */
+/* Each row is from the document that it names; "T" is a table there. The sheet does not state what
+ * is 0 or missing. ST states sensitivities in mg per count, whose inverse is counts per g; its
+ * zero-g level accuracy is a typical value. */
 static const sensor sensors[] = {
     {"mpu6050",
      "MPU-6050",
@@ -38,7 +38,7 @@ static const sensor sensors[] = {
      SENSOR_OFFSET | SENSOR_SCALE | SENSOR_CROSS_AXIS,
      "",
      "InvenSense PS-MPU-9250A-01 Rev. 1.0, 2014-01-17, T2 on p. 9"},
-    /* the offset at board level: it is 25 mg before soldering */
+    /* the offset is at board level; it is 25 mg before soldering */
     {"icm20948",
      "ICM-20948",
      {{"2g", 16384}, {"4g", 8192}, {"8g", 4096}, {"16g", 2048}},
@@ -69,7 +69,7 @@ static const sensor sensors[] = {
      SENSOR_OFFSET,
      "",
      "ST DS12140 Rev. 2, 2019-01, T2 Mechanical characteristics"},
-    /* 1, 2, 4, 12 mg a digit of 12 bits, which are the upper ones of 16 */
+    /* 1, 2, 4, 12 mg per digit of 12 bits, the upper ones of 16 */
     {"lis3dh",
      "LIS3DH",
      {{"2g", 16 * 1000.0 / 1},
@@ -105,7 +105,7 @@ static const sensor sensors[] = {
      SENSOR_CROSS_AXIS,
      "20-bit counts",
      "Analog Devices ADXL354/ADXL355 Rev. 0, 2016, Specifications"},
-    /* sensitivity 15729 ... 17039 at 2 g; the offset soldered */
+    /* sensitivity 15729 ... 17039 at 2 g; the offset is after soldering */
     {"bmi160",
      "BMI160",
      {{"2g", 16384}, {"4g", 8192}, {"8g", 4096}, {"16g", 2048}},
@@ -136,7 +136,7 @@ static const sensor sensors[] = {
      0,
      "counts of 0.01 m/s2 or of 1 mg, at any range",
      "Bosch BST-BNO055-DS000-14 Rev. 1.4, 2016-06, T0-2"},
-    /* raw counts differ from unit to unit: 4.8 there, Test and Calibration Certificate */
+    /* raw counts differ between devices: 4.8 of the document, Test and Calibration Certificate */
     {"xsens-mti",
      "Xsens MTi",
      {{"m/s2", UNIT_STANDARD_GRAVITY}},
@@ -151,10 +151,10 @@ static const sensor sensors[] = {
 
 #define SENSORS (sizeof sensors / sizeof sensors[0])
 
-/* ---- which one --------------------------------------------------------------------------------- */
+/* ---- choosing --------------------------------------------------------------------------------- */
 
-/* Letters and digits, small. */
-static void squash(const char *text, size_t length, char out[KEY_MAX])
+/* Lower-case letters and digits only. */
+static void normalise(const char *text, size_t length, char out[KEY_MAX])
 {
     size_t n = 0;
 
@@ -167,12 +167,12 @@ static void squash(const char *text, size_t length, char out[KEY_MAX])
     out[n] = '\0';
 }
 
-static int is_same(const char *key, const char *squashed)
+static int matches(const char *key, const char *normalised)
 {
     char own[KEY_MAX];
 
-    squash(key, strlen(key), own);
-    return *squashed != '\0' && strcmp(own, squashed) == 0;
+    normalise(key, strlen(key), own);
+    return *normalised != '\0' && strcmp(own, normalised) == 0;
 }
 
 static void list_ranges(const sensor *type, char *text, size_t size)
@@ -184,11 +184,11 @@ static void list_ranges(const sensor *type, char *text, size_t size)
 
 static int choose_range(const char *words, sensor_choice *out, char text[SENSORS_TEXT_MAX])
 {
-    char squashed[KEY_MAX];
+    char normalised[KEY_MAX];
 
-    squash(words, strlen(words), squashed);
+    normalise(words, strlen(words), normalised);
     for (unsigned k = 0; k < SENSORS_RANGES && out->type->range[k].name; k++) {
-        if (is_same(out->type->range[k].name, squashed)) {
+        if (matches(out->type->range[k].name, normalised)) {
             out->range = &out->type->range[k];
             return 1;
         }
@@ -201,14 +201,14 @@ static int choose_range(const char *words, sensor_choice *out, char text[SENSORS
 int sensors_choose(const char *words, sensor_choice *out, char text[SENSORS_TEXT_MAX])
 {
     const size_t length = strcspn(words, ":");
-    char squashed[KEY_MAX];
+    char normalised[KEY_MAX];
     char hint[NEAREST_TEXT_MAX];
 
-    squash(words, length, squashed);
-    nearest meant = nearest_begin(squashed, strlen(squashed));
+    normalise(words, length, normalised);
+    nearest meant = nearest_begin(normalised, strlen(normalised));
     nearest_offer(&meant, "list");
     for (size_t i = 0; i < SENSORS; i++) {
-        if (is_same(sensors[i].key, squashed)) {
+        if (matches(sensors[i].key, normalised)) {
             *out = (sensor_choice){&sensors[i], &sensors[i].range[sensors[i].power_on]};
             return words[length] == '\0' || choose_range(words + length + 1, out, text);
         }
@@ -219,7 +219,7 @@ int sensors_choose(const char *words, sensor_choice *out, char text[SENSORS_TEXT
     return 0;
 }
 
-/* ---- what it says ------------------------------------------------------------------------------ */
+/* ---- data -------------------------------------------------------------------------------------- */
 
 double sensors_scale(const sensor_choice *c, double field)
 {
@@ -245,7 +245,7 @@ int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX
     char key[SENSORS_TEXT_MAX];
     char number[FIGURE_MAX];
 
-    if (ratio < TOO_FAR && ratio > 1 / TOO_FAR) {
+    if (ratio < RATIO_MAX && ratio > 1 / RATIO_MAX) {
         return 1;
     }
     snprintf(text, SENSORS_TEXT_MAX, "the readings are %s times too %s for %.40s",
@@ -253,7 +253,7 @@ int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX
              sensors_key(c, key));
     for (unsigned k = 0; k < SENSORS_RANGES && c->type->range[k].name; k++) {
         const double other = counts / c->type->range[k].per_g;
-        if (other < RANGE_OF && other > 1 / RANGE_OF) {
+        if (other < RANGE_TOLERANCE && other > 1 / RANGE_TOLERANCE) {
             append(text, SENSORS_TEXT_MAX, ": they match %s:%s", c->type->key,
                    c->type->range[k].name);
             return 0;
@@ -269,7 +269,7 @@ const char *sensors_key(const sensor_choice *c, char text[SENSORS_TEXT_MAX])
     return text;
 }
 
-/* One limit, after the others: "offsets ±50, ±50, ±80 mg". */
+/* Appends a limit: "offsets ±50, ±50, ±80 mg". */
 static void append_limit(const sensor *s, unsigned which, char *text, size_t size)
 {
     const double *offset = s->offset;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * fit/sensors.h: what the data sheets of common accelerometers say: scale, and how far a good one may be off.
+ * fit/sensors.h: data sheets of common accelerometers: scale, and limits of offsets and scale
+ * errors.
  */
 #ifndef SENSORS_H
 #define SENSORS_H
@@ -12,21 +13,21 @@
 #define SENSORS_RANGES 4u
 
 typedef struct {
-    const char *name; /* "4g"; or the unit that is put out: "m/s2", "mg" */
-    double per_g;     /* counts */
+    const char *name; /* "4g"; or the unit of the output: "m/s2", "mg" */
+    double per_g;     /* counts per g */
 } sensor_range;
 
-/* Limits: 0 is not stated. All sensors of the table put out 0 in no field. */
+/* Limits of 0 are not stated. The nominal output of all these sensors is 0 without acceleration. */
 typedef struct {
-    const char *key;  /* as it is asked for: "mpu6050" */
-    const char *name; /* as the sheet writes it */
+    const char *key;  /* the name for --sensor: "mpu6050" */
+    const char *name; /* as in the sheet */
     sensor_range range[SENSORS_RANGES];
-    unsigned power_on; /* which of them holds at power-on */
+    unsigned power_on; /* the range at power-on */
     double offset[3];  /* of zero, g */
-    double scale;      /* of the sensitivity, over itself */
-    double cross_axis; /* of the field along another axis that an axis feels */
-    unsigned typical; /* of which the sheet gives a typical figure, no maximum: SENSOR_OFFSET ... */
-    const char *note; /* on its counts, or "" */
+    double scale;      /* relative error of the sensitivity */
+    double cross_axis; /* sensitivity to the field along another axis */
+    unsigned typical;  /* bits SENSOR_OFFSET ...: a typical figure, not a maximum */
+    const char *note;  /* on the counts, or "" */
     const char *sheet; /* document, revision, date, place in it */
 } sensor;
 
@@ -38,27 +39,28 @@ typedef struct {
     const sensor_range *range;
 } sensor_choice;
 
-/* Reads "mpu6050:4g", or "mpu6050" for its range at power-on; dashes and the case of letters do not count.
- * Returns 1; 0, with what is wrong in text. */
+/* Parses "mpu6050:4g", or "mpu6050" for its range at power-on, ignoring dashes and case. Returns 1;
+ * 0, with an error message in text. */
 #define SENSORS_TEXT_MAX 240
 int sensors_choose(const char *words, sensor_choice *out, char text[SENSORS_TEXT_MAX]);
 
-/* Field units per count; 0 if the field is no gravity. */
+/* Field units per count; 0 if the field is not gravity. */
 double sensors_scale(const sensor_choice *c, double field);
 
-/* The largest deviations of the nine parameters that the sheet allows, offsets over the field, angles in rad;
- * NaN: it does not say. The angle between two axes may have what each feels of the other. */
+/* The largest deviations of the nine parameters that the sheet allows, offsets over the field,
+ * angles in rad; NaN: not stated. The angle between two axes may be twice the cross-axis
+ * sensitivity. */
 void sensors_limits(const sensor_choice *c, double field, double limit[INVCAL_PARAMETERS]);
 
-/* Readings of gravity whose lengths are `ratio` times what they should be can be of this sensor: 1. Else 0,
- * and how far they are from it, and of which other range they may be, in text. */
+/* Whether this sensor can give readings of gravity whose lengths are `ratio` times the expected
+ * ones. Returns 1; 0, with a message in text, which names another range if that matches. */
 int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX]);
 
-/* "mpu6050:4g"; the limits in a sentence, which names those that are typical. Return text. */
+/* "mpu6050:4g"; and the limits in words, which mark those that are typical. Return text. */
 const char *sensors_key(const sensor_choice *c, char text[SENSORS_TEXT_MAX]);
 const char *sensors_limits_text(const sensor_choice *c, char text[SENSORS_TEXT_MAX]);
 
-/* All of the table, for people. */
+/* Prints all sensors. */
 void sensors_list(FILE *file);
 
 #endif

@@ -11,11 +11,11 @@
 #include "text/number.h"
 #include "fit/thermal_rejection.h"
 
-/* A prior was weighed with the noise of the residuals. It determines a parameter more
- * than the positions do where these leave more than half of its variance. */
+/* The prior was weighted with the noise of the residuals. It determines a parameter more than the
+ * positions do if more than half of its variance remains. */
 static void settle_prior(thermal_fit *fit, const invcal_quality *q)
 {
-    fit->has_prior = thermal_prior(&fit->settings, &fit->wish, &fit->prior);
+    fit->has_prior = thermal_prior(&fit->settings, &fit->options, &fit->prior);
     if (fit->has_prior) {
         fit->settings.noise = fmax(fit->settings.noise, q->noise);
     }
@@ -39,8 +39,8 @@ static void find_covariance(thermal_fit *fit, const rejection *kept)
     }
 }
 
-/* Slopes at the reference. Sigma in calibrated units is made one of the parameter by the ratio
- * that the two have for the parameter itself. */
+/* Slopes at the reference. Their sigma in calibrated units is converted with the ratio that holds
+ * for the parameter itself. */
 static void find_slopes(thermal_fit *fit)
 {
     const double span = fit->calibration.span;
@@ -56,7 +56,7 @@ static void find_slopes(thermal_fit *fit)
     }
 }
 
-/* The nine parameters alone, and whether the difference may be chance: Fisher's F. */
+/* Fits the nine parameters only; Fisher's F shows whether the difference may be chance. */
 static void compare_without(thermal_fit *fit, const rejection *kept)
 {
     const unsigned more = INVCAL_PARAMETERS * fit->calibration.fitted;
@@ -79,7 +79,8 @@ static void compare_without(thermal_fit *fit, const rejection *kept)
 static fit_solution solution_at(const thermal_fit *fit, double temperature)
 {
     const invcal_thermal *c = &fit->calibration;
-    invcal_calibration here = fit->solution.symmetric; /* where there should be none */
+    invcal_calibration here =
+        fit->solution.symmetric; /* if invcal_thermal_at fails, which it should not */
     invcal_thermal_place place;
 
     (void)invcal_thermal_at(c, temperature, &here, &place);
@@ -96,7 +97,7 @@ static void complete(thermal_fit *fit, const rejection *kept, const invcal_quali
     compare_without(fit, kept);
 }
 
-/* Whose position counts in all positions. */
+/* The reason, whose position is a number among all positions. */
 static invcal_status explain(const thermal_fit *fit, const rejection *kept, invcal_status status,
                              fit_reason *reason)
 {
@@ -113,24 +114,24 @@ static invcal_status explain(const thermal_fit *fit, const rejection *kept, invc
 }
 
 int thermal_fit_make(thermal_fit *fit, const positions *p, const fit_settings *settings,
-                     const thermal_wish *wish, rejection *rejected, invcal_status *status,
+                     const thermal_options *options, rejection *rejected, invcal_status *status,
                      fit_reason *reason)
 {
-    const double steepest = fmax(wish->slope[0], fmax(wish->slope[1], wish->slope[2]));
+    const double steepest = fmax(options->slope[0], fmax(options->slope[1], options->slope[2]));
     invcal_quality q;
 
-    *fit = (thermal_fit){.wish = *wish, .settings = *settings};
+    *fit = (thermal_fit){.options = *options, .settings = *settings};
     fit->drift_limit = invcal_thermal_drift_limit(settings->noise, steepest);
-    int failure = rejection_begin(rejected, p, settings, wish->keep_all);
+    int failure = rejection_begin(rejected, p, settings, options->keep_all);
     if (failure) {
         return failure;
     }
-    if (!wish->keep_all) {
+    if (!options->keep_all) {
         thermal_rejection_drifting(rejected, p, fit->drift_limit);
-        thermal_rejection_find(rejected, p, settings, wish);
+        thermal_rejection_find(rejected, p, settings, options);
     }
     rejection_finish(rejected, p);
-    *status = thermal_solve(rejected, settings, wish, &fit->calibration, &q);
+    *status = thermal_solve(rejected, settings, options, &fit->calibration, &q);
     if (*status == INVCAL_OK) {
         complete(fit, rejected, &q);
     } else {
@@ -153,7 +154,7 @@ void thermal_fit_to_reference(const thermal_fit *fit, const double raw[3], doubl
     double v[3];
 
     invcal_apply(&here, raw, v);
-    (void)matrix_inverse(reference, inverse); /* it has been made of readings */
+    (void)matrix_inverse(reference, inverse); /* it exists, as readings gave this matrix */
     for (unsigned i = 0; i < 3; i++) {
         out[i] = reference->offset[i] + inverse[i][0] * v[0] + inverse[i][1] * v[1] +
                  inverse[i][2] * v[2];

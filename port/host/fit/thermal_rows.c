@@ -34,7 +34,7 @@ int thermal_rows_one(const invcal_thermal *c, const double raw[3], double temper
     return 1;
 }
 
-/* H'WH, W a constant for each row and its weight; or H'H for a constant of 0. */
+/* H'WH, with the constant times the weight of each row; H'H if the constant is 0. */
 static void sum_up(const invcal_thermal *c, const rejection *kept, double constant, double *sum)
 {
     const unsigned n = thermal_rows_unknowns(c);
@@ -92,8 +92,8 @@ int thermal_rows_covariance(const invcal_thermal *c, const rejection *kept,
     if (invcal_thermal_at(c, c->reference, &here, &place) != INVCAL_OK) {
         return 0;
     }
-    const double usual = fit_sensitivity(&here, &c->nominal);
-    sum_up(c, kept, usual * usual, covariance);
+    const double sensitivity = fit_sensitivity(&here, &c->nominal);
+    sum_up(c, kept, sensitivity * sensitivity, covariance);
     for (unsigned i = 0; i < n; i++) {
         const unsigned power = i / N;
         const double sigma = prior->sigma[power][i % N] * pow(c->span, power);

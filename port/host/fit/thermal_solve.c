@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-int thermal_prior(const fit_settings *settings, const thermal_wish *wish,
+int thermal_prior(const fit_settings *settings, const thermal_options *options,
                   invcal_thermal_prior *prior)
 {
     int is_known = fit_has_prior(settings);
@@ -11,7 +11,7 @@ int thermal_prior(const fit_settings *settings, const thermal_wish *wish,
     memset(prior, 0, sizeof *prior);
     memcpy(prior->sigma[0], settings->prior, sizeof prior->sigma[0]);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        prior->sigma[1][r] = wish->slope[r / 3];
+        prior->sigma[1][r] = options->slope[r / 3];
         is_known = is_known || prior->sigma[1][r] > 0;
     }
     return is_known;
@@ -26,7 +26,8 @@ invcal_thermal_positions thermal_positions(const rejection *kept, const fit_sett
 }
 
 invcal_status thermal_solve(const rejection *kept, const fit_settings *settings,
-                            const thermal_wish *wish, invcal_thermal *out, invcal_quality *quality)
+                            const thermal_options *options, invcal_thermal *out,
+                            invcal_quality *quality)
 {
     const invcal_thermal_positions given = thermal_positions(kept, settings);
     invcal_thermal_prior prior;
@@ -36,6 +37,6 @@ invcal_status thermal_solve(const rejection *kept, const fit_settings *settings,
     if (status != INVCAL_OK) {
         return status;
     }
-    const invcal_thermal_prior *known = thermal_prior(settings, wish, &prior) ? &prior : NULL;
-    return invcal_thermal_fit(&given, known, out, wish->degree, out, quality);
+    const invcal_thermal_prior *known = thermal_prior(settings, options, &prior) ? &prior : NULL;
+    return invcal_thermal_fit(&given, known, out, options->degree, out, quality);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * fit/thermal_solve.h: the library's thermal calibration of the positions kept, once.
+ * fit/thermal_solve.h: a single thermal calibration of the kept positions by the library.
  */
 #ifndef THERMAL_SOLVE_H
 #define THERMAL_SOLVE_H
@@ -11,19 +11,21 @@
 /* What is asked for. */
 typedef struct {
     unsigned degree; /* 1 ... INVCAL_THERMAL_DEGREE */
-    double slope[3]; /* prior: standard deviations per K of delta, dk, gamma; 0: not known */
-    int keep_all;    /* leave no position out */
-} thermal_wish;
+    double slope
+        [3]; /* prior: standard deviations of the slopes of delta, dk, gamma per K; 0: not known */
+    int keep_all; /* leave out no position */
+} thermal_options;
 
-/* What is known beforehand. Returns whether anything is. */
-int thermal_prior(const fit_settings *settings, const thermal_wish *wish,
+/* The prior. Returns whether anything is known. */
+int thermal_prior(const fit_settings *settings, const thermal_options *options,
                   invcal_thermal_prior *prior);
 
-/* The positions kept, as the library takes them. */
+/* The kept positions, as the library needs them. */
 invcal_thermal_positions thermal_positions(const rejection *kept, const fit_settings *settings);
 
-/* Around the mean temperature. Returns as invcal_thermal_start and invcal_thermal_fit. */
+/* The reference is the mean temperature. Returns as invcal_thermal_start and invcal_thermal_fit. */
 invcal_status thermal_solve(const rejection *kept, const fit_settings *settings,
-                            const thermal_wish *wish, invcal_thermal *out, invcal_quality *quality);
+                            const thermal_options *options, invcal_thermal *out,
+                            invcal_quality *quality);
 
 #endif

@@ -5,10 +5,10 @@
 #include <stdio.h>
 
 #define DEGREES 57.295779513082321
-#define POLE 1e-12 /* sin alpha of what is no direction of beta */
+#define POLE_SINE 1e-12 /* sin alpha up to which beta is undetermined */
 
-/* By quarters of a turn, so that these are exact. */
-static void circle(double degrees, double *cosine, double *sine)
+/* Reduced to a quarter turn, so that multiples of 90 degrees are exact. */
+static void cos_sin(double degrees, double *cosine, double *sine)
 {
     int quarters = 0;
     const double rest = remquo(degrees, 90, &quarters) / DEGREES;
@@ -25,8 +25,8 @@ void angles_direction(double alpha, double beta, double up[3])
     double cosine[2];
     double sine[2];
 
-    circle(alpha, &cosine[0], &sine[0]);
-    circle(beta, &cosine[1], &sine[1]);
+    cos_sin(alpha, &cosine[0], &sine[0]);
+    cos_sin(beta, &cosine[1], &sine[1]);
     up[0] = sine[0] * sine[1] + 0.0;
     up[1] = cosine[0];
     up[2] = sine[0] * cosine[1] + 0.0;
@@ -37,8 +37,8 @@ void angles_vector(double alpha, double beta, const double v[3], double out[3])
     double cosine[2];
     double sine[2];
 
-    circle(alpha, &cosine[0], &sine[0]);
-    circle(beta, &cosine[1], &sine[1]);
+    cos_sin(alpha, &cosine[0], &sine[0]);
+    cos_sin(beta, &cosine[1], &sine[1]);
     const double x = cosine[1] * v[0] - sine[1] * v[2];
     const double y = v[1];
     const double z = sine[1] * v[0] + cosine[1] * v[2];
@@ -49,7 +49,7 @@ void angles_vector(double alpha, double beta, const double v[3], double out[3])
 
 static int is_beta_free(const double up[3])
 {
-    return !(hypot(up[0], up[2]) > POLE);
+    return !(hypot(up[0], up[2]) > POLE_SINE);
 }
 
 stand_angles angles_of(const double up[3])
@@ -59,7 +59,7 @@ stand_angles angles_of(const double up[3])
     return (stand_angles){alpha, is_beta_free(up) ? 0 : DEGREES * atan2(up[0], up[2])};
 }
 
-static double way(stand_angles from, stand_angles to)
+static double travel(stand_angles from, stand_angles to)
 {
     return fabs(angles_turn(from.alpha, to.alpha)) + fabs(angles_turn(from.beta, to.beta));
 }
@@ -72,7 +72,7 @@ stand_angles angles_near(const double up[3], stand_angles near)
     if (is_beta_free(up)) {
         one.beta = other.beta = near.beta;
     }
-    return way(near, other) < way(near, one) ? other : one;
+    return travel(near, other) < travel(near, one) ? other : one;
 }
 
 double angles_turn(double from, double to)

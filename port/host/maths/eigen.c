@@ -8,8 +8,8 @@
 
 enum { SWEEPS = 12 }; /* more than any such matrix needs: convergence is quadratic */
 
-/* Turns the axes p and q so that a(p,q) becomes 0: t = tan of the angle, the smaller root of
- * t^2 + 2 t theta - 1 = 0. */
+/* Rotates the axes p and q so that a(p,q) becomes 0: t is the tangent of the angle, the smaller
+ * root of t^2 + 2 t theta - 1 = 0. */
 static void rotate(double a[EIGEN_MAX][EIGEN_MAX], unsigned n, unsigned p, unsigned q)
 {
     const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
@@ -43,8 +43,8 @@ void eigenvalues(const double *a, unsigned n, double *value)
     for (unsigned sweep = 0; sweep < SWEEPS; sweep++) {
         for (unsigned q = 1; q < n; q++) {
             for (unsigned p = 0; p < q; p++) {
-                /* What is below a hundredth of the rounding error next to it changes nothing; a NaN
-                 * is rotated too, and so shows in the values. */
+                /* An element below a hundredth of the rounding error of the diagonal changes
+                 * nothing. A NaN is rotated, too, and so reaches the values. */
                 if (!(fabs(m[p][q]) <= DBL_EPSILON / 100 * (fabs(m[p][p]) + fabs(m[q][q])))) {
                     rotate(m, n, p, q);
                 }

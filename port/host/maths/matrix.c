@@ -11,7 +11,7 @@ static void cross(const double a[3], const double b[3], double out[3])
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* The rows of the matrix over their largest elements. */
+/* Divides each row of the matrix by its largest element. */
 static void split(const invcal_calibration *c, double row[3][3], double scale[3])
 {
     for (unsigned i = 0; i < 3; i++) {
@@ -23,8 +23,8 @@ static void split(const invcal_calibration *c, double row[3][3], double scale[3]
     }
 }
 
-/* The columns of the inverse are the cross products of two of the rows r over the determinant of r
- * and their own scale: in any unit, nothing over- or underflows. */
+/* Each column of the inverse is the cross product of two scaled rows over their determinant and the
+ * scale of the third: in any unit, nothing over- or underflows. */
 int matrix_inverse(const invcal_calibration *calibration, double inverse[3][3])
 {
     double row[3][3];
@@ -42,10 +42,10 @@ int matrix_inverse(const invcal_calibration *calibration, double inverse[3][3])
             is_finite = is_finite && fabs(inverse[j][i]) <= DBL_MAX;
         }
     }
-    return is_finite && fabs(det) > 16 * DBL_EPSILON; /* of rows as long as 1 to 1.7 */
+    return is_finite && fabs(det) > 16 * DBL_EPSILON; /* the scaled rows have lengths of 1 to 1.7 */
 }
 
-/* A^-1 = L^-1' L^-1, row by row: what an element overwrites is of no use to those behind it. */
+/* A^-1 = L^-1' L^-1, row by row: no later element needs one that has been overwritten. */
 int matrix_invert_packed(double *a, unsigned n)
 {
     if (invcal_factor(a, n, n, INVCAL_FLOOR) != INVCAL_OK) {

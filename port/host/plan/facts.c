@@ -18,11 +18,11 @@ void plan_facts_find(plan_facts *f, const design *d, const choice_request *reque
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         f->sigma[r] = sqrt(K[INVCAL_PACKED(r, r)]);
     }
-    f->length_sigma.unit = f->noise > 0 ? told_field(request->told, 1).scale * f->noise : 1;
+    f->length_sigma.unit = f->noise > 0 ? unit_style_field(request->units, 1).scale * f->noise : 1;
     uncertainty_search(&f->length_sigma);
 }
 
 const char *plan_length_unit(const plan_facts *f)
 {
-    return f->noise > 0 ? told_field(f->request->told, 1).unit : "× noise";
+    return f->noise > 0 ? unit_style_field(f->request->units, 1).unit : "× noise";
 }

@@ -211,7 +211,7 @@ static const labour_row *find_nearest(const labour *l)
 static int refuse(labour *l)
 {
     const labour_row *row = find_nearest(l);
-    const told_unit unit = told_field(l->told, 1);
+    const display_unit unit = unit_style_field(l->units, 1);
     const int is_floor = row->dwell < NEAR_DWELL_MAX * LABOUR_DWELL_MAX;
 
     snprintf(l->refusal, sizeof l->refusal,

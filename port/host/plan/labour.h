@@ -51,7 +51,7 @@ typedef struct labour {
     double warm_up;         /* seconds once */
     unsigned min_count;     /* of positions */
     int needs_axes;         /* as in choice_request */
-    told_style told;        /* units */
+    unit_style units;       /* units */
     /* found: */
     labour_row row[CHOICE_FAMILIES][LABOUR_MAX]; /* of ascending count */
     unsigned rows[CHOICE_FAMILIES];

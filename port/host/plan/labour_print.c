@@ -6,7 +6,7 @@
 
 static void add_row(const labour *l, unsigned family, const labour_row *row)
 {
-    const told_unit unit = told_field(l->told, 1);
+    const display_unit unit = unit_style_field(l->units, 1);
     char text[PLAN_WORDS_MAX];
 
     tabular_cell("%s", labour_families[family]);
@@ -50,9 +50,9 @@ static int add_rows(const labour *l)
 
 void labour_print(FILE *file, const labour *l)
 {
-    const told_unit field = told_field(l->told, 1);
-    const told_unit scale = told_scale(l->told);
-    const told_unit angle = told_angle(l->told);
+    const display_unit field = unit_style_field(l->units, 1);
+    const display_unit scale = unit_style_scale(l->units);
+    const display_unit angle = unit_style_angle(l->units);
 
     wrapped_printf(file, 0,
                    "Least total time with the noise of %s; %.6g s to settle in each position, %.6g "

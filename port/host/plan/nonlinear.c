@@ -54,7 +54,7 @@ static const char *open_text(const prospect *p, char text[TEXT_MAX])
 {
     int length = snprintf(text, TEXT_MAX, "undetermined");
 
-    for (unsigned e = 0; e < NONLINEARITY_MOST; e++) {
+    for (unsigned e = 0; e < NONLINEARITY_TERMS; e++) {
         if (p->open >> e & 1) {
             length += snprintf(text + length, TEXT_MAX - (size_t)length, "%s %s",
                                length > 14 ? "," : ":", nonlinearity_name(e));
@@ -66,7 +66,7 @@ static const char *open_text(const prospect *p, char text[TEXT_MAX])
 /* A note if there are too few positions for calibrate. */
 static const char *few_text(const prospect *p, const design *d, char text[TEXT_MAX])
 {
-    const unsigned min = nonlinearity_least(p->degree);
+    const unsigned min = nonlinearity_min_positions(p->degree);
 
     text[0] = '\0';
     if (d->count < min) {
@@ -76,17 +76,17 @@ static const char *few_text(const prospect *p, const design *d, char text[TEXT_M
 }
 
 /* "mg per g²", or "× noise". */
-static const char *unit_text(const prospect *p, double noise, told_style told, char text[TEXT_MAX])
+static const char *unit_text(const prospect *p, double noise, unit_style style, char text[TEXT_MAX])
 {
     snprintf(text, TEXT_MAX, "× noise");
     if (noise > 0) {
-        snprintf(text, TEXT_MAX, "%s per %s", told_field(told, 1).unit,
+        snprintf(text, TEXT_MAX, "%s per %s", unit_style_field(style, 1).unit,
                  p->degree == CUBIC ? "g³" : "g²");
     }
     return text;
 }
 
-static void print_line(FILE *file, const design *d, unsigned degree, double noise, told_style told)
+static void print_line(FILE *file, const design *d, unsigned degree, double noise, unit_style style)
 {
     const prospect p = prospect_of(d, degree);
     char text[TEXT_MAX];
@@ -97,20 +97,20 @@ static void print_line(FILE *file, const design *d, unsigned degree, double nois
         return;
     }
     if (noise > 0) {
-        snprintf(size, sizeof size, "%12.4g %s", told_field(told, 1).scale * noise * p.sigma,
-                 unit_text(&p, noise, told, text));
+        snprintf(size, sizeof size, "%12.4g %s", unit_style_field(style, 1).scale * noise * p.sigma,
+                 unit_text(&p, noise, style, text));
     }
     wrapped_printf(file, INDENT, "  %-15s%9.4f%s   of %u parameters, condition %.4g%s", name_of(&p),
                    p.sigma, size, parameters_of(&p), p.all.condition, few_text(&p, d, text));
 }
 
-void plan_nonlinear_print(FILE *file, const design *d, double noise, told_style told)
+void plan_nonlinear_print(FILE *file, const design *d, double noise, unit_style style)
 {
     wrapped_printf(
         file, 0,
         "sigma of nonlinear terms, if they are estimated too (calibrate --quadratic, --cubic)");
-    print_line(file, d, QUADRATIC, noise, told);
-    print_line(file, d, CUBIC, noise, told);
+    print_line(file, d, QUADRATIC, noise, style);
+    print_line(file, d, CUBIC, noise, style);
 }
 
 void plan_nonlinear_json(json_writer *w, const design *d)
@@ -122,14 +122,14 @@ void plan_nonlinear_json(json_writer *w, const design *d)
         json_number(w, "parameters", parameters_of(&p));
         json_number(w, "sigma", p.open ? NUMBER_UNKNOWN : p.sigma);
         json_number(w, "condition", p.open ? NUMBER_UNKNOWN : p.all.condition);
-        json_names(w, "undetermined", p.open, NONLINEARITY_MOST, nonlinearity_name);
+        json_names(w, "undetermined", p.open, NONLINEARITY_TERMS, nonlinearity_name);
         json_object_end(w);
     }
     json_object_end(w);
 }
 
 /* "quadratic 1.63 × noise, of 12 parameters, condition 39.9", or what is undetermined. */
-static const char *report_text(const prospect *p, const design *d, double noise, told_style told,
+static const char *report_text(const prospect *p, const design *d, double noise, unit_style style,
                                char text[SENTENCE_MAX])
 {
     char number[FIGURE_MAX];
@@ -141,14 +141,15 @@ static const char *report_text(const prospect *p, const design *d, double noise,
         snprintf(text, SENTENCE_MAX, "%s %s", name_of(p), open_text(p, more));
         return text;
     }
-    figure_digits(noise > 0 ? told_field(told, 1).scale * noise * p->sigma : p->sigma, 3, number);
+    figure_digits(noise > 0 ? unit_style_field(style, 1).scale * noise * p->sigma : p->sigma, 3,
+                  number);
     snprintf(text, SENTENCE_MAX, "%s %s %s, of %u parameters, condition %s%s", name_of(p), number,
-             unit_text(p, noise, told, unit), parameters_of(p),
+             unit_text(p, noise, style, unit), parameters_of(p),
              figure_digits(p->all.condition, 3, condition), few_text(p, d, more));
     return text;
 }
 
-void plan_nonlinear_report(page *p, const design *d, double noise, told_style told)
+void plan_nonlinear_report(page *p, const design *d, double noise, unit_style style)
 {
     const prospect quadratic = prospect_of(d, QUADRATIC);
     const prospect cubic = prospect_of(d, CUBIC);
@@ -157,6 +158,6 @@ void plan_nonlinear_report(page *p, const design *d, double noise, told_style to
     page_note(
         p,
         "σ of nonlinear terms, if they are estimated too (calibrate --quadratic, --cubic): %s; %s.",
-        report_text(&quadratic, d, noise, told, text[0]),
-        report_text(&cubic, d, noise, told, text[1]));
+        report_text(&quadratic, d, noise, style, text[0]),
+        report_text(&cubic, d, noise, style, text[1]));
 }

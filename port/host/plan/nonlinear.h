@@ -12,12 +12,12 @@
 
 /* Lines of the table: sigma over the noise of a position mean, and in units if the noise is known
  * (else 0); or what is undetermined. The set is solvable. */
-void plan_nonlinear_print(FILE *file, const design *d, double noise, told_style told);
+void plan_nonlinear_print(FILE *file, const design *d, double noise, unit_style style);
 
 /* The member "nonlinear". */
 void plan_nonlinear_json(json_writer *w, const design *d);
 
 /* A line of the page. */
-void plan_nonlinear_report(page *p, const design *d, double noise, told_style told);
+void plan_nonlinear_report(page *p, const design *d, double noise, unit_style style);
 
 #endif

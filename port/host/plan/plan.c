@@ -170,7 +170,7 @@ static int read_turns(const request *r, turns_request *out)
 
     *out = (turns_request){.rest = r->value[DWELL] ? cost->dwell : TURNS_REST,
                            .turn = TURNS_SECONDS,
-                           .told = r->choice.told};
+                           .units = r->choice.units};
     out->noise = cost->noise > 0 ? cost->noise / sqrt(out->rest) : TURNS_NOISE;
     int failure = read_number(r, RATE_NOISE, 0, 10, &rate_noise);
     failure = failure ? failure : read_number(r, INSTABILITY, 0, 1e5, &instability);
@@ -187,7 +187,7 @@ static int read_units(request *r)
 {
     const char *text = r->value[UNITS];
 
-    return text && !told_parse(text, &r->choice.told)
+    return text && !unit_style_parse(text, &r->choice.units)
                ? message_usage(syntax.command, "--units %s: must be everyday or ins", text)
                : EXIT_GOOD;
 }
@@ -680,7 +680,7 @@ static int find_labour(request *r)
     tradeoff.warm_up = r->choice.cost.warm_up;
     tradeoff.min_count = choice_min_count(&r->choice);
     tradeoff.needs_axes = r->choice.needs_axes;
-    tradeoff.told = r->choice.told;
+    tradeoff.units = r->choice.units;
     int failure = noise_file_read(r->value[ALLAN], tradeoff.noise);
     if (failure) {
         return failure;

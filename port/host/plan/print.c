@@ -41,7 +41,7 @@ static void print_positions(FILE *file, const design *d)
 }
 
 /* One sigma: over the noise, and in units if the noise is known. */
-static void print_sigma(FILE *file, const char *what, double sigma, double noise, told_unit unit)
+static void print_sigma(FILE *file, const char *what, double sigma, double noise, display_unit unit)
 {
     fprintf(file, "  %-15s%9.4f", what, sigma);
     if (noise > 0) {
@@ -50,9 +50,9 @@ static void print_sigma(FILE *file, const char *what, double sigma, double noise
     putc('\n', file);
 }
 
-static void print_sigmas(FILE *file, const design *d, double noise, told_style told)
+static void print_sigmas(FILE *file, const design *d, double noise, unit_style style)
 {
-    const told_unit field = told_field(told, 1);
+    const display_unit field = unit_style_field(style, 1);
     const criteria *c = &d->criteria;
 
     char size[PLAN_WORDS_MAX] = "";
@@ -63,8 +63,8 @@ static void print_sigmas(FILE *file, const design *d, double noise, told_style t
     wrapped_printf(file, 0, "%ssigma%s, times the noise of a position mean%s",
                    paint_on(file, PAINT_BOLD), paint_off(file), size);
     print_sigma(file, "offsets", c->sigma_delta, noise, field);
-    print_sigma(file, "scale errors", c->sigma_dk, noise, told_scale(told));
-    print_sigma(file, "angles", c->sigma_gamma, noise, told_angle(told));
+    print_sigma(file, "scale errors", c->sigma_dk, noise, unit_style_scale(style));
+    print_sigma(file, "angles", c->sigma_gamma, noise, unit_style_angle(style));
     wrapped_printf(file, 0, "condition %.4f (1 is best), ln det H'H %.4f (larger is better)",
                    c->condition, c->log_det);
     if (isfinite(d->drift_factor)) {
@@ -98,9 +98,10 @@ static void print_shares(FILE *file, const design *d)
 
 /* The worst-case error of each parameter: factors of the three of a kind, and the largest in
  * units. */
-static void print_bound(FILE *file, const design *d, double error, told_style told)
+static void print_bound(FILE *file, const design *d, double error, unit_style style)
 {
-    const told_unit units[PLAN_KINDS] = {told_field(told, 1), told_scale(told), told_angle(told)};
+    const display_unit units[PLAN_KINDS] = {unit_style_field(style, 1), unit_style_scale(style),
+                                            unit_style_angle(style)};
     double bound[INVCAL_PARAMETERS];
 
     bound_find(d, bound);
@@ -296,13 +297,13 @@ void plan_print(FILE *file, const design *d, const choice_request *request, cons
     print_labour(file, d, &request->cost);
     print_positions(file, d);
     if (d->is_solvable) {
-        print_sigmas(file, d, noise, request->told);
-        plan_nonlinear_print(file, d, noise, request->told);
+        print_sigmas(file, d, noise, request->units);
+        plan_nonlinear_print(file, d, noise, request->units);
         if (d->has_shares) {
             print_shares(file, d);
         }
         if (request->bound > 0) {
-            print_bound(file, d, request->bound, request->told);
+            print_bound(file, d, request->bound, request->units);
         }
         print_verdict(file, d, request);
     }
@@ -347,7 +348,7 @@ static void add_pair(const char *what, double a, double b)
     tabular_row();
 }
 
-static void add_in_units(const char *what, told_unit unit, const design_cost *cost, double a,
+static void add_in_units(const char *what, display_unit unit, const design_cost *cost, double a,
                          double b)
 {
     const double noise = design_noise(cost);
@@ -400,10 +401,10 @@ void plan_print_comparison(FILE *file, const design *a, const design *b,
     add_pair("sigma scales", p->sigma_dk, q->sigma_dk);
     add_pair("sigma angles", p->sigma_gamma, q->sigma_gamma);
     if (cost->noise > 0) {
-        const told_style told = request->told;
-        add_in_units("offsets", told_field(told, 1), cost, p->sigma_delta, q->sigma_delta);
-        add_in_units("scales", told_scale(told), cost, p->sigma_dk, q->sigma_dk);
-        add_in_units("angles", told_angle(told), cost, p->sigma_gamma, q->sigma_gamma);
+        const unit_style style = request->units;
+        add_in_units("offsets", unit_style_field(style, 1), cost, p->sigma_delta, q->sigma_delta);
+        add_in_units("scales", unit_style_scale(style), cost, p->sigma_dk, q->sigma_dk);
+        add_in_units("angles", unit_style_angle(style), cost, p->sigma_gamma, q->sigma_gamma);
     }
     add_pair("condition", p->condition, q->condition);
     tabular_cell("ln det H'H");

@@ -53,7 +53,7 @@ static void print_expected(FILE *file, const plan_programs *p, const choice_requ
 {
     char text[PLAN_WORDS_MAX];
     const double noise = design_noise(&request->cost);
-    const told_unit unit = told_field(request->told, 1);
+    const display_unit unit = unit_style_field(request->units, 1);
 
     putc('\n', file);
     wrapped_printf(file, 0, "noise of a position mean: %.4g %s", unit.scale * noise, unit.unit);
@@ -62,7 +62,7 @@ static void print_expected(FILE *file, const plan_programs *p, const choice_requ
         tabular_cell("%s", p->set[i].name);
         for (unsigned k = 0; k < PLAN_KINDS; k++) {
             tabular_cell("%s", plan_sigma_text(k, plan_sigma(&p->set[i].criteria, k), noise,
-                                               request->told, text));
+                                               request->units, text));
         }
         tabular_row();
     }

@@ -15,7 +15,7 @@ static void write_sigmas(const design *d, const choice_request *request, plan_ra
 {
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
         plan_ratio *r = &ratio[PLAN_RATIO_SIGMA + k];
-        plan_sigma_text(k, plan_sigma(&d->criteria, k), noise_of(request), request->told,
+        plan_sigma_text(k, plan_sigma(&d->criteria, k), noise_of(request), request->units,
                         is_b ? r->b : r->a);
     }
 }

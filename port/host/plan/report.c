@@ -25,7 +25,7 @@ static const char *sigmas_text(const plan_facts *f, char text[TEXT_MAX])
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
         const size_t length = strlen(text);
         snprintf(text + length, TEXT_MAX - length, "%s%s to %s", k > 0 ? ", " : "", plan_kinds[k],
-                 plan_sigma_text(k, plan_sigma(&f->set->criteria, k), f->noise, f->request->told,
+                 plan_sigma_text(k, plan_sigma(&f->set->criteria, k), f->noise, f->request->units,
                                  number));
     }
     return text;
@@ -155,7 +155,7 @@ static void write_figures(page *p, const plan_facts *f)
     page_figure(p, plan_time_text(design_seconds(f->set->count, &f->request->cost), text), "time");
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
         snprintf(what, sizeof what, "σ of %s%s", plan_kinds[k], plan_noise_suffix(f->noise));
-        plan_sigma_text(k, plan_sigma(&f->set->criteria, k), f->noise, f->request->told, text);
+        plan_sigma_text(k, plan_sigma(&f->set->criteria, k), f->noise, f->request->units, text);
         page_figure(p, text, what);
     }
     page_figures_end(p);
@@ -172,7 +172,7 @@ static void write_candidate(page *p, const page_table *sheet, const plan_facts *
     snprintf(text[1], PLAN_WORDS_MAX, "%u", d->count);
     plan_time_text(design_seconds(d->count, &f->request->cost), text[2]);
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
-        plan_sigma_text(k, plan_sigma(&d->criteria, k), f->noise, f->request->told, text[3 + k]);
+        plan_sigma_text(k, plan_sigma(&d->criteria, k), f->noise, f->request->units, text[3 + k]);
     }
     if (f->request->limits) {
         figure_digits(choice_worst(&d->criteria, f->request->limits), 4, text[6]);
@@ -250,7 +250,7 @@ void plan_report_origin(page *p, const char *command)
 static void write_origin(page *p, const plan_facts *f, const char *command)
 {
     const design *d = f->set;
-    const told_unit unit = told_field(f->request->told, 1);
+    const display_unit unit = unit_style_field(f->request->units, 1);
     char text[3][PLAN_WORDS_MAX];
 
     plan_report_origin(p, command);

@@ -15,7 +15,7 @@ void plan_report_bound(page *p, const plan_facts *f)
                               "is the factor times the error.",
                               heading, COLUMNS, 0};
     const double error = f->request->bound;
-    const told_unit unit = told_field(f->request->told, 1);
+    const display_unit unit = unit_style_field(f->request->units, 1);
     double bound[INVCAL_PARAMETERS];
     char text[FIGURE_MAX];
 
@@ -30,7 +30,7 @@ void plan_report_bound(page *p, const plan_facts *f)
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         char times[FIGURE_MAX];
         char max[PLAN_WORDS_MAX];
-        plan_sigma_text(r / 3, bound[r], error, f->request->told, max);
+        plan_sigma_text(r / 3, bound[r], error, f->request->units, max);
         const char *const cells[COLUMNS] = {parameter_words(r), figure_digits(bound[r], 4, times),
                                             max};
         page_cells(p, &sheet, cells);

@@ -197,8 +197,8 @@ static void write_spheres(page *p, const comparison *c)
 {
     const uncertainty *a = &c->of[0].length_sigma;
     const uncertainty *b = &c->of[1].length_sigma;
-    const double min = fmin(a->least, b->least);
-    const double max = fmax(a->most, b->most);
+    const double min = fmin(a->min, b->min);
+    const double max = fmax(a->max, b->max);
     sphere_shading shading = {.classes = 1};
 
     page_section(p, "Where the positions point");

@@ -23,7 +23,7 @@ static void write_row(page *p, const page_table *sheet, const labour *l, unsigne
         snprintf(text[5], PLAN_WORDS_MAX, "%s%s", plan_kinds[row->binds],
                  row->is_beyond ? "; dwell not measured" : "");
     }
-    figure_digits(told_field(l->told, 1).scale * row->sigma, 3, text[3]);
+    figure_digits(unit_style_field(l->units, 1).scale * row->sigma, 3, text[3]);
     for (unsigned k = 0; k < COLUMNS; k++) {
         cells[k] = text[k];
     }
@@ -39,7 +39,7 @@ void labour_report(page *p, const labour *l)
     const labour_row *row = l->best[l->chosen];
 
     snprintf(caption, sizeof caption, "Around the best of each family; σ of a position mean in %s.",
-             told_field(l->told, 1).unit);
+             unit_style_field(l->units, 1).unit);
     page_section(p, "Number and dwell");
     page_say(p,
              "%u positions of %.4g s take the least total time with the noise of %s. The limit of "

@@ -182,10 +182,11 @@ void plan_report_sheet(page *p, const plan_facts *f)
              plan_time_text(f->request->cost.settle + f->request->cost.dwell, text),
              f->set->has_shares ? " on average; see the last column" : "");
     if (f->set->count <= UNFOLDED_MAX) {
-        page_panorama(p,
-                      "Orientation of the device, seen from the front: z is its upper side when it "
-                      "lies flat, x points right and y away from you.",
-                      draw_boxes, f->set);
+        page_wide_picture(
+            p,
+            "Orientation of the device, seen from the front: z is its upper side when it "
+            "lies flat, x points right and y away from you.",
+            draw_boxes, f->set);
     }
     snprintf(text, sizeof text, "All %u positions", f->set->count);
     page_fold_begin(p, text, f->set->count <= UNFOLDED_MAX);

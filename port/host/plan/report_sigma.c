@@ -48,7 +48,7 @@ static const char *remark(const plan_facts *f, unsigned r)
 /* Columns for units, limits and remarks are there only if they are needed. */
 static void write_row(page *p, const page_table *sheet, const plan_facts *f, unsigned r)
 {
-    const told_style told = f->request->told;
+    const unit_style style = f->request->units;
     char times[FIGURE_MAX];
     char sigma[PLAN_WORDS_MAX];
     char limit[PLAN_WORDS_MAX];
@@ -56,10 +56,10 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
     unsigned count = 2;
 
     if (f->noise > 0) {
-        cells[count++] = plan_sigma_text(r / 3, f->sigma[r], f->noise, told, sigma);
+        cells[count++] = plan_sigma_text(r / 3, f->sigma[r], f->noise, style, sigma);
     }
     if (f->request->limits) {
-        cells[count++] = plan_sigma_text(r / 3, limit_of(f, r / 3), f->noise, told, limit);
+        cells[count++] = plan_sigma_text(r / 3, limit_of(f, r / 3), f->noise, style, limit);
     }
     cells[count] = remark(f, r); /* not shown if the table has no such column */
     page_cells(p, sheet, cells);
@@ -145,7 +145,7 @@ void plan_report_sigma(page *p, const plan_facts *f)
 {
     page_section(p, "Expected accuracy of the nine parameters");
     write_table(p, f);
-    plan_nonlinear_report(p, f->set, f->noise, f->request->told);
+    plan_nonlinear_report(p, f->set, f->noise, f->request->units);
     page_picture(p,
                  f->request->limits ? "Offsets over the field, angles in rad. Dashed: the limits."
                                     : "Offsets over the field, angles in rad.",

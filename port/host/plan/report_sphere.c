@@ -55,9 +55,9 @@ static void say_uncertainty(page *p, const plan_facts *f)
     char min[FIGURE_MAX];
     char max[FIGURE_MAX];
 
-    figure_digits(u->least, 3, min);
-    figure_digits(u->most, 3, max);
-    if (uncertainty_shading(u, u->least, u->most).classes == 1) {
+    figure_digits(u->min, 3, min);
+    figure_digits(u->max, 3, max);
+    if (uncertainty_shading(u, u->min, u->max).classes == 1) {
         page_say(p,
                  "The uncertainty of the length |a| of a corrected reading is the same in every "
                  "direction: ±%s %s (one standard deviation).",
@@ -73,7 +73,7 @@ static void say_uncertainty(page *p, const plan_facts *f)
 void plan_report_sphere(page *p, const plan_facts *f)
 {
     const uncertainty *u = &f->length_sigma;
-    const sphere_shading shading = uncertainty_shading(u, u->least, u->most);
+    const sphere_shading shading = uncertainty_shading(u, u->min, u->max);
 
     page_section(p, "Where the positions point");
     say_uncertainty(p, f);

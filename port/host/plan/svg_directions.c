@@ -16,7 +16,8 @@
 #define LEGEND 26.0
 #define NAME_SHOWN 36u
 
-/* The last NAME_SHOWN characters of a name: the end of a path is its most informative part. */
+/* The last NAME_SHOWN characters of a name: the end of a path is its most
+ * informative part. */
 static const char *shorten(const char *name, char text[TEXT_MAX])
 {
     size_t start[NAME_SHOWN]; /* of the last NAME_SHOWN characters: a ring buffer */
@@ -36,7 +37,7 @@ static const char *shorten(const char *name, char text[TEXT_MAX])
 
 static void draw_words(FILE *file, const design *d, const sphere *map, double height)
 {
-    const unsigned homeless = map->homeless[0] + map->homeless[1];
+    const unsigned unlabelled = map->unlabelled[0] + map->unlabelled[1];
     char text[TEXT_MAX];
 
     svg_text(file, "ink title", SVG_START, 12, 27, shorten(d->name, text));
@@ -46,8 +47,8 @@ static void draw_words(FILE *file, const design *d, const sphere *map, double he
     if (design_has_groups(d)) {
         plan_map_legend(file, 20, height - BOTTOM);
     }
-    if (homeless > 0) {
-        snprintf(text, sizeof text, "without a number, for lack of space: %u spots", homeless);
+    if (unlabelled > 0) {
+        snprintf(text, sizeof text, "without a number, for lack of space: %u spots", unlabelled);
         svg_text(file, "soft small", SVG_END, WIDTH - 12, height - BOTTOM, text);
     }
 }
@@ -81,7 +82,7 @@ void plan_svg_directions(FILE *file, const design *d)
     char text[TEXT_MAX];
     char title[TEXT_MAX];
     const sphere *map = plan_map(d, NULL);
-    const int has_legend = design_has_groups(d) || map->homeless[0] + map->homeless[1] > 0;
+    const int has_legend = design_has_groups(d) || map->unlabelled[0] + map->unlabelled[1] > 0;
     const double height = TOP + SPHERE_HEIGHT + (has_legend ? LEGEND : 0) + BOTTOM;
     describe_map(d, text, sizeof text);
     snprintf(title, sizeof title, "%s: directions of %u positions", d->name, d->count);

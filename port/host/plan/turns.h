@@ -8,7 +8,7 @@
 
 #include <stdio.h>
 
-#include "cli/told.h"
+#include "cli/unit_style.h"
 #include "design/turn_words.h"
 
 #define TURNS_MAX (INVCAL_MAX_MOVES - 1) /* a device keeps INVCAL_MAX_MOVES rests */
@@ -24,7 +24,7 @@ typedef struct {
     double rate_noise;  /* rad/s/sqrt(Hz) */
     double instability; /* rad/s */
     double rest, turn;  /* seconds in each rest; of a quarter turn */
-    told_style told;
+    unit_style units;
 } turns_request;
 
 typedef struct {

@@ -33,7 +33,7 @@ static void print_turns(FILE *file, const turns_plan *p)
 static void print_sigma(FILE *file, const turns_plan *p)
 {
     const turns_request *r = &p->request;
-    const told_unit field = told_field(r->told, 1);
+    const display_unit field = unit_style_field(r->units, 1);
     char number[FIGURE_MAX];
 
     wrapped_printf(file, 0,
@@ -44,9 +44,9 @@ static void print_sigma(FILE *file, const turns_plan *p)
     tabular_begin(file, "lrrl");
     for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
         const unsigned kind = turns_kind(i);
-        const told_unit unit = kind == 0   ? field
-                               : kind == 1 ? told_scale(r->told)
-                                           : told_angle(r->told);
+        const display_unit unit = kind == 0   ? field
+                                  : kind == 1 ? unit_style_scale(r->units)
+                                              : unit_style_angle(r->units);
         tabular_cell("  %s", parameter_words_imu(i));
         tabular_cell("%.4f", p->sigma[i]);
         tabular_cell("%s", figure_digits(unit.scale * r->noise * p->sigma[i], 3, number));

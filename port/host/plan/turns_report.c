@@ -28,7 +28,7 @@ static const char *largest_sigma(const turns_plan *p, unsigned bits, char text[T
             which = i;
         }
     }
-    const told_unit unit = plan_unit(turns_kind(which), p->request.told);
+    const display_unit unit = plan_unit(turns_kind(which), p->request.units);
     snprintf(text, TURNS_WORDS_MAX, "%s %s",
              figure_digits(unit.scale * p->request.noise * max, 3, number), unit.unit);
     return text;
@@ -130,8 +130,8 @@ static void write_sheet(page *p, const turns_plan *plan)
              "Start with %s. Hold still for %.4g s, turn within %.4g s per quarter turn, and hold "
              "still again.",
              turns_up_words(up, side), plan->request.rest, plan->request.turn);
-    page_panorama(p, "Orientation of the device, seen from the front: 0 is the start.", draw_boxes,
-                  plan);
+    page_wide_picture(p, "Orientation of the device, seen from the front: 0 is the start.",
+                      draw_boxes, plan);
     page_table_begin(p, &sheet);
     for (unsigned i = 0; i < plan->count; i++) {
         const turns_step *step = &plan->step[i];
@@ -178,7 +178,7 @@ static void write_sigma(page *p, const turns_plan *plan)
 void turns_report(FILE *file, const turns_plan *plan, const char *command)
 {
     const turns_request *r = &plan->request;
-    const told_unit field = told_field(r->told, 1);
+    const display_unit field = unit_style_field(r->units, 1);
     char title[TURNS_LIST_MAX];
     page p;
 

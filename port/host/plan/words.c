@@ -11,12 +11,12 @@
 
 const char *const plan_kinds[PLAN_KINDS] = {"offsets", "scale errors", "angles"};
 
-told_unit plan_unit(unsigned kind, told_style told)
+display_unit plan_unit(unsigned kind, unit_style style)
 {
-    return kind == 0               ? told_field(told, 1)
-           : kind == 1             ? told_scale(told)
-           : told == TOLD_EVERYDAY ? (told_unit){FIGURE_DEGREES, "°"}
-                                   : told_angle(told);
+    return kind == 0                      ? unit_style_field(style, 1)
+           : kind == 1                    ? unit_style_scale(style)
+           : style == UNIT_STYLE_EVERYDAY ? (display_unit){FIGURE_DEGREES, "°"}
+                                          : unit_style_angle(style);
 }
 
 const char *plan_axes_text(unsigned axes, char text[PLAN_WORDS_MAX])
@@ -70,13 +70,13 @@ double plan_sigma_largest(const criteria *c)
     return fmax(c->sigma_delta, fmax(c->sigma_dk, c->sigma_gamma));
 }
 
-const char *plan_sigma_text(unsigned kind, double sigma, double noise, told_style told,
+const char *plan_sigma_text(unsigned kind, double sigma, double noise, unit_style style,
                             char text[PLAN_WORDS_MAX])
 {
     char number[FIGURE_MAX];
 
     if (noise > 0) {
-        const told_unit unit = plan_unit(kind, told);
+        const display_unit unit = plan_unit(kind, style);
         figure_digits(unit.scale * noise * sigma, 3, number);
         snprintf(text, PLAN_WORDS_MAX, "%s" NO_BREAK_SPACE "%s", number, unit.unit);
     } else {

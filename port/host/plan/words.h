@@ -23,7 +23,7 @@ const char *plan_time_text(double seconds, char text[PLAN_WORDS_MAX]);
 extern const char *const plan_kinds[PLAN_KINDS];
 
 /* Its unit on a page: angles have "°" for degrees. */
-told_unit plan_unit(unsigned kind, told_style told);
+display_unit plan_unit(unsigned kind, unit_style style);
 
 /* The largest sigma of a kind, over the noise of a position mean; and of all kinds. */
 double plan_sigma(const criteria *c, unsigned kind);
@@ -31,7 +31,7 @@ double plan_sigma_largest(const criteria *c);
 
 /* `sigma` over the noise of a position mean, as text: "0.0183 mg", or, if `noise`, over the field,
  * is unknown (0), "0.408". Returns text. */
-const char *plan_sigma_text(unsigned kind, double sigma, double noise, told_style told,
+const char *plan_sigma_text(unsigned kind, double sigma, double noise, unit_style style,
                             char text[PLAN_WORDS_MAX]);
 
 /* The unit of such a text in a heading: "", or, if the noise is unknown, ", × noise". */

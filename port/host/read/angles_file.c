@@ -11,11 +11,11 @@
 enum { ALPHA, BETA, DWELL, COLUMNS };
 
 #define ABSENT TABLE_COLUMNS_MAX
-#define LONGEST 1e6
+#define DWELL_MAX 1e6
 
 static const char *const names[COLUMNS] = {"alpha", "beta", "dwell"};
 
-/* Which columns they are. */
+/* Finds the columns by name or, without a header, by position. */
 static int find_columns(const table *t, unsigned at[COLUMNS])
 {
     for (unsigned k = 0; k < COLUMNS; k++) {
@@ -33,7 +33,7 @@ static int find_columns(const table *t, unsigned at[COLUMNS])
     return EXIT_FILE;
 }
 
-/* The number of a column, between two bounds. */
+/* Reads a number of the current row, between two bounds. */
 static int read_number(const table *t, unsigned column, const char *name, double least, double most,
                        double *out)
 {
@@ -65,7 +65,7 @@ static int read_row(angles_list *a, const table *t, const unsigned at[COLUMNS])
     for (unsigned k = 0; k < COLUMNS && !failure; k++) {
         if (at[k] != ABSENT) {
             failure = read_number(t, at[k], names[k], k == DWELL ? 0 : -360,
-                                  k == DWELL ? LONGEST : 360, &number[k]);
+                                  k == DWELL ? DWELL_MAX : 360, &number[k]);
         }
     }
     a->angle[a->count] =

@@ -7,17 +7,17 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
-#include "read/chosen.h"
+#include "read/columns_option.h"
 #include "text/append.h"
 #include "text/clock.h"
 #include "text/number.h"
 #include "text/plain.h"
 
-#define RADIANS 0.017453292519943296 /* in a degree */
+#define RAD_PER_DEGREE 0.017453292519943296
 #define COLUMNS_LIST_MAX 256
 #define COLUMNS_REMEDY_MAX 160
 
-/* The headings of the table at hand; too many for the stack. */
+/* The headings of the current table; too large for the stack. */
 static heading headings[TABLE_COLUMNS_MAX];
 
 /* ---- x, y and z --------------------------------------------------------------------------------- */
@@ -30,8 +30,8 @@ static int is_among(const char *key, const char *const *keys)
     return *keys != NULL;
 }
 
-/* The linear acceleration of a phone is one without gravity. This is how ROS spells that of
- * sensor_msgs/Imu, which holds it. */
+/* Phones call acceleration without gravity "linear acceleration". ROS spells that of
+ * sensor_msgs/Imu, which includes gravity, in this way. */
 static int is_of_ros(const heading *h)
 {
     return strncmp(h->name, "linear_acceleration.", strlen("linear_acceleration.")) == 0;
@@ -47,8 +47,8 @@ static int has_key(const table *t, const char *key)
     return 0;
 }
 
-/* The table of kalibr_bagextractor. Elsewhere alpha is more often an angular acceleration, so that only the whole
- * header says. */
+/* The table of kalibr_bagextractor. Elsewhere alpha is usually an angular acceleration, so that the
+ * whole header has to match. */
 static int is_of_kalibr(const table *t)
 {
     static const char *const names[] = {"omega_x", "omega_y", "omega_z",
@@ -61,8 +61,8 @@ static int is_of_kalibr(const table *t)
     return is_same;
 }
 
-/* Takes all headings apart. What ROS calls linear acceleration holds gravity; flat tables of its
- * sensor_msgs/Imu are known by the angular velocity next to it. */
+/* Parses all headings. What ROS calls linear acceleration includes gravity; flat tables of its
+ * sensor_msgs/Imu are recognised by the angular velocity next to it. */
 static void read_headings(const table *t)
 {
     for (unsigned i = 0; i < t->columns; i++) {
@@ -77,12 +77,12 @@ static void read_headings(const table *t)
     for (unsigned i = 1; i < t->columns && is_of_kalibr(t); i++) {
         snprintf(headings[i].key, sizeof headings[i].key, "%s",
                  i < 4 ? "fieldangularvelocity"
-                       : "fieldlinearacceleration"); /* of a bag: its units */
+                       : "fieldlinearacceleration"); /* the keys of a bag, for their units */
     }
 }
 
-/* Keys of headings that may be meant, see heading.h. */
-static columns_origin origin_of(const heading *h)
+/* The sensor of a heading, by its key (heading.h). */
+static columns_sensor sensor_of(const heading *h)
 {
     static const char *const accelerometers[] = {
         "a",
@@ -125,15 +125,15 @@ static columns_origin origin_of(const heading *h)
 
     const char *key = h->key + (strncmp(h->key, "imu", 3) == 0 ? 3 : 0); /* imu_ax */
 
-    return h->axis < 0                                     ? OF_NOTHING
-           : is_of_ros(h) || is_among(key, accelerometers) ? OF_ACCELEROMETER
-           : is_among(key, magnetometers)                  ? OF_MAGNETOMETER
-           : is_among(key, gyroscopes)                     ? OF_GYROSCOPE
-           : is_among(key, anything)                       ? OF_ANYTHING
-                                                           : OF_NOTHING;
+    return h->axis < 0                                     ? COLUMNS_OF_UNKNOWN
+           : is_of_ros(h) || is_among(key, accelerometers) ? COLUMNS_OF_ACCELEROMETER
+           : is_among(key, magnetometers)                  ? COLUMNS_OF_MAGNETOMETER
+           : is_among(key, gyroscopes)                     ? COLUMNS_OF_GYROSCOPE
+           : is_among(key, anything)                       ? COLUMNS_OF_ANY
+                                                           : COLUMNS_OF_UNKNOWN;
 }
 
-/* The column with the same key as column `from` and this axis: -1 if there is none. */
+/* The column of this axis with the same key as column `from`; -1: none. */
 static int find_axis(const table *t, unsigned from, int axis)
 {
     for (unsigned i = 0; i < t->columns; i++) {
@@ -144,23 +144,23 @@ static int find_axis(const table *t, unsigned from, int axis)
     return -1;
 }
 
-/* Which origins are meant. */
+/* A range of values of columns_sensor. */
 typedef struct {
-    columns_origin least;
-    columns_origin most;
-} origins;
+    columns_sensor first;
+    columns_sensor last;
+} sensor_range;
 
-static int is_of(const heading *h, origins which)
+static int has_sensor(const heading *h, sensor_range which)
 {
-    return origin_of(h) >= which.least && origin_of(h) <= which.most;
+    return sensor_of(h) >= which.first && sensor_of(h) <= which.last;
 }
 
-/* The first complete set of three of these origins, from column `from` on. Returns its first column, or the
- * number of columns. */
-static unsigned find_set(const table *t, unsigned from, origins which, int index[3])
+/* Finds the first complete set of x, y and z of such a sensor, starting at column `from`. Returns
+ * its first column; the number of columns if there is none. */
+static unsigned find_set(const table *t, unsigned from, sensor_range which, int index[3])
 {
     for (unsigned i = from; i < t->columns; i++) {
-        if (!is_of(&headings[i], which)) {
+        if (!has_sensor(&headings[i], which)) {
             continue;
         }
         for (int axis = 0; axis < 3; axis++) {
@@ -173,8 +173,9 @@ static unsigned find_set(const table *t, unsigned from, origins which, int index
     return t->columns;
 }
 
-/* Whether a column is one of those found, or another with the same meaning. */
-static int is_there_twice(const table *t, unsigned at, const int index[3])
+/* Whether a column competes with those found: it has the same key, or belongs to another complete
+ * set. */
+static int is_duplicate(const table *t, unsigned at, const int index[3])
 {
     const heading *h = &headings[at];
 
@@ -183,7 +184,7 @@ static int is_there_twice(const table *t, unsigned at, const int index[3])
             (find_axis(t, at, 0) >= 0 && find_axis(t, at, 1) >= 0 && find_axis(t, at, 2) >= 0));
 }
 
-/* The headings, "time, u, v, w", as many as fit. Returns text. */
+/* As many headings as fit: "time, u, v, w". Returns text. */
 static const char *list_names(const table *t, char text[COLUMNS_LIST_MAX])
 {
     text[0] = '\0';
@@ -198,7 +199,7 @@ static const char *list_names(const table *t, char text[COLUMNS_LIST_MAX])
     return text;
 }
 
-static void say_none(const table *t, columns_kind kind)
+static void report_no_axes(const table *t, columns_kind kind)
 {
     char names[COLUMNS_LIST_MAX];
     const char *linear = NULL;
@@ -213,7 +214,8 @@ static void say_none(const table *t, columns_kind kind)
     for (unsigned i = 0; i < t->columns && !linear; i++) {
         linear = strcmp(headings[i].key, "linearacceleration") == 0 ? headings[i].name : NULL;
     }
-    if (!linear && find_set(t, 0, (origins){OF_GYROSCOPE, OF_GYROSCOPE}, gyro) < t->columns) {
+    if (!linear && find_set(t, 0, (sensor_range){COLUMNS_OF_GYROSCOPE, COLUMNS_OF_GYROSCOPE},
+                            gyro) < t->columns) {
         message("%s:%lu: the header names a gyroscope (%s, ..), but no accelerometer (x, y, z; ax, "
                 "ay, az; acc_x, ..), with which it is calibrated: record both in one log. A "
                 "gyroscope alone: invcal apply --gyro, invcal allan --columns %s,%s,%s",
@@ -230,57 +232,61 @@ static void say_none(const table *t, columns_kind kind)
     }
 }
 
-/* The sensor that is not calibrated, which may be there as well. */
-static void find_set_aside(const table *t, columns_kind kind, columns *out)
+/* Finds the columns of the other sensor, which is not calibrated, if there is one. */
+static void find_other_sensor(const table *t, columns_kind kind, columns *out)
 {
-    const columns_origin which = kind == COLUMNS_MAGNETOMETER ? OF_ACCELEROMETER : OF_MAGNETOMETER;
+    const columns_sensor which =
+        kind == COLUMNS_MAGNETOMETER ? COLUMNS_OF_ACCELEROMETER : COLUMNS_OF_MAGNETOMETER;
     int other[3];
 
-    if (find_set(t, 0, (origins){which, which}, other) == t->columns) {
+    if (find_set(t, 0, (sensor_range){which, which}, other) == t->columns) {
         return;
     }
-    memcpy(out->seen.set_aside, headings[other[0]].name, HEADING_NAME_MAX);
+    memcpy(out->seen.other_sensor, headings[other[0]].name, HEADING_NAME_MAX);
     if (kind == COLUMNS_MAGNETOMETER) {
-        memcpy(out->aside, other, sizeof other);
+        memcpy(out->accelerometer, other, sizeof other);
     }
 }
 
-/* x, y and z come from one family. An accelerometer and a magnetometer may both
- * be there; of two of one kind, the right one is unknown. */
+/* x, y and z have to be of one sensor. A table may hold both an accelerometer and a magnetometer;
+ * two of the same kind are ambiguous. */
 static int find_xyz(const table *t, columns_kind kind, columns *out)
 {
     const int is_magnetic = kind == COLUMNS_MAGNETOMETER;
-    const origins meant = is_magnetic ? (origins){OF_MAGNETOMETER, OF_MAGNETOMETER}
-                                      : (origins){OF_ACCELEROMETER, OF_ACCELEROMETER};
+    const sensor_range meant =
+        is_magnetic ? (sensor_range){COLUMNS_OF_MAGNETOMETER, COLUMNS_OF_MAGNETOMETER}
+                    : (sensor_range){COLUMNS_OF_ACCELEROMETER, COLUMNS_OF_ACCELEROMETER};
     int *index = &out->index[COLUMN_X];
-    const int has_one = find_set(t, 0, meant, index) < t->columns;
-    const origins either =
-        !is_magnetic ? (origins){has_one ? OF_ANYTHING : OF_MAGNETOMETER, OF_ACCELEROMETER}
-                     : (origins){OF_MAGNETOMETER, OF_ANYTHING};
-    const unsigned first = find_set(t, 0, has_one ? meant : either, index);
+    const int has_meant = find_set(t, 0, meant, index) < t->columns;
+    const sensor_range either =
+        !is_magnetic ? (sensor_range){has_meant ? COLUMNS_OF_ANY : COLUMNS_OF_MAGNETOMETER,
+                                      COLUMNS_OF_ACCELEROMETER}
+                     : (sensor_range){COLUMNS_OF_MAGNETOMETER, COLUMNS_OF_ANY};
+    const unsigned first = find_set(t, 0, has_meant ? meant : either, index);
 
-    if (first == t->columns || (!is_magnetic && origin_of(&headings[first]) == OF_MAGNETOMETER &&
-                                has_key(t, "linearacceleration"))) {
-        say_none(t, kind);
+    if (first == t->columns ||
+        (!is_magnetic && sensor_of(&headings[first]) == COLUMNS_OF_MAGNETOMETER &&
+         has_key(t, "linearacceleration"))) {
+        report_no_axes(t, kind);
         return EXIT_FILE;
     }
     for (unsigned i = 0; i < t->columns; i++) {
-        if (is_of(&headings[i], either) && is_there_twice(t, i, index)) {
+        if (has_sensor(&headings[i], either) && is_duplicate(t, i, index)) {
             message("%s:%lu: x, y and z are there twice ('%s' and '%s'): choose one set with "
                     "--columns, or delete the other",
                     t->name, t->line, headings[index[headings[i].axis]].name, headings[i].name);
             return EXIT_FILE;
         }
     }
-    if (has_one) {
-        find_set_aside(t, kind, out);
+    if (has_meant) {
+        find_other_sensor(t, kind, out);
     }
     return EXIT_GOOD;
 }
 
 /* ---- the unit of x, y and z ---------------------------------------------------------------------- */
 
-/* Logs that are known have a unit although their headings do not state it. */
+/* The unit of known kinds of logs whose headings do not state it. */
 static reading_unit unit_of_system(const table *t, const heading *x)
 {
     const char *key = x->key;
@@ -305,19 +311,19 @@ static reading_unit unit_of_system(const table *t, const heading *x)
 }
 
 /* The same of a gyroscope. */
-static double turn_of_system(const heading *x)
+static double rate_unit_of_system(const heading *x)
 {
     static const char *const radians[] = {"gyrorad", "angularvelocity", "fieldangularvelocity",
                                           "wrss", NULL};
 
-    /* the last is ArduPilot's */
+    /* GyrX is ArduPilot's */
     return is_among(x->key, radians) || strcmp(x->name, "GyrX") == 0 ? 1 : 0;
 }
 
-/* What x, y and z are in is a magnetometer's unit: of two that are called G it is gauss. */
+/* Whether x, y and z are in a magnetometer's unit, so that G is gauss. */
 static int is_magnetic(const columns *out)
 {
-    return out->seen.is_magnetometer || out->seen.of == OF_MAGNETOMETER;
+    return out->seen.is_magnetometer || out->seen.sensor == COLUMNS_OF_MAGNETOMETER;
 }
 
 static int find_unit(const table *t, columns *out)
@@ -336,14 +342,15 @@ static int find_unit(const table *t, columns *out)
             return EXIT_FILE;
         }
     }
-    out->seen.of = origin_of(x);
+    out->seen.sensor = sensor_of(x);
     out->seen.unit = is_magnetic(out) ? x->magnetic
                      : x->states_unit ? x->unit
                                       : unit_of_system(t, x);
-    const int is_of_another = out->seen.unit != UNIT_UNKNOWN && out->seen.unit != UNIT_COUNTS;
-    out->seen.is_gyro = !is_of_another && (x->turn > 0 || origin_of(x) == OF_GYROSCOPE);
+    const int has_other_unit = out->seen.unit != UNIT_UNKNOWN && out->seen.unit != UNIT_COUNTS;
+    out->seen.is_gyro =
+        !has_other_unit && (x->rate_unit > 0 || sensor_of(x) == COLUMNS_OF_GYROSCOPE);
     if (out->seen.is_gyro) {
-        out->seen.turn = x->states_unit ? x->turn : turn_of_system(x);
+        out->seen.rate_unit = x->states_unit ? x->rate_unit : rate_unit_of_system(x);
     }
     out->seen.states_foreign_unit = x->states_unit && out->seen.unit == UNIT_UNKNOWN;
     out->seen.unit_from = out->seen.unit != UNIT_UNKNOWN ? UNIT_FROM_HEADER : UNIT_FROM_NONE;
@@ -360,7 +367,7 @@ static double time_unit_of(const char *field)
     return unit_parse_time(bare);
 }
 
-/* A second heading, of units alone, may follow. */
+/* A second header line, with units only, may follow. */
 static void find_unit_row(table *t, columns *out)
 {
     const int time = out->index[COLUMN_TIME];
@@ -375,7 +382,7 @@ static void find_unit_row(table *t, columns *out)
         const int is_unit =
             is_magnetic(out) ? unit_parse_magnetic(text, &unit[i]) : unit_parse(text, &unit[i]);
         if (!is_unit || unit[i] != unit[COLUMN_X]) {
-            return; /* it is a row, right or wrong */
+            return; /* a row of data, valid or not */
         }
     }
     t->pending = 0;
@@ -392,30 +399,31 @@ static void find_unit_row(table *t, columns *out)
 
 /* ---- the gyroscope ------------------------------------------------------------------------------ */
 
-/* The first three columns of one; with none of them the accelerometer is alone. Where some follow that are
- * of another, it is unknown which one belongs to it, and the first counts. */
+/* The first three columns of a gyroscope, if there is one. If there are several, it is unknown
+ * which one belongs to the accelerometer, and the first is used. */
 static void find_gyro(const table *t, columns *out)
 {
     int *index = out->gyro;
 
-    if (find_set(t, 0, (origins){OF_GYROSCOPE, OF_GYROSCOPE}, index) == t->columns) {
+    if (find_set(t, 0, (sensor_range){COLUMNS_OF_GYROSCOPE, COLUMNS_OF_GYROSCOPE}, index) ==
+        t->columns) {
         index[0] = -1;
         return;
     }
     const heading *x = &headings[index[0]];
-    out->seen.turn = x->states_unit ? x->turn : turn_of_system(x);
+    out->seen.rate_unit = x->states_unit ? x->rate_unit : rate_unit_of_system(x);
     if (out->index[COLUMN_X] == index[0]) {
         index[0] = -1; /* --columns says that it is the accelerometer */
     }
 }
 
-/* x, y and z, in a file that holds nothing else but a gyroscope. */
+/* x, y and z of a file with a gyroscope only. */
 static int find_gyro_alone(const table *t, columns *out)
 {
     find_gyro(t, out);
     if (out->gyro[0] < 0) {
         const int failure = find_xyz(t, COLUMNS_LOG, out);
-        out->seen.turn = failure ? 0 : headings[out->index[COLUMN_X]].turn;
+        out->seen.rate_unit = failure ? 0 : headings[out->index[COLUMN_X]].rate_unit;
         memcpy(out->gyro, out->index, sizeof out->gyro);
         return failure;
     }
@@ -423,7 +431,7 @@ static int find_gyro_alone(const table *t, columns *out)
     return EXIT_GOOD;
 }
 
-/* ---- the others --------------------------------------------------------------------------------- */
+/* ---- other columns ------------------------------------------------------------------------------ */
 
 static int is_named(const heading *h, column which)
 {
@@ -446,7 +454,7 @@ static int is_named(const heading *h, column which)
     return 0;
 }
 
-static int say_several(const table *t, const char *name)
+static int report_ambiguous(const table *t, const char *name)
 {
     message(
         "%s:%lu: more than one column could be '%s': delete one, or choose with --columns %s=NAME",
@@ -454,7 +462,7 @@ static int say_several(const table *t, const char *name)
     return EXIT_FILE;
 }
 
-/* One std for all axes; a heading without an axis. */
+/* One std for all axes: its heading names no axis. */
 static int find_std(const table *t, int *index)
 {
     *index = -1;
@@ -463,18 +471,18 @@ static int find_std(const table *t, int *index)
             continue;
         }
         if (*index >= 0) {
-            return say_several(t, "std");
+            return report_ambiguous(t, "std");
         }
         *index = (int)i;
     }
     return EXIT_GOOD;
 }
 
-/* A column that may be missing. */
+/* Finds an optional column. */
 static int find_optional(const table *t, column which, int *index)
 {
-    if (chosen_is(which)) {
-        return chosen_find(t, headings, which, index);
+    if (columns_option_has(which)) {
+        return columns_option_find(t, headings, which, index);
     }
     *index = -1;
     for (unsigned i = 0; i < t->columns; i++) {
@@ -482,15 +490,15 @@ static int find_optional(const table *t, column which, int *index)
             continue;
         }
         if (*index >= 0) {
-            return say_several(t, column_name(which));
+            return report_ambiguous(t, column_name(which));
         }
         *index = (int)i;
     }
     return EXIT_GOOD;
 }
 
-/* `millis`, and seconds_elapsed: the name of the column is that of the unit. */
-static double unit_as_name(const heading *h)
+/* The time unit if it is the name of the column: `millis`, and seconds_elapsed; else 0. */
+static double unit_of_name_itself(const heading *h)
 {
     if (strcmp(h->key, "secondselapsed") == 0) {
         return 1;
@@ -498,7 +506,7 @@ static double unit_as_name(const heading *h)
     return strlen(h->key) > 1 && h->axis < 0 ? unit_parse_time(h->key) : 0;
 }
 
-/* Two clocks may be there: the one that states its unit counts. */
+/* Of two clocks, the one that states its unit is used. */
 static int find_time(const table *t, columns *out)
 {
     int *index = &out->index[COLUMN_TIME];
@@ -507,24 +515,24 @@ static int find_time(const table *t, columns *out)
     *index = -1;
     for (unsigned i = 0; i < t->columns; i++) {
         heading *h = &headings[i];
-        h->per_second = unit_as_name(h) > 0 ? unit_as_name(h) : h->per_second;
+        h->per_second = unit_of_name_itself(h) > 0 ? unit_of_name_itself(h) : h->per_second;
         const int states = h->per_second > 0;
-        if (is_named(h, COLUMN_TIME) || unit_as_name(h) > 0) {
+        if (is_named(h, COLUMN_TIME) || unit_of_name_itself(h) > 0) {
             *index = states >= (count[1] > 0) ? (int)i : *index;
             count[states]++;
         }
     }
-    if (chosen_is(COLUMN_TIME)) {
-        return chosen_find(t, headings, COLUMN_TIME, index);
+    if (columns_option_has(COLUMN_TIME)) {
+        return columns_option_find(t, headings, COLUMN_TIME, index);
     }
-    return count[count[1] > 0] > 1 ? say_several(t, column_name(COLUMN_TIME)) : EXIT_GOOD;
+    return count[count[1] > 0] > 1 ? report_ambiguous(t, column_name(COLUMN_TIME)) : EXIT_GOOD;
 }
 
-/* ArduPilot's temperature is T, which would else be a time. */
+/* ArduPilot's temperature is T, which would otherwise be a time. */
 static void find_short_temperature(const table *t, columns *out)
 {
-    for (unsigned i = 0;
-         i < t->columns && out->index[COLUMN_TEMPERATURE] < 0 && !chosen_is(COLUMN_TEMPERATURE);
+    for (unsigned i = 0; i < t->columns && out->index[COLUMN_TEMPERATURE] < 0 &&
+                         !columns_option_has(COLUMN_TEMPERATURE);
          i++) {
         if (strcmp(t->field[i], "T") == 0 && out->index[COLUMN_TIME] >= 0 &&
             out->index[COLUMN_TIME] != (int)i) {
@@ -533,7 +541,8 @@ static void find_short_temperature(const table *t, columns *out)
     }
 }
 
-/* PX4 and Betaflight's explorer count microseconds, and do not say so; ROS and Kalibr count nanoseconds. */
+/* PX4 and Betaflight's explorer have microseconds without stating it; ROS and Kalibr
+ * nanoseconds. */
 static void find_time_unit(const table *t, columns *out)
 {
     const int at = out->index[COLUMN_TIME];
@@ -549,7 +558,7 @@ static void find_time_unit(const table *t, columns *out)
     }
 }
 
-/* Without a unit it is in degrees C; in another, such as counts, it is of no use. */
+/* Without a stated unit it is in degrees C; in an unknown unit, such as counts, it is ignored. */
 static void find_temperature_unit(columns *out)
 {
     int *at = &out->index[COLUMN_TEMPERATURE];
@@ -561,16 +570,16 @@ static void find_temperature_unit(columns *out)
     }
 }
 
-/* Of the angles: degrees, unless the heading says rad. */
+/* Degrees, unless the heading says rad. */
 static void find_angle_units(const table *t, columns *out)
 {
     for (unsigned i = 0; i < 2; i++) {
         const int at = out->index[COLUMN_ALPHA + i];
-        out->per_degree[i] = at >= 0 && strstr(t->field[at], "rad") ? RADIANS : 1;
+        out->per_degree[i] = at >= 0 && strstr(t->field[at], "rad") ? RAD_PER_DEGREE : 1;
     }
 }
 
-/* ---- together ----------------------------------------------------------------------------------- */
+/* ---- the whole table ---------------------------------------------------------------------------- */
 
 static void remember_names(const table *t, columns *out)
 {
@@ -589,14 +598,14 @@ static void remember_names(const table *t, columns *out)
         used[out->gyro[i]] = 1;
     }
     for (unsigned i = 0; i < t->columns; i++) {
-        seen->others += !used[i] && *t->field[i] != '\0';
+        seen->ignored += !used[i] && *t->field[i] != '\0';
     }
-    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text());
+    snprintf(seen->chosen, sizeof seen->chosen, "%s", columns_option_text());
     seen->header_line = t->first_line;
     seen->preamble = t->preamble;
 }
 
-/* ArduPilot writes the rows of all its sensors in turn, with their number in column I. */
+/* ArduPilot interleaves the rows of all its sensors, with their number in column I. */
 static int find_instance(const table *t)
 {
     for (unsigned i = 0; i < t->columns && has_key(t, "gyr"); i++) {
@@ -613,7 +622,8 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     int std;
 
     read_headings(t);
-    int failure = chosen_is(COLUMN_X)    ? chosen_find_axes(t, headings, &index[COLUMN_X])
+    int failure = columns_option_has(COLUMN_X)
+                      ? columns_option_find_axes(t, headings, &index[COLUMN_X])
                   : kind == COLUMNS_GYRO ? find_gyro_alone(t, out)
                                          : find_xyz(t, kind, out);
     if (!failure && kind == COLUMNS_IMU) {
@@ -628,11 +638,11 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
         return failure;
     }
     if (index[COLUMN_STD_X] < 0 || index[COLUMN_STD_Y] < 0 || index[COLUMN_STD_Z] < 0) {
-        /* only all three of them are of use */
+        /* unless all three exist, one column serves all axes */
         index[COLUMN_STD_X] = index[COLUMN_STD_Y] = index[COLUMN_STD_Z] = std;
     }
     for (unsigned c = COLUMN_STD_X; c <= COLUMN_SAMPLES && kind != COLUMNS_POSITIONS; c++) {
-        index[c] = -1; /* of no use there */
+        index[c] = -1; /* a log has no means */
     }
     find_short_temperature(t, out);
     out->instance = find_instance(t);
@@ -644,7 +654,7 @@ static int find_by_header(table *t, columns_kind kind, columns *out)
     return EXIT_GOOD;
 }
 
-/* "0,05" cut at its comma: no whole number begins with a zero. */
+/* The fraction of "0,05", split at its comma: no whole number begins with a zero. */
 static int is_fraction(const char *text)
 {
     return text[0] == '0' && text[1] != '\0' && strspn(text, "0123456789") == strlen(text);
@@ -656,23 +666,23 @@ static int is_cut_at_commas(const table *t)
            (is_fraction(t->field[1]) || is_fraction(t->field[3]) || is_fraction(t->field[5]));
 }
 
-/* The last three of six or seven; of a file of its own the same as x, y and z. */
+/* The last three of six or seven columns; in a file with a gyroscope only, x, y and z. */
 static void find_gyro_by_count(const table *t, columns_kind kind, columns *out)
 {
     static const char *const names[] = {"gx", "gy", "gz"};
-    const int is_there = t->columns > 5;
+    const int has_gyro = t->columns > 5;
 
-    for (unsigned i = 0; i < 3 && kind == COLUMNS_IMU && is_there; i++) {
+    for (unsigned i = 0; i < 3 && kind == COLUMNS_IMU && has_gyro; i++) {
         out->gyro[i] = (int)(t->columns - 3 + i);
         snprintf(out->seen.gyro[i], HEADING_NAME_MAX, "%s", names[i]);
     }
     if (kind == COLUMNS_GYRO) {
         memcpy(out->gyro, out->index, sizeof out->gyro);
     }
-    out->seen.others = is_there && kind != COLUMNS_IMU ? 3 : 0;
+    out->seen.ignored = has_gyro && kind != COLUMNS_IMU ? 3 : 0;
 }
 
-/* Without a header, the number of columns decides; each letter is one column. */
+/* Without a header, the number of columns decides. In a layout, each letter is a column. */
 static int find_by_count(const table *t, columns_kind kind, columns *out)
 {
     static const char *const layouts[2][5] = {{"xyz", "xyzsn", "xyzabcn"},
@@ -710,41 +720,42 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
     return EXIT_FILE;
 }
 
-/* Without a header numbers do. */
+/* Without a header, by the numbers that --columns states. */
 static int find_by_number(const table *t, columns *out)
 {
     recognition *seen = &out->seen;
 
-    if (!chosen_is(COLUMN_X)) {
+    if (!columns_option_has(COLUMN_X)) {
         message("%s:%lu: there is no header: --columns must state x, y and z, too", t->name,
                 t->line);
         return EXIT_FILE;
     }
-    int failure = chosen_find_axes(t, headings, &out->index[COLUMN_X]);
-    seen->others = t->columns;
+    int failure = columns_option_find_axes(t, headings, &out->index[COLUMN_X]);
+    seen->ignored = t->columns;
     for (unsigned c = 0; c < COLUMN_COUNT && !failure; c++) {
         int *index = &out->index[c];
         *index = c > COLUMN_Z ? -1 : *index;
-        if (chosen_is((column)c)) {
-            failure = chosen_find(t, headings, (column)c, index);
+        if (columns_option_has((column)c)) {
+            failure = columns_option_find(t, headings, (column)c, index);
         }
         if (*index >= 0) {
             snprintf(seen->name[c], HEADING_NAME_MAX, "%s", column_name((column)c));
-            seen->others--;
+            seen->ignored--;
         }
     }
-    snprintf(seen->chosen, sizeof seen->chosen, "%s", chosen_text());
+    snprintf(seen->chosen, sizeof seen->chosen, "%s", columns_option_text());
     return failure;
 }
 
-/* Whether some three columns are x, y and z, or it is stated which. */
+/* Whether there are columns x, y and z, or --columns states them. */
 static int has_axes(const table *t)
 {
     int index[3];
 
     read_headings(t);
-    return chosen_is(COLUMN_X) ||
-           find_set(t, 0, (origins){OF_MAGNETOMETER, OF_ACCELEROMETER}, index) < t->columns;
+    return columns_option_has(COLUMN_X) ||
+           find_set(t, 0, (sensor_range){COLUMNS_OF_MAGNETOMETER, COLUMNS_OF_ACCELEROMETER},
+                    index) < t->columns;
 }
 
 int columns_find(table *t, columns_kind kind, columns *out)
@@ -753,22 +764,22 @@ int columns_find(table *t, columns_kind kind, columns *out)
         .per_second = 1,
         .degrees = {1, 0},
         .per_degree = {1, 1},
-        .aside = {-1, -1, -1},
+        .accelerometer = {-1, -1, -1},
         .gyro = {-1, -1, -1},
         .instance = -1,
         .seen = {.separator = table_separator(t), .is_magnetometer = kind == COLUMNS_MAGNETOMETER}};
     if (table_comment_header(t) && !has_axes(t)) {
         table_drop_header(t);
     }
-    const int failure = t->has_header            ? find_by_header(t, kind, out)
-                        : *chosen_text() != '\0' ? find_by_number(t, out)
-                                                 : find_by_count(t, kind, out);
+    const int failure = t->has_header                    ? find_by_header(t, kind, out)
+                        : *columns_option_text() != '\0' ? find_by_number(t, out)
+                                                         : find_by_count(t, kind, out);
 
     for (unsigned c = 0; c < COLUMN_COUNT; c++) {
         out->last = out->index[c] > out->last ? out->index[c] : out->last;
     }
     for (unsigned i = 0; i < 3; i++) {
-        out->last = out->aside[i] > out->last ? out->aside[i] : out->last;
+        out->last = out->accelerometer[i] > out->last ? out->accelerometer[i] : out->last;
         out->last = out->gyro[i] > out->last ? out->gyro[i] : out->last;
     }
     out->seen.time_unit = out->per_second > 1e8   ? "ns"
@@ -778,7 +789,7 @@ int columns_find(table *t, columns_kind kind, columns *out)
     return failure;
 }
 
-void columns_say_cut(const table *t, const char *which, unsigned long line)
+void columns_warn_cut(const table *t, const char *which, unsigned long line)
 {
     message("warning: %s:%lu: the %s line is cut off, and ignored", t->name, line, which);
 }
@@ -788,7 +799,7 @@ int columns_is_cut(const table *t, const columns *where)
     return table_is_cut(t, (unsigned)where->last);
 }
 
-/* What to do about it, where the problem itself does not say it. A column that is not necessary can be ignored:
+/* What to do about it, unless the problem itself says so. An optional column can be ignored;
  * without a header, by stating the others. Returns text. */
 static const char *remedy(const table *t, const columns *where, column which, number_status status,
                           char text[COLUMNS_REMEDY_MAX])
@@ -821,7 +832,7 @@ int columns_number(const table *t, const columns *where, column which, double *o
     char what[COLUMNS_REMEDY_MAX];
 
     if (which == COLUMN_TIME && status == NUMBER_NOT_DECIMAL && clock_parse(t->field[index], out)) {
-        return EXIT_GOOD; /* in seconds, whatever the heading says */
+        return EXIT_GOOD; /* in seconds, even if the heading states another unit */
     }
     if (status == NUMBER_EMPTY) {
         message("%s:%lu: column %d (%s) is empty%s", t->name, t->line, index + 1,
@@ -842,7 +853,7 @@ int columns_number(const table *t, const columns *where, column which, double *o
     return EXIT_GOOD;
 }
 
-int columns_turn(const table *t, const columns *where, double out[3])
+int columns_gyro(const table *t, const columns *where, double out[3])
 {
     char excerpt[TABLE_EXCERPT_MAX];
 
@@ -870,9 +881,9 @@ double columns_angle(const table *t, const columns *where, column which)
                : NUMBER_UNKNOWN;
 }
 
-double columns_aside(const table *t, const columns *where, unsigned axis)
+double columns_accelerometer(const table *t, const columns *where, unsigned axis)
 {
-    const int index = where->aside[axis];
+    const int index = where->accelerometer[axis];
     double value;
 
     return index >= 0 && number_parse(t->field[index], &value) == NUMBER_OK ? value
@@ -895,7 +906,7 @@ int columns_check_instance(const table *t, columns *where)
     return EXIT_GOOD;
 }
 
-/* ---- in words ----------------------------------------------------------------------------------- */
+/* ---- text --------------------------------------------------------------------------------------- */
 
 static void append_layout(const recognition *seen, char *text, size_t size)
 {
@@ -919,17 +930,17 @@ static void append_layout(const recognition *seen, char *text, size_t size)
 
 static void append_unit(const recognition *seen, char *text, size_t size)
 {
-    const int is_turn = seen->is_gyro && seen->turn > 0;
-    static const char *const behind[] = {[UNIT_FROM_NONE] = "",
-                                         [UNIT_FROM_HEADER] = "",
-                                         [UNIT_FROM_OPTION] = " (--unit)",
-                                         [UNIT_FROM_SIZE] = " (by their size)",
-                                         [UNIT_FROM_SENSOR] = " (--sensor)"};
+    const int is_turn = seen->is_gyro && seen->rate_unit > 0;
+    static const char *const origin_text[] = {[UNIT_FROM_NONE] = "",
+                                              [UNIT_FROM_HEADER] = "",
+                                              [UNIT_FROM_OPTION] = " (--unit)",
+                                              [UNIT_FROM_SIZE] = " (by their size)",
+                                              [UNIT_FROM_SENSOR] = " (--sensor)"};
 
     if (is_turn || seen->unit != UNIT_UNKNOWN) {
         append(text, size, " in %s%s",
-               is_turn ? unit_turn_words(seen->turn) : unit_words(seen->unit),
-               behind[seen->unit_from]);
+               is_turn ? unit_angular_rate_words(seen->rate_unit) : unit_words(seen->unit),
+               origin_text[seen->unit_from]);
     }
 }
 
@@ -944,10 +955,10 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
         append(text, size, "%s (%s), ", name[COLUMN_TIME], seen->time_unit);
     }
     append(text, size, "%s%s %s %s",
-           seen->is_gyro              ? "the gyroscope's "
-           : *seen->set_aside == '\0' ? ""
-           : seen->is_magnetometer    ? "the magnetometer's "
-                                      : "the accelerometer's ",
+           seen->is_gyro                 ? "the gyroscope's "
+           : *seen->other_sensor == '\0' ? ""
+           : seen->is_magnetometer       ? "the magnetometer's "
+                                         : "the accelerometer's ",
            name[COLUMN_X], name[COLUMN_Y], name[COLUMN_Z]);
     append_unit(seen, text, size);
     if (*seen->chosen != '\0') {
@@ -962,15 +973,16 @@ const char *columns_describe(const recognition *seen, char *text, size_t size)
     }
     if (*seen->gyro[0] != '\0') {
         append(text, size, "; gyroscope: %s %s %s%s%s", seen->gyro[0], seen->gyro[1], seen->gyro[2],
-               seen->turn > 0 ? " in " : "", seen->turn > 0 ? unit_turn_words(seen->turn) : "");
+               seen->rate_unit > 0 ? " in " : "",
+               seen->rate_unit > 0 ? unit_angular_rate_words(seen->rate_unit) : "");
     }
-    if (seen->others > 0) {
-        append(text, size, "; ignored: %u other column%s", seen->others,
-               seen->others == 1 ? "" : "s");
+    if (seen->ignored > 0) {
+        append(text, size, "; ignored: %u other column%s", seen->ignored,
+               seen->ignored == 1 ? "" : "s");
     }
-    if (*seen->set_aside != '\0') {
+    if (*seen->other_sensor != '\0') {
         append(text, size, ", including %s's (%s ..; --columns chooses)",
-               seen->is_magnetometer ? "an accelerometer" : "a magnetometer", seen->set_aside);
+               seen->is_magnetometer ? "an accelerometer" : "a magnetometer", seen->other_sensor);
     }
     return plain(text);
 }

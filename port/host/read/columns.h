@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * read/columns.h: which column of a table means what, by its header or by the number of columns.
+ * read/columns.h: finds the meanings of a table's columns, by its header or by their number.
  */
 #ifndef COLUMNS_H
 #define COLUMNS_H
@@ -11,62 +11,63 @@
 #include "read/heading.h"
 #include "read/table.h"
 
-/* What a heading with an axis is of. */
+/* The sensor that a heading with an axis belongs to. */
 typedef enum {
-    OF_NOTHING, /* what nobody knows */
-    OF_GYROSCOPE,
-    OF_MAGNETOMETER,
-    OF_ANYTHING, /* x, y and z alone */
-    OF_ACCELEROMETER
-} columns_origin;
+    COLUMNS_OF_UNKNOWN,
+    COLUMNS_OF_GYROSCOPE,
+    COLUMNS_OF_MAGNETOMETER,
+    COLUMNS_OF_ANY, /* plain x, y and z */
+    COLUMNS_OF_ACCELEROMETER
+} columns_sensor;
 
-/* What was recognised, to be printed; the table is no longer needed. */
+/* A summary of what was recognised, for texts and JSON. It outlives the table. */
 typedef struct {
     const char *separator;     /* "commas", ... */
     unsigned long header_line; /* 0: none */
-    unsigned long preamble;    /* lines of `name, value` before it */
-    unsigned long unit_line;   /* a row of units; 0: none */
-    int is_magnetometer;       /* one was asked for */
-    columns_origin of;         /* what the headings of x, y and z say; without them nothing */
-    char set_aside[HEADING_NAME_MAX]; /* x of the other one, of a magnetometer or accelerometer;
-                                       * empty: none */
-    char gyro[3][HEADING_NAME_MAX];   /* of a gyroscope, as in the header; empty: there is none */
-    double turn; /* rad/s in one of its units, if the headings state it; else 0 */
-    int is_gyro; /* x, y and z themselves are those of a gyroscope; `turn` is theirs */
-    char chosen[COLUMNS_CHOICE_MAX]; /* by --columns, as it was stated; empty: it was not */
-    unsigned others;                 /* columns that have a heading, but are ignored */
+    unsigned long preamble;    /* number of lines of `name, value` before the header */
+    unsigned long unit_line;   /* of a row of units; 0: none */
+    int is_magnetometer;       /* a magnetometer was asked for */
+    columns_sensor sensor;     /* of x, y and z, by their headings; else COLUMNS_OF_UNKNOWN */
+    char other_sensor[HEADING_NAME_MAX]; /* x of the magnetometer or accelerometer that is not used;
+                                          * empty: none */
+    char gyro[3][HEADING_NAME_MAX];      /* of a gyroscope, as in the header; empty: none */
+    double rate_unit; /* rad/s in one unit of the gyroscope, if the headings state it; else 0 */
+    int is_gyro;      /* x, y and z themselves are those of a gyroscope, with unit rate_unit */
+    char chosen[COLUMNS_OPTION_MAX]; /* the value of --columns; empty: not given */
+    unsigned ignored;                /* number of columns that have a heading, but are ignored */
     int states_foreign_unit;         /* the headings state a unit that unit.h does not know */
     reading_unit unit;               /* of x, y and z */
-    unit_origin unit_from;           /* header or none; who knows more may put it in */
+    unit_origin unit_from;           /* header or none; a caller that knows the unit may set it */
     const char *time_unit;           /* "s", "ms", "µs", "ns" */
-    char name[COLUMN_COUNT][HEADING_NAME_MAX]; /* as in the header; empty: there is none */
+    char name[COLUMN_COUNT][HEADING_NAME_MAX]; /* as in the header; empty: no such column */
 } recognition;
 
-/* For each meaning the index into table.field, or -1. */
+/* Indices into table.field; -1: no such column. */
 typedef struct {
     int index[COLUMN_COUNT];
-    int aside[3];      /* of the accelerometer next to a magnetometer, or -1: */
-    int gyro[3];       /* the same of a gyroscope's x y z; -1: there is none, or it is not wanted */
-    int last;          /* the greatest of them */
-    double per_second; /* units of the time column in a second */
+    int accelerometer[3];     /* x y z of the accelerometer next to a magnetometer */
+    int gyro[3];              /* x y z of a gyroscope, unless it is ignored */
+    int last;                 /* the largest of them */
+    double per_second;        /* units of the time column in a second */
     temperature_unit degrees; /* of the temperature column */
     double per_degree[2];     /* units of the columns alpha and beta in a degree */
-    int instance;             /* column that numbers the sensor of each row, or -1 */
+    int instance;             /* column with the number of the sensor of each row */
     char first_instance[8];
     recognition seen;
 } columns;
 
-/* How the columns of a table without a header are understood. */
+/* How to interpret the columns of a table without a header. */
 typedef enum {
     COLUMNS_POSITIONS, /* x y z; x y z std n; x y z std_x std_y std_z n */
-    COLUMNS_LOG,       /* x y z; t x y z; t x y z temperature; the first two also with the three of
-                           a gyroscope behind, which are ignored, */
-    COLUMNS_IMU,       /* or not */
-    COLUMNS_GYRO,      /* x y z are those of a gyroscope */
-    COLUMNS_MAGNETOMETER /* as a log; of two sensors that a header names the magnetometer */
+    /* x y z; t x y z; t x y z temperature; the first two also followed by the three of a
+     * gyroscope, which are ignored */
+    COLUMNS_LOG,
+    COLUMNS_IMU,         /* the same, but the gyroscope is used */
+    COLUMNS_GYRO,        /* as COLUMNS_LOG, of a gyroscope */
+    COLUMNS_MAGNETOMETER /* as COLUMNS_LOG; if the header names two sensors, the magnetometer */
 } columns_kind;
 
-/* Names that a header may use, for help texts. */
+/* The names that a header may use, for help texts. */
 #define COLUMNS_NAMES                                                                              \
     "  x y z (or ax ay az, acc_x .., AccX .., \"Acceleration x\" .., accSmooth[0] ..,\n"           \
     "  accelerometer_m_s2[0] .., xyz[0] .., mx my mz, mag_x .., mean_x ..);\n"                     \
@@ -78,42 +79,46 @@ typedef enum {
     "  (PX4), blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot), rostopic echo -p\n"   \
     "  (ROS) and kalibr_bagextractor (Kalibr: timestamp, omega_x .., alpha_x ..).\n"
 
-/* Finds the columns of a table that has just been opened. Where it has an accelerometer and a
- * magnetometer, x, y and z are those of the accelerometer, unless the kind says otherwise.
+/* Finds the columns of a table that has just been opened. If it has an accelerometer and a
+ * magnetometer, x, y and z are those of the accelerometer, unless the kind is COLUMNS_MAGNETOMETER.
  *
- * Returns EXIT_GOOD; EXIT_FILE, with a message, if x, y and z are not there or there twice, or
- * another name is there twice, or x, y and z are in different units, or the number of columns
- * is not sufficient. A temperature in an unknown unit is ignored. */
+ * Returns EXIT_GOOD; EXIT_FILE, with a message, if x, y and z are missing or ambiguous, another
+ * column is ambiguous, x, y and z are in different units, or, without a header, the number of
+ * columns is not one of those above. A temperature in an unknown unit is ignored. */
 int columns_find(table *t, columns_kind kind, columns *out);
 
-/* The first line has been left out (table_drop_cut_first), or the current one, the last, is to be: it is
- * cut, as columns_is_cut shows after table_next has not come to the end. Says so. */
-void columns_say_cut(const table *t, const char *which, unsigned long line);
+/* Warns that a line is cut off and ignored: the "first" (table_drop_cut_first) or the "last". */
+void columns_warn_cut(const table *t, const char *which, unsigned long line);
+
+/* 1 if the current row, the last of the table, is cut off; to be asked after table_next, unless
+ * that returned 0. */
 int columns_is_cut(const table *t, const columns *where);
 
-/* Reads a number from the current row; the column must be there. A time, also one as of clock.h, is in seconds, a
- * temperature in degrees C.
+/* Reads a number of the current row; the column must exist. A time, which may be one of clock.h, is
+ * in seconds, a temperature in degrees C.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message that names line and column. */
 int columns_number(const table *t, const columns *where, column which, double *out);
 
-/* An axis of the accelerometer next to a magnetometer. NaN if there is none, or the current row holds no number
- * there. */
-double columns_aside(const table *t, const columns *where, unsigned axis);
-/* What the gyroscope reads in the current row; it must be there. EXIT_GOOD; EXIT_FILE, with a message. */
-int columns_turn(const table *t, const columns *where, double out[3]);
+/* Reads an axis of the accelerometer next to a magnetometer. NaN if there is none, or no number in
+ * the current row. */
+double columns_accelerometer(const table *t, const columns *where, unsigned axis);
 
-/* An angle of the stand, COLUMN_ALPHA or COLUMN_BETA, in degrees. NaN if there is no such column, or the
- * current row holds no number there: only a caller that needs angles has to complain. */
+/* Reads the gyroscope in the current row; its columns must exist. EXIT_GOOD; EXIT_FILE, with a
+ * message. */
+int columns_gyro(const table *t, const columns *where, double out[3]);
+
+/* Reads an angle of the stand, COLUMN_ALPHA or COLUMN_BETA, in degrees. NaN if there is no such
+ * column, or no number in the current row: only a caller that needs angles reports it. */
 double columns_angle(const table *t, const columns *where, column which);
 
-/* Checks that the current row is of the same sensor as those before.
+/* Checks that the current row is of the same sensor as the rows before.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message. */
 int columns_check_instance(const table *t, columns *where);
 
 /* One sentence for people: "CSV with semicolons, header in line 1; time (µs), ax ay az in g;
- * ignored: 12 other columns". Cut off to `size` bytes. Returns text. */
+ * ignored: 12 other columns". Truncated to `size` bytes. Returns text. */
 #define COLUMNS_TEXT_MAX 512
 const char *columns_describe(const recognition *seen, char *text, size_t size);
 

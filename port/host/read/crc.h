@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * read/crc.h: CRC-32 (IEEE 802.3), as zip, PNG and the records of the library have it, by table: logs
- * are long.
+ * read/crc.h: CRC-32 (IEEE 802.3), as in zip, PNG and the records of the library. It uses a table,
+ * because logs are long.
  */
 #ifndef CRC_H
 #define CRC_H
@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Of the bytes after those that gave `crc`; begin with 0. */
+/* Continues from `crc` of the bytes before; begin with 0. */
 uint32_t crc_update(uint32_t crc, const char *bytes, size_t size);
 
 #endif

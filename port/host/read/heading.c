@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* In the C locale, whatever the user's. */
+/* In the C locale, independently of the user's. */
 static char to_lower(char c)
 {
     return (char)(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
@@ -29,16 +29,16 @@ static void strip_end(char *text)
     }
 }
 
-/* Takes a unit off the end, if `unit` is one. Returns 1 if so. */
-static int take_unit(const char *unit, heading *out)
+/* Parses a unit. Returns 1; 0 if it is none that a heading can have as a suffix. */
+static int parse_unit(const char *unit, heading *out)
 {
     out->per_second = unit_parse_time(unit);
-    out->turn = unit_parse_turn(unit);
+    out->rate_unit = unit_parse_angular_rate(unit);
     const int is_magnetic = unit_parse_magnetic(unit, &out->magnetic);
-    return unit_parse(unit, &out->unit) || is_magnetic || out->per_second > 0 || out->turn > 0;
+    return unit_parse(unit, &out->unit) || is_magnetic || out->per_second > 0 || out->rate_unit > 0;
 }
 
-/* The brackets at the end, if there are some. Returns where they begin; null. */
+/* The brackets at the end of a text: where they open; null if there are none. */
 static char *find_brackets(char *text)
 {
     char *c = text + strlen(text);
@@ -55,7 +55,7 @@ static char *find_brackets(char *text)
     return c > text && depth == 0 && (*c == '(' || *c == '[') ? c : NULL;
 }
 
-/* `name (unit)` or `name [unit]`; brackets around an axis are left. */
+/* Takes off the unit of `name (unit)` or `name [unit]`; brackets around an axis stay. */
 static void cut_bracketed_unit(heading *out)
 {
     char unit[HEADING_NAME_MAX];
@@ -65,18 +65,18 @@ static void cut_bracketed_unit(heading *out)
         return;
     }
     snprintf(unit, sizeof unit, "%.*s", (int)strlen(open) - 2, open + 1);
-    (void)take_unit(unit, out);
+    (void)parse_unit(unit, out);
     out->degrees = unit_parse_temperature(unit);
     out->states_unit = 1;
     *open = '\0';
     strip_end(out->name);
 }
 
-/* `name_unit`: the longest end behind a _ that is a unit. */
+/* Takes off the unit of `name_unit`: the longest suffix after a _ that is a unit. */
 static void cut_suffixed_unit(char *name, heading *out)
 {
     for (char *c = strchr(name, '_'); c && !out->states_unit; c = strchr(c + 1, '_')) {
-        if (c > name && take_unit(c + 1, out)) {
+        if (c > name && parse_unit(c + 1, out)) {
             out->states_unit = 1;
             *c = '\0';
             return;
@@ -84,7 +84,7 @@ static void cut_suffixed_unit(char *name, heading *out)
     }
 }
 
-/* Small letters and digits alone. */
+/* Lower-case letters and digits only. */
 static void make_key(const char *name, char key[HEADING_NAME_MAX])
 {
     unsigned length = 0;
@@ -98,7 +98,7 @@ static void make_key(const char *name, char key[HEADING_NAME_MAX])
     key[length] = '\0';
 }
 
-/* The axis at the end or the beginning of the key: accx, xacc. */
+/* Takes off the axis at the end or the beginning of the key: accx, xacc. */
 static void cut_axis(heading *out)
 {
     char *key = out->key;
@@ -116,7 +116,7 @@ static void cut_axis(heading *out)
     }
 }
 
-/* `TimeUS`: the unit without anything between. */
+/* Takes off the unit of `TimeUS`, where nothing separates it. */
 static void cut_time_unit(heading *out)
 {
     static const char *const names[] = {"timestamp", "time"};
@@ -133,8 +133,7 @@ static void cut_time_unit(heading *out)
     }
 }
 
-/* Copies as much as there is room for, no half of a letter in UTF-8, and nothing that does
- * something to a terminal. */
+/* Copies a name, truncated between characters of UTF-8, with '?' for control characters. */
 static void copy_name(const char *text, char name[HEADING_NAME_MAX])
 {
     size_t length = strlen(text);

@@ -65,7 +65,7 @@ int json_enter(json_reader *r, char bracket)
     return EXIT_GOOD;
 }
 
-/* In front of an item: 1; at the closing bracket, which is taken: 0; -1. */
+/* Goes to the next item. 1; 0 after the closing bracket, which is consumed; -1, with a message. */
 static int next_item(json_reader *r, unsigned index, char close)
 {
     skip_space(r);
@@ -90,8 +90,8 @@ int json_element(json_reader *r, unsigned index)
     return next_item(r, index, ']');
 }
 
-/* The character that an escape sequence stands for; 0 if there is no such sequence. Those
- * beyond ASCII are of no interest here and become '?'. */
+/* The character of an escape sequence; 0 if the sequence is unknown. Those beyond ASCII, which are
+ * not needed here, become '?'. */
 static char escaped(json_reader *r)
 {
     static const char letters[] = "\"\\/bfnrt";
@@ -165,7 +165,7 @@ int json_member(json_reader *r, unsigned index, char *name, size_t size)
     return 1;
 }
 
-/* Characters that numbers and the words true, false, null are made of. */
+/* Reads a number, or one of the words true, false, null. */
 static int read_token(json_reader *r, char *out, size_t size)
 {
     static const char alphabet[] = "0123456789+-.abcdefghijklmnopqrstuvwxyz"
@@ -183,7 +183,7 @@ static int read_token(json_reader *r, char *out, size_t size)
     return EXIT_GOOD;
 }
 
-/* JSON wants a digit on both sides of the point, no plus sign, no leading zero. */
+/* JSON requires a digit on both sides of the point, no plus sign, no leading zero. */
 static int is_json_number(const char *text)
 {
     const char *s = text + (*text == '-');

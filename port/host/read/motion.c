@@ -7,13 +7,13 @@
 
 #define FIRST_SIZE 16u
 #define BLOCKS_MIN 8u
-#define BEND 15.0     /* times the median, which is 0.67 sigma */
-#define VARIANCE 25.0 /* times the median */
-#define BEND_QUANTA 4.0
-#define SHAKE_QUANTA 2.0
-/* Over the length of the reading: less is no motion that matters. */
-#define BEND_FIELD 1e-4
-#define SHAKE_FIELD 1e-3
+#define CURVATURE_RATIO 15.0 /* over the median, which is 0.67 sigma */
+#define VARIANCE_RATIO 25.0  /* over the median */
+#define CURVATURE_QUANTA 4.0
+#define NOISE_QUANTA 2.0
+/* Relative to the length of the reading: less is no significant motion. */
+#define CURVATURE_FIELD 1e-4
+#define NOISE_FIELD 1e-3
 
 void motion_begin(motion *m)
 {
@@ -22,18 +22,18 @@ void motion_begin(motion *m)
     memset(m->quantum, 0, sizeof m->quantum);
 }
 
-/* Each two blocks become one. */
-static void halve(motion *m)
+/* Halves the number of blocks. */
+static void merge_pairs(motion *m)
 {
     for (unsigned i = 0; i < m->blocks; i += 2) {
-        motion_block both = m->block[i];
+        motion_block merged = m->block[i];
         const motion_block *second = &m->block[i + 1];
-        both.count += second->count;
+        merged.count += second->count;
         for (unsigned k = 0; k < 3; k++) {
-            both.sum[k] += second->sum[k];
-            both.squares[k] += second->squares[k];
+            merged.sum[k] += second->sum[k];
+            merged.squares[k] += second->squares[k];
         }
-        m->block[i / 2] = both;
+        m->block[i / 2] = merged;
     }
     m->blocks /= 2;
     m->size *= 2;
@@ -42,12 +42,12 @@ static void halve(motion *m)
 static void begin_block(motion *m, const sample *s)
 {
     if (m->blocks == MOTION_BLOCKS) {
-        halve(m);
+        merge_pairs(m);
     }
     m->block[m->blocks++] = (motion_block){.line = s->line, .clock = s->clock};
 }
 
-static void watch_quantum(motion *m, const int32_t raw[3])
+static void update_quantum(motion *m, const int32_t raw[3])
 {
     for (unsigned k = 0; k < 3; k++) {
         const int64_t step = llabs((int64_t)raw[k] - m->last[k]);
@@ -62,7 +62,7 @@ void motion_add(motion *m, const sample *s)
     if (m->blocks == 0) {
         memcpy(m->origin, s->raw, sizeof m->origin);
     } else {
-        watch_quantum(m, s->raw);
+        update_quantum(m, s->raw);
     }
     if (m->blocks == 0 || m->block[m->blocks - 1].count == m->size) {
         begin_block(m, s);
@@ -87,7 +87,8 @@ static double mean(const motion *m, unsigned block, unsigned axis)
     return (double)m->block[block].sum[axis] / m->block[block].count;
 }
 
-static double bend(const motion *m, unsigned block, unsigned axis)
+/* The second difference of block means. */
+static double curvature(const motion *m, unsigned block, unsigned axis)
 {
     return fabs(mean(m, block, axis) - 2 * mean(m, block + 1, axis) + mean(m, block + 2, axis));
 }
@@ -99,7 +100,7 @@ static double variance(const motion *m, unsigned block, unsigned axis)
     return fmax(0, m->block[block].squares[axis] / m->block[block].count - x * x);
 }
 
-typedef double quantity(const motion *m, unsigned block, unsigned axis);
+typedef double block_statistic(const motion *m, unsigned block, unsigned axis);
 
 static int compare(const void *a, const void *b)
 {
@@ -109,10 +110,10 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static double median(motion *m, quantity *of, unsigned count, unsigned axis)
+static double median(motion *m, block_statistic *statistic, unsigned count, unsigned axis)
 {
     for (unsigned i = 0; i < count; i++) {
-        m->scratch[i] = of(m, i, axis);
+        m->scratch[i] = statistic(m, i, axis);
     }
     qsort(m->scratch, count, sizeof m->scratch[0], compare);
     return m->scratch[count / 2];
@@ -129,17 +130,17 @@ static double length(const motion *m)
     return sqrt(square);
 }
 
-/* The first of `count` blocks whose quantity is above the limit, unless an earlier place is known.
- * `ahead`: so many blocks on it shows. */
-static void search(const motion *m, quantity *of, unsigned count, unsigned axis, double limit,
-                   unsigned ahead, motion_place *out, unsigned *first)
+/* Finds the first of `count` blocks whose statistic is above the limit, unless an earlier place is
+ * known. The motion is `offset` blocks after it. */
+static void find_above(const motion *m, block_statistic *statistic, unsigned count, unsigned axis,
+                       double limit, unsigned offset, motion_place *out, unsigned *first)
 {
-    for (unsigned i = 0; i < count && i + ahead < *first; i++) {
-        const motion_block *b = &m->block[i + ahead];
-        if (!(of(m, i, axis) <= limit)) {
-            *first = i + ahead;
+    for (unsigned i = 0; i < count && i + offset < *first; i++) {
+        const motion_block *b = &m->block[i + offset];
+        if (!(statistic(m, i, axis) <= limit)) {
+            *first = i + offset;
             *out = (motion_place){.axis = axis, .line = b->line, .clock = b->clock};
-            out->is_shaking = ahead == 0;
+            out->is_shaking = offset == 0;
         }
     }
 }
@@ -155,13 +156,14 @@ int motion_find(motion *m, motion_place *out)
     }
     for (unsigned k = 0; k < 3; k++) {
         const double quantum = (double)m->quantum[k];
-        const double shake =
-            fmax(VARIANCE * median(m, variance, blocks, k),
-                 fmax(pow(SHAKE_QUANTA * quantum, 2), pow(SHAKE_FIELD * length(m), 2)));
-        const double most = fmax(BEND * median(m, bend, blocks - 2, k),
-                                 fmax(BEND_QUANTA * quantum, BEND_FIELD * length(m)));
-        search(m, variance, blocks, k, shake, 0, out, &first);
-        search(m, bend, blocks - 2, k, most, 2, out, &first);
+        const double variance_max =
+            fmax(VARIANCE_RATIO * median(m, variance, blocks, k),
+                 fmax(pow(NOISE_QUANTA * quantum, 2), pow(NOISE_FIELD * length(m), 2)));
+        const double curvature_max =
+            fmax(CURVATURE_RATIO * median(m, curvature, blocks - 2, k),
+                 fmax(CURVATURE_QUANTA * quantum, CURVATURE_FIELD * length(m)));
+        find_above(m, variance, blocks, k, variance_max, 0, out, &first);
+        find_above(m, curvature, blocks - 2, k, curvature_max, 2, out, &first);
     }
     return first < MOTION_BLOCKS;
 }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * read/motion.h: whether the sensor of a log has been at rest all the time, at any rate of samples and
- * with any unit: the noise follows from the log itself.
+ * read/motion.h: detects motion in a log of a sensor at rest, at any sampling rate and in any unit:
+ * the noise is estimated from the log itself.
  *
- * The log is cut into blocks of equal length, at most MOTION_BLOCKS: each two become one when
- * there are more. It has moved where the means of three blocks in a row bend, or the variance
- * inside of one rises, far beyond what is usual in this log (the median). A drift, however long,
- * bends little; half of the log must be at rest.
+ * The log is divided into blocks of equal length, at most MOTION_BLOCKS; before there are more,
+ * pairs are merged. The sensor has moved where the second difference of three block means, or the
+ * variance within a block, is far above its median in this log. A drift has a small second
+ * difference, however long it is. At least half of the log must be at rest.
  */
 #ifndef MOTION_H
 #define MOTION_H
@@ -19,8 +19,8 @@ typedef struct {
     unsigned long line; /* of the first sample */
     double clock;
     uint32_t count;
-    int64_t sum[3]; /* from the first sample of the log on, as the squares */
-    double squares[3];
+    int64_t sum[3];    /* of differences from the first sample of the log */
+    double squares[3]; /* of the same */
 } motion_block;
 
 typedef struct {
@@ -29,15 +29,15 @@ typedef struct {
     uint32_t size;                 /* samples of a full block */
     int32_t origin[3];             /* the first sample, */
     int32_t last[3];               /* and the last one */
-    int64_t quantum[3];            /* the smallest change of a reading, 0: none has changed yet */
+    int64_t quantum[3];            /* the smallest change of a reading; 0: it has not changed yet */
     double scratch[MOTION_BLOCKS]; /* for sorting */
 } motion;                          /* large: not for the stack */
 
 typedef struct {
     unsigned axis;
-    unsigned long line; /* where the block in question begins */
+    unsigned long line; /* at which the block begins */
     double clock;
-    int is_shaking; /* 1: the variance inside the block; 0: the means */
+    int is_shaking; /* 1: by the variance within the block; 0: by the means */
 } motion_place;
 
 void motion_begin(motion *m);
@@ -46,7 +46,8 @@ void motion_add(motion *m, const sample *s);
 /* 1 if an axis has never changed. */
 int motion_is_frozen(const motion *m, unsigned axis);
 
-/* Returns 1 and the first place where it has moved; 0 if it has not, or the log is too short. */
+/* Finds the first place where the sensor moved. Returns 1; 0 if it did not, or the log is too
+ * short. */
 int motion_find(motion *m, motion_place *out);
 
 #endif

@@ -14,9 +14,9 @@
 typedef struct {
     invcal_noise *noise; /* of three axes */
     double gravity;      /* 0: not known */
-    char unit[8];        /* of the noise, cut off */
-    unsigned axes;       /* bits of those that have been read */
-} reading;
+    char unit[8];        /* of the noise, truncated */
+    unsigned axes;       /* bits of the axes that have been read */
+} noise_file;
 
 typedef int (*member_reader)(json_reader *r, const char *name, void *into);
 
@@ -53,7 +53,7 @@ static int read_coefficient(json_reader *r, const char *name, void *into)
 
 static int read_axis(json_reader *r, const char *name, void *into)
 {
-    reading *all = into;
+    noise_file *all = into;
     const int axis = name[0] - 'x';
 
     if (name[0] == '\0' || name[1] != '\0' || axis < 0 || axis > 2) {
@@ -65,7 +65,7 @@ static int read_axis(json_reader *r, const char *name, void *into)
 
 static int read_member(json_reader *r, const char *name, void *into)
 {
-    reading *all = into;
+    noise_file *all = into;
 
     if (strcmp(name, "noise") == 0) {
         return read_object(r, read_axis, all);
@@ -79,8 +79,8 @@ static int read_member(json_reader *r, const char *name, void *into)
     return json_skip(r);
 }
 
-/* What must be there; then the field is what everything is over. */
-static int finish(const reading *all, const char *name)
+/* Checks what is required, and divides the noise by the field. */
+static int finish(const noise_file *all, const char *name)
 {
     for (unsigned i = 0; i < 3; i++) {
         invcal_noise *n = &all->noise[i];
@@ -95,7 +95,7 @@ static int finish(const reading *all, const char *name)
             n->coefficient[k] /= all->gravity;
         }
     }
-    if (unit_parse_turn(all->unit) > 0) {
+    if (unit_parse_angular_rate(all->unit) > 0) {
         message("%s: is the noise of a gyroscope (%s): run invcal allan with the columns of the "
                 "accelerometer",
                 name, all->unit);
@@ -112,7 +112,7 @@ static int finish(const reading *all, const char *name)
 
 int noise_file_read(const char *path, invcal_noise noise[3])
 {
-    reading all = {.noise = noise};
+    noise_file all = {.noise = noise};
     const char *name = input_name(path);
     json_reader r;
     FILE *file = input_open(path);

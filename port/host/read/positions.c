@@ -12,10 +12,10 @@
 #include "read/table.h"
 #include "read/temperature.h"
 
-#define NEAR 0.02 /* of all the range: 4 degrees */
-#define MANY 60u  /* rows: few people have as many positions */
+#define REPEAT_DISTANCE 0.02 /* relative to the whole range: 4 degrees */
+#define LOG_ROWS_MIN 60u     /* few tables have that many positions */
 
-/* Makes room for twice as many. */
+/* Doubles the capacity. */
 static int grow(positions *p)
 {
     const unsigned capacity = p->capacity ? p->capacity * 2 : 64;
@@ -48,7 +48,7 @@ int positions_add(positions *p, const double mean[3], const position_origin *ori
     return EXIT_GOOD;
 }
 
-/* std and n of the current row. */
+/* Adds std and n of the current row. */
 static int add_noise(positions *p, const table *t, const columns *where)
 {
     double samples;
@@ -121,12 +121,12 @@ static double distance(const double *a, const double *b)
                 (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/* Who turns from one position to the next is far from the one before; samples stay where they are. */
+/* Consecutive positions are far apart; most consecutive samples of a log are not. */
 static int look_like_samples(const positions *p)
 {
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    unsigned near = 0;
+    unsigned repeats = 0;
 
     for (size_t n = 0; n < p->count; n++) {
         for (unsigned i = 0; i < 3; i++) {
@@ -135,9 +135,10 @@ static int look_like_samples(const positions *p)
         }
     }
     for (size_t n = 1; n < p->count; n++) {
-        near += distance(&p->mean[3 * n - 3], &p->mean[3 * n]) < NEAR * distance(low, high);
+        repeats +=
+            distance(&p->mean[3 * n - 3], &p->mean[3 * n]) < REPEAT_DISTANCE * distance(low, high);
     }
-    return !p->has_noise && p->count >= MANY && near > p->count / 2;
+    return !p->has_noise && p->count >= LOG_ROWS_MIN && repeats > p->count / 2;
 }
 
 int positions_read(positions *p, const char *path)
@@ -160,7 +161,9 @@ int positions_read(positions *p, const char *path)
             "warning: %s: this looks like a raw log, not like position means: most of its %u "
             "rows repeat the one before; invcal calibrate reads a raw log without --positions%s",
             p->name, p->count,
-            p->seen.of == OF_MAGNETOMETER ? "; for a magnetometer in motion: --magnetometer" : "");
+            p->seen.sensor == COLUMNS_OF_MAGNETOMETER
+                ? "; for a magnetometer in motion: --magnetometer"
+                : "");
     }
     return failure;
 }

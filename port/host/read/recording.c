@@ -5,7 +5,7 @@
 
 #include "text/number.h"
 
-#define ANGLE_CHANGE 0.02 /* degrees in a rest: an encoder's last digit is no turn */
+#define ANGLE_CHANGE 0.02 /* degrees in a rest: the last digit of an encoder may change */
 
 void recording_begin(recording *r, const samples *log)
 {
@@ -31,7 +31,7 @@ void recording_sample(recording *r, const samples *log, const sample *s)
 {
     double value[TIMELINE_TRACES];
 
-    r->fill = s->is_gap ? 0 : r->fill; /* the block that was begun is lost */
+    r->fill = s->is_gap ? 0 : r->fill; /* a partly filled block is lost */
     if (r->fill++ == 0) {
         r->open = (recording_block){
             .line = s->line, .clock = s->clock, .angle = {s->angle[0], s->angle[1]}};
@@ -54,7 +54,7 @@ void recording_filled(recording *r)
     r->fill = 0;
 }
 
-/* The block that begins with sample `index` of those in full blocks, or the oldest remembered. */
+/* The block that begins with sample `index`, counted in full blocks, or the oldest in memory. */
 static unsigned long block_of(const recording *r, uint32_t index)
 {
     const unsigned long block = r->size ? index / r->size : 0;
@@ -63,7 +63,7 @@ static unsigned long block_of(const recording *r, uint32_t index)
     return block < oldest ? oldest : block;
 }
 
-/* Of the mean of an axis: batch means. */
+/* The variance of the mean of an axis, by batch means. */
 static double variance_of_mean(const recording *r, unsigned long first, unsigned long last,
                                unsigned axis)
 {
@@ -80,17 +80,17 @@ static double variance_of_mean(const recording *r, unsigned long first, unsigned
     return (squares - sum * sum / count) / (count * (count - 1));
 }
 
-/* Of the middle of a rest; what differs from it before or after is no angle of a rest. */
+/* The angle in the middle of a rest; unknown if it was another one before or after. */
 static double angle_of(const recording *r, unsigned long first, unsigned long last, unsigned which)
 {
     const double middle = r->block[(first + last) / 2 % RECORDING_BLOCKS].angle[which];
-    double most = 0;
+    double largest = 0;
 
     for (unsigned long k = first; k < last && k < r->blocks; k++) {
         const double off = fabs(r->block[k % RECORDING_BLOCKS].angle[which] - middle);
-        most = off <= most ? most : off; /* NaN, too */
+        largest = off <= largest ? largest : off; /* NaN, too */
     }
-    return most <= ANGLE_CHANGE ? middle : NUMBER_UNKNOWN;
+    return largest <= ANGLE_CHANGE ? middle : NUMBER_UNKNOWN;
 }
 
 unsigned recording_count(const recording *r)

@@ -11,30 +11,31 @@
 
 #define PI 3.14159265358979324
 
-#define LEAST_SECONDS 2.0 /* of a rest, see invcal/expert.h */
+#define SECONDS_MIN 2.0 /* of a rest, see invcal/expert.h */
 
-/* One log, read as one of some rate. */
+/* A log, read with one assumption about its rate. */
 typedef struct {
     positions p;
     rests_summary summary;
     invcal_rests rests;
     double unit;
-    double slower; /* seconds of it in a second of the log's clock */
+    double clock_scale; /* seconds at the assumed rate per second of the log's clock */
     recording *recording;
-} reading;
+} trial;
 
-/* Where the rate is unknown, these are tried at once; the last is good for all that are slower. */
-static const unsigned guess[] = {100, 50, 25};
+/* If the rate is unknown, all of these are tried in one pass; the last one also works for lower
+ * rates. */
+static const unsigned assumed_rate[] = {100, 50, 25};
 
-#define GUESSES (sizeof guess / sizeof guess[0])
-#define ENOUGH INVCAL_PARAMETERS /* positions, so that no other guess is wanted */
+#define RATES (sizeof assumed_rate / sizeof assumed_rate[0])
+#define POSITIONS_ENOUGH INVCAL_PARAMETERS /* with these, lower rates need not be tried */
 
 /* Too large for the stack. */
 static recording log_recording;
 
-double rests_least(double rate)
+double rests_min_seconds(double rate)
 {
-    return fmax(LEAST_SECONDS, RESTS_SAMPLES / rate);
+    return fmax(SECONDS_MIN, RESTS_SAMPLES / rate);
 }
 
 const char *rests_reason_text(invcal_status reason)
@@ -60,13 +61,13 @@ const char *rests_reason_text(invcal_status reason)
 
 void rests_refuse(rests_summary *summary, invcal_status reason, recording *log)
 {
-    unsigned told = 0;
+    unsigned listed = 0;
 
     for (unsigned i = 0; i < RESTS_REASONS; i++) {
-        told += summary->refused[i];
+        listed += summary->refused[i];
     }
-    if (told < RESTS_TOLD) {
-        summary->refusal[told] = (rests_refusal){log->outline.duration, log->open.line, reason};
+    if (listed < RESTS_LISTED) {
+        summary->refusal[listed] = (rests_refusal){log->outline.duration, log->open.line, reason};
     }
     summary->refused[reason - INVCAL_REST_SHORT]++;
     timeline_refuse(&log->outline);
@@ -95,8 +96,8 @@ int rests_take(positions *p, const invcal_rest *rest, double unit, const recordi
     return positions_add(p, mean, &origin);
 }
 
-/* What rounding to steps of q leaves in a mean, however many samples it has: of noise s the cells of the
- * quantiser average all but this (the first terms of a Fourier series). */
+/* The variance of a mean that rounding to steps of q leaves, however many samples it has, if their
+ * noise is s (the first terms of a Fourier series). */
 static double floor_square(double q, double s)
 {
     double sum = 0;
@@ -107,8 +108,9 @@ static double floor_square(double q, double s)
     return q * q / (2 * PI * PI) * sum;
 }
 
-/* The noise s behind samples of variance v = s^2 + q^2/12 - floor^2(s): by bisection, as v grows with s. */
-static double noise_behind(double q, double v)
+/* The noise s of samples of variance v = s^2 + q^2/12 - floor^2(s), by bisection, as v increases
+ * with s. */
+static double noise_of(double q, double v)
 {
     double low = 0;
     double high = sqrt(v);
@@ -129,7 +131,7 @@ void rests_noise(positions *p)
     for (unsigned i = 0; i < 3 && p->count > 0; i++) {
         p->noise_square[i] /= p->count;
         if (p->quantum > 0) {
-            const double s = noise_behind(p->quantum, p->scatter / p->count);
+            const double s = noise_of(p->quantum, p->scatter / p->count);
             p->floor_square = floor_square(p->quantum, s);
             p->noise_square[i] += p->floor_square;
         }
@@ -145,12 +147,12 @@ void rests_end(positions *p, const samples *log, rests_summary *summary)
     summary->skipped = log->skipped;
     summary->seconds = (double)summary->samples / summary->rate;
     p->rests = summary;
-    p->seen = log->where.seen; /* without a temperature that is ignored */
+    p->seen = log->where.seen; /* without the temperature if it was ignored */
     p->has_temperature = log->has_temperature;
     p->has_angles = log->has_angles;
 }
 
-static int digest(reading *r, invcal_event event)
+static int handle_event(trial *r, invcal_event event)
 {
     invcal_rest rest;
 
@@ -162,12 +164,12 @@ static int digest(reading *r, invcal_event event)
                : EXIT_GOOD;
 }
 
-static int feed(reading *r, const samples *log, sample s)
+static int feed(trial *r, const samples *log, sample s)
 {
     if (s.is_gap) {
         invcal_rests_gap(&r->rests);
     }
-    s.clock *= r->slower;
+    s.clock *= r->clock_scale;
     r->summary.samples++;
     recording_sample(r->recording, log, &s);
     const invcal_event event = invcal_rests_feed(&r->rests, s.raw);
@@ -175,34 +177,34 @@ static int feed(reading *r, const samples *log, sample s)
         return EXIT_GOOD;
     }
     recording_filled(r->recording);
-    return digest(r, event);
+    return handle_event(r, event);
 }
 
-static int read_samples(reading *r, unsigned readings, samples *log, turns *gyro)
+static int read_samples(trial *r, unsigned trials, samples *log, gyro_log *gyro)
 {
     sample s;
     int more;
     int failure = EXIT_GOOD;
 
     while (!failure && (more = samples_next(log, &s)) == 1) {
-        for (unsigned k = 0; k < readings && !failure; k++) {
-            failure = k == 0 || r->p.count < ENOUGH ? feed(&r[k], log, s) : EXIT_GOOD;
+        for (unsigned k = 0; k < trials && !failure; k++) {
+            failure = k == 0 || r->p.count < POSITIONS_ENOUGH ? feed(&r[k], log, s) : EXIT_GOOD;
         }
-        failure = failure || !gyro ? failure : turns_add(gyro, log, &s);
+        failure = failure || !gyro ? failure : gyro_log_add(gyro, log, &s);
         progress_show(log->table.file, log->table.line, r->p.count);
     }
     progress_end();
     failure = failure || more < 0 ? EXIT_FILE : EXIT_GOOD;
-    for (unsigned k = 0; k < readings && !failure; k++) {
-        failure = digest(&r[k], invcal_rests_finish(&r[k].rests));
+    for (unsigned k = 0; k < trials && !failure; k++) {
+        failure = handle_event(&r[k], invcal_rests_finish(&r[k].rests));
     }
     return failure;
 }
 
-/* `guessed`: samples per second; 0: the log's own. */
-static int begin(reading *r, const samples *log, const double *clip, unsigned guessed)
+/* `assumed`: rate in samples per second; 0: that of the log. */
+static int begin(trial *r, const samples *log, const double *clip, unsigned assumed)
 {
-    const double rate = guessed > 0 ? guessed : log->rate;
+    const double rate = assumed > 0 ? assumed : log->rate;
 
     r->p = (positions){.name = log->table.name, .has_noise = 1};
     r->summary = (rests_summary){.rate = rate,
@@ -210,10 +212,10 @@ static int begin(reading *r, const samples *log, const double *clip, unsigned gu
                                  .track = r->recording,
                                  .unit = log->unit};
     r->unit = log->unit;
-    r->slower = log->rate / rate;
+    r->clock_scale = log->rate / rate;
     recording_begin(r->recording, log);
     timeline_begin(&r->recording->outline, rate);
-    if (invcal_rests_init(&r->rests, guessed > 0 ? guessed : samples_whole_rate(log)) !=
+    if (invcal_rests_init(&r->rests, assumed > 0 ? assumed : samples_whole_rate(log)) !=
         INVCAL_OK) {
         message("%s: %.6g samples per second: 8 to 8000 are supported", log->table.name, rate);
         return EXIT_FILE;
@@ -226,29 +228,30 @@ static int begin(reading *r, const samples *log, const double *clip, unsigned gu
     return EXIT_GOOD;
 }
 
-/* The first that has found enough, or else the first. */
-static unsigned choose(const reading *r, unsigned readings)
+/* The first trial that has found enough positions, or else the first one. */
+static unsigned choose(const trial *r, unsigned trials)
 {
-    for (unsigned k = 0; k < readings; k++) {
-        if (r[k].p.count >= ENOUGH) {
+    for (unsigned k = 0; k < trials; k++) {
+        if (r[k].p.count >= POSITIONS_ENOUGH) {
             return k;
         }
     }
     return 0;
 }
 
-/* All readings at once, the first in log_recording, the others in theirs. `best` is to be taken. */
-static int read_log(reading *r, unsigned readings, recording *others, samples *log,
-                    const double *clip, turns *gyro, unsigned *best)
+/* Makes all trials in one pass, the first with log_recording, the rest with `others`. *best: the
+ * one to use. */
+static int read_log(trial *r, unsigned trials, recording *others, samples *log, const double *clip,
+                    gyro_log *gyro, unsigned *best)
 {
     int failure = EXIT_GOOD;
 
-    for (unsigned k = 0; k < readings && !failure; k++) {
+    for (unsigned k = 0; k < trials && !failure; k++) {
         r[k].recording = k == 0 ? &log_recording : &others[k - 1];
-        failure = begin(&r[k], log, clip, log->is_rate_known ? 0 : guess[k]);
+        failure = begin(&r[k], log, clip, log->is_rate_known ? 0 : assumed_rate[k]);
     }
-    failure = failure ? failure : read_samples(r, readings, log, gyro);
-    *best = failure ? 0 : choose(r, readings);
+    failure = failure ? failure : read_samples(r, trials, log, gyro);
+    *best = failure ? 0 : choose(r, trials);
     if (*best > 0) {
         log_recording = others[*best - 1];
         r[*best].summary.track = &log_recording;
@@ -256,25 +259,25 @@ static int read_log(reading *r, unsigned readings, recording *others, samples *l
     return failure;
 }
 
-int rests_read(positions *p, const char *path, double rate, const double clip[2], turns *gyro,
+int rests_read(positions *p, const char *path, double rate, const double clip[2], gyro_log *gyro,
                rests_summary *summary)
 {
     static samples log; /* too large for the stack */
-    reading r[GUESSES] = {{.p = {.name = NULL}}};
+    trial r[RATES] = {{.p = {.name = NULL}}};
     unsigned best = 0;
     int failure = samples_open(&log, path, gyro ? COLUMNS_IMU : COLUMNS_LOG, rate, 0);
-    recording *others = failure || log.is_rate_known ? NULL : calloc(GUESSES - 1, sizeof *others);
-    const unsigned readings = others ? GUESSES : 1; /* without the memory the first has to do */
+    recording *others = failure || log.is_rate_known ? NULL : calloc(RATES - 1, sizeof *others);
+    const unsigned trials = others ? RATES : 1; /* only the first if memory is short */
 
     r[0].p.name = log.table.name;
     if (!failure && gyro) {
-        turns_begin(gyro, &log);
+        gyro_log_begin(gyro, &log);
         gyro = log.has_gyro || gyro->file ? gyro : NULL;
     }
-    failure = failure ? failure : read_log(r, readings, others, &log, clip, gyro, &best);
+    failure = failure ? failure : read_log(r, trials, others, &log, clip, gyro, &best);
     samples_close(&log);
     free(others);
-    for (unsigned k = 0; k < readings; k++) {
+    for (unsigned k = 0; k < trials; k++) {
         if (k != best) {
             positions_free(&r[k].p);
         }
@@ -284,8 +287,8 @@ int rests_read(positions *p, const char *path, double rate, const double clip[2]
     rests_end(p, &log, summary);
     if (!failure && gyro) {
         gyro->rate = summary->is_rate_known ? gyro->rate : summary->rate;
-        failure = gyro->file ? turns_read(gyro, &log, rate, p->name) : EXIT_GOOD;
-        turns_end(gyro);
+        failure = gyro->file ? gyro_log_read(gyro, &log, rate, p->name) : EXIT_GOOD;
+        gyro_log_end(gyro);
     }
     return failure;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * read/rests.h: the positions in a log of samples.
+ * read/rests.h: finds the positions in a log of samples.
  */
 #ifndef RESTS_H
 #define RESTS_H
@@ -8,64 +8,65 @@
 #include "invcal/expert.h"
 #include "read/positions.h"
 #include "read/recording.h"
-#include "read/turns.h"
+#include "read/gyro_log.h"
 
-/* INVCAL_REST_SHORT ... INVCAL_REST_SAME: why a rest is no position. */
+/* INVCAL_REST_SHORT ... INVCAL_REST_SAME: why a rest was refused. */
 enum { RESTS_REASONS = INVCAL_REST_SAME - INVCAL_REST_SHORT + 1 };
 
-#define RESTS_SAMPLES 50u /* that a rest takes at least, where they are slow */
-#define RESTS_TOLD 10u    /* of the refused ones */
+#define RESTS_SAMPLES 50u /* the minimum of a rest at low rates */
+#define RESTS_LISTED 10u  /* refused rests that are listed */
 
 typedef struct {
-    double end;         /* seconds from the first sample, about */
-    unsigned long line; /* about there */
+    double end;         /* seconds from the first sample, approximately */
+    unsigned long line; /* approximately */
     invcal_status why;  /* an INVCAL_REST_ */
 } rests_refusal;
 
-/* What was seen besides the positions. */
+/* What was found besides the positions. */
 typedef struct rests_summary {
     unsigned long samples;
     double seconds;
     double rate;
     int is_rate_known;
-    unsigned long gaps;                /* in the times, or of lines that were skipped */
-    unsigned long skipped;             /* malformed lines of a live stream, cut ones of a log */
-    unsigned refused[RESTS_REASONS];   /* rests, by their reason, from INVCAL_REST_SHORT on */
-    rests_refusal refusal[RESTS_TOLD]; /* the first of them */
-    const recording *track;            /* what is remembered of the log, */
-    double unit;                       /* a count of which is so many input units */
+    unsigned long gaps;              /* in the times, or by lines that were skipped */
+    unsigned long skipped;           /* malformed lines of a live stream, cut ones of a log */
+    unsigned refused[RESTS_REASONS]; /* number of refused rests by reason, from INVCAL_REST_SHORT */
+    rests_refusal refusal[RESTS_LISTED]; /* the first of them */
+    const recording *track;              /* of the log */
+    double unit;                         /* input units in a count of it */
 } rests_summary;
 
-/* Seconds that a rest takes at least, so that it is found at this rate. */
-double rests_least(double rate);
+/* The minimum duration of a rest at this rate, seconds. */
+double rests_min_seconds(double rate);
 
-/* Why a rest is no position, or its mean no reading of this field. */
+/* The reason in words: why a rest was refused, or its mean is not a reading of this field. */
 const char *rests_reason_text(invcal_status reason);
 
-/* Counts a rest that was refused for an INVCAL_REST_. */
+/* Counts a refused rest; `reason` is an INVCAL_REST_. */
 void rests_refuse(rests_summary *summary, invcal_status reason, recording *log);
 
-/* Adds a rest to the positions. `unit` is that of a count. Returns as positions_add. */
+/* Adds a rest to the positions. `unit`: input units in a count. Returns as positions_add. */
 int rests_take(positions *p, const invcal_rest *rest, double unit, const recording *log);
 
-/* Makes the noise of a position mean of the sums in noise_square: once, or of a copy. */
+/* Turns the sums in noise_square into the noise of a position mean; to be called once, or on a
+ * copy. */
 void rests_noise(positions *p);
 
-/* All rests are taken, and so is the log: completes the positions and the summary. */
+/* At the end of the log, after the last rest: completes the positions and the summary. */
 void rests_end(positions *p, const samples *log, rests_summary *summary);
 
-/* Finds the rests in a log ("-": standard input), in fixed memory but for the positions. If the rate
- * is unknown, 100 samples per second are assumed; or 50 or 25, if only these find enough rests for a calibration.
+/* Finds the rests in a log ("-": standard input). Memory grows only with the positions and the
+ * gyroscope's readings. If the rate is unknown, it assumes 100 samples per second, or 50 or 25 if
+ * only these give enough rests for a calibration.
  *
  * rate  samples per second; 0: see samples.h.
- * clip  null, or the least and the greatest reading of the sensor, input units.
+ * clip  null, or the smallest and the largest reading of the sensor, input units.
+ * gyro  null: the columns of a gyroscope are ignored; else out: its readings, none if there is no
+ *       gyroscope. Release it with gyro_log_free in either case.
  *
- * gyro  null: a gyroscope's columns are ignored; else they are kept in it, if there are some: without
- *       readings it is empty. To be released with turns_free in either case.
- *
- * Returns EXIT_GOOD, also without any rest; EXIT_FILE, with a message. The positions are to be
- * released with positions_free in either case; their lines are those of the first samples. */
-int rests_read(positions *p, const char *path, double rate, const double clip[2], turns *gyro,
+ * Returns EXIT_GOOD, also without any rest; EXIT_FILE, with a message. Release the positions with
+ * positions_free in either case. Their lines are those of the first samples. */
+int rests_read(positions *p, const char *path, double rate, const double clip[2], gyro_log *gyro,
                rests_summary *summary);
 
 #endif

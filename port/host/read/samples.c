@@ -9,12 +9,12 @@
 #include "cli/message.h"
 #include "read/temperature.h"
 
-#define RATE_GUESS 100.0
-#define ROOM 22 /* bits that the largest of the first readings takes, and its fraction */
-#define SMALLEST_UNIT (-14) /* power of two, where nothing but zeros has been read */
+#define RATE_DEFAULT 100.0
+#define COUNT_BITS 22               /* of the largest of the first readings, with its fraction */
+#define UNIT_EXPONENT_DEFAULT (-14) /* of a power of two, if only zeros have been read */
 #define SKIPPED_MAX 100u
 
-enum { TIME = 3, TEMPERATURE = 4, ALPHA = 5, BETA = 6, ASIDE = 7, GYRO = 10 };
+enum { TIME = 3, TEMPERATURE = 4, ALPHA = 5, BETA = 6, ACCELEROMETER = 7, GYRO = 10 };
 
 /* The numbers of the current row. */
 static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
@@ -37,12 +37,12 @@ static int read_numbers(samples *s, double v[SAMPLES_NUMBERS])
     v[ALPHA] = columns_angle(&s->table, &s->where, COLUMN_ALPHA);
     v[BETA] = columns_angle(&s->table, &s->where, COLUMN_BETA);
     for (unsigned i = 0; i < 3; i++) {
-        v[ASIDE + i] = columns_aside(&s->table, &s->where, i);
+        v[ACCELEROMETER + i] = columns_accelerometer(&s->table, &s->where, i);
     }
-    return s->where.gyro[0] >= 0 ? columns_turn(&s->table, &s->where, &v[GYRO]) : EXIT_GOOD;
+    return s->where.gyro[0] >= 0 ? columns_gyro(&s->table, &s->where, &v[GYRO]) : EXIT_GOOD;
 }
 
-/* The first line was cut, so that the second has more columns: that decides. Returns 1 if so. */
+/* If the first line was cut, the second has more columns, and determines them. Returns 1 if so. */
 static int realign(samples *s)
 {
     if (s->count > 0 || s->ahead_count > 1 || s->table.has_header ||
@@ -54,14 +54,14 @@ static int realign(samples *s)
     return columns_find(&s->table, s->kind, &s->where) == EXIT_GOOD;
 }
 
-/* The numbers of the next row that is whole. 1, 0 at the end, -1. */
+/* The numbers of the next valid row. 1, 0 at the end, -1. */
 static int next_row(samples *s, double v[SAMPLES_NUMBERS])
 {
     for (unsigned skipped = 0; skipped < SKIPPED_MAX; skipped++) {
         const int more = table_next(&s->table);
         if (more != 0 && !s->is_live && s->count + s->ahead_count > 0 &&
             columns_is_cut(&s->table, &s->where)) {
-            columns_say_cut(&s->table, "last", s->table.line);
+            columns_warn_cut(&s->table, "last", s->table.line);
             s->skipped++;
             return 0;
         }
@@ -85,11 +85,11 @@ static int next_row(samples *s, double v[SAMPLES_NUMBERS])
 
 static int read_ahead(samples *s)
 {
-    const unsigned most = s->is_live ? SAMPLES_AHEAD_LIVE : SAMPLES_AHEAD;
+    const unsigned limit = s->is_live ? SAMPLES_AHEAD_LIVE : SAMPLES_AHEAD;
     double v[SAMPLES_NUMBERS];
     int more = 1;
 
-    while (s->ahead_count < most && (more = next_row(s, v)) == 1) {
+    while (s->ahead_count < limit && (more = next_row(s, v)) == 1) {
         memcpy(s->ahead[s->ahead_count], v, sizeof v);
         s->ahead_line[s->ahead_count++] = s->table.line;
     }
@@ -103,23 +103,24 @@ static int read_ahead(samples *s)
     return EXIT_GOOD;
 }
 
-static double largest(const samples *s)
+static double largest_reading(const samples *s)
 {
-    double most = 0;
+    double largest = 0;
 
     for (unsigned n = 0; n < s->ahead_count; n++) {
         for (unsigned i = 0; i < 3; i++) {
-            most = fmax(most, fabs(s->ahead[n][i]));
+            largest = fmax(largest, fabs(s->ahead[n][i]));
         }
     }
-    return most;
+    return largest;
 }
 
 static double find_unit(const samples *s)
 {
-    const double most = largest(s);
+    const double largest = largest_reading(s);
 
-    return most > 0 ? fmin(1, ldexp(1, (int)ceil(log2(most)) - ROOM)) : ldexp(1, SMALLEST_UNIT);
+    return largest > 0 ? fmin(1, ldexp(1, (int)ceil(log2(largest)) - COUNT_BITS))
+                       : ldexp(1, UNIT_EXPONENT_DEFAULT);
 }
 
 static int compare(const void *a, const void *b)
@@ -130,7 +131,7 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* To three digits: clocks are no better, and 99.98 is 100. */
+/* To three digits: clocks are no more accurate, and 99.98 means 100. */
 static double round_rate(double rate)
 {
     char text[32];
@@ -139,8 +140,8 @@ static double round_rate(double rate)
     return strtod(text, NULL);
 }
 
-/* The mean step of time, or the middle one if gaps have spoilt the mean. Times may stand still for
- * some samples, when they come in batches. */
+/* The mean time step, or the median if gaps have spoilt the mean. Samples that arrive in batches
+ * may have equal times. */
 static double usual_step(samples *s)
 {
     double step[SAMPLES_AHEAD];
@@ -151,13 +152,13 @@ static double usual_step(samples *s)
     }
     qsort(step, n, sizeof step[0], compare);
     const double mean = (s->ahead[n][TIME] - s->ahead[0][TIME]) / n;
-    s->longest = 2 * step[n - 1 - n / 50]; /* the last are gaps, if anything is */
+    s->step_max = 2 * step[n - 1 - n / 50]; /* the largest 2 % may be gaps */
     return step[n / 2] > 0 && mean > 1.5 * step[n / 2] ? step[n / 2] : mean;
 }
 
 static int find_rate(samples *s)
 {
-    s->rate = RATE_GUESS;
+    s->rate = RATE_DEFAULT;
     if (!s->has_time || s->ahead_count < 3) {
         return EXIT_GOOD;
     }
@@ -170,12 +171,13 @@ static int find_rate(samples *s)
                 step > 0 ? "put the unit into the heading (t_ms, t_us), or " : "");
         return EXIT_FILE;
     }
-    s->longest = fmax(s->longest, 4 / s->rate + 0.1);
+    s->step_max = fmax(s->step_max, 4 / s->rate + 0.1);
     s->is_rate_known = 1;
     return EXIT_GOOD;
 }
 
-/* If the first line of a live stream was cut beyond recognition, the second one counts. */
+/* If the first line of a live stream was cut beyond recognition, the second one determines the
+ * columns. */
 static int find_columns(samples *s)
 {
     unsigned long cut = 0;
@@ -184,7 +186,7 @@ static int find_columns(samples *s)
         return EXIT_FILE;
     }
     if (cut > 0) {
-        columns_say_cut(&s->table, "first", cut);
+        columns_warn_cut(&s->table, "first", cut);
         s->skipped++;
     }
     const int failure = columns_find(&s->table, s->kind, &s->where);
@@ -192,8 +194,8 @@ static int find_columns(samples *s)
     if (!failure || !s->is_live || s->table.has_header) {
         return failure;
     }
-    (void)table_next(&s->table); /* the first */
-    (void)table_next(&s->table); /* has another number of columns, and gives a warning */
+    (void)table_next(&s->table); /* the first line */
+    (void)table_next(&s->table); /* the second, which warns of another number of columns */
     s->table.columns = s->table.found > 0 ? s->table.found : s->table.columns;
     s->skipped = 2;
     return columns_find(&s->table, s->kind, &s->where);
@@ -207,7 +209,7 @@ int samples_open(samples *s, const char *path, columns_kind kind, double rate, i
     s->kind = kind;
     s->is_broken = 0;
     s->clock = 0;
-    s->longest = HUGE_VAL; /* with a given rate times may be of any unit */
+    s->step_max = HUGE_VAL; /* with a given rate, times may be in any unit */
     int failure = table_open(&s->table, path);
 
     s->table.is_log = !live;
@@ -237,10 +239,10 @@ int32_t samples_count(const samples *s, double value)
     return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, nearbyint(value / s->unit)));
 }
 
-/* Times of any unit are of no use, nor are those that jump. */
+/* By the times, unless their unit is unknown or they jump; else one sample at the rate. */
 static double time_passed(const samples *s, double step)
 {
-    const int is_seconds = s->has_time && s->longest < HUGE_VAL;
+    const int is_seconds = s->has_time && s->step_max < HUGE_VAL;
 
     return is_seconds && step >= 0 && step <= SAMPLES_PAUSE ? step : 1 / s->rate;
 }
@@ -268,11 +270,11 @@ int samples_next(samples *s, sample *out)
     out->temperature = v[TEMPERATURE];
     out->angle[0] = v[ALPHA];
     out->angle[1] = v[BETA];
-    memcpy(out->aside, &v[ASIDE], sizeof out->aside);
+    memcpy(out->accelerometer, &v[ACCELEROMETER], sizeof out->accelerometer);
     memcpy(out->gyro, &v[GYRO], sizeof out->gyro);
     const double step = v[TIME] - s->last_time;
     out->clock = s->clock += s->count == 0 ? 0 : time_passed(s, step);
-    const int jumps = s->has_time && s->count > 0 && !(step >= 0 && step <= s->longest);
+    const int jumps = s->has_time && s->count > 0 && !(step >= 0 && step <= s->step_max);
     out->is_gap = jumps || (!is_ahead && s->is_broken);
     s->is_broken = s->is_broken && is_ahead;
     s->gaps += (unsigned long)out->is_gap;

@@ -29,7 +29,7 @@ static const char *skip_blanks(const char *s)
     return s;
 }
 
-/* The first bytes may be those of a file that is no table. */
+/* Recognises other kinds of files by their first bytes. */
 static int check_signature(const table *t, size_t length)
 {
     const char *what = t->line == 1 ? signature_find(t->text, length) : NULL;
@@ -40,7 +40,7 @@ static int check_signature(const table *t, size_t length)
     return what ? -1 : 1;
 }
 
-/* Control characters have no place in a text: most likely it is none. */
+/* A line with control characters is most likely not of a text file. */
 static int check_text(const table *t, size_t length)
 {
     if (check_signature(t, length) != 1) {
@@ -58,7 +58,7 @@ static int check_text(const table *t, size_t length)
     return 1;
 }
 
-/* So that a report can say which file it was. */
+/* For reports, which identify the file by its size and CRC. */
 static void count_bytes(table *t, size_t length, int has_end)
 {
     t->crc = crc_update(t->crc, t->text, length);
@@ -66,7 +66,7 @@ static void count_bytes(table *t, size_t length, int has_end)
     t->bytes += length + (size_t)has_end;
 }
 
-/* Reads a line into text, without its end. 1, 0 at the end of the file, -1. */
+/* Reads a line without its end into t->text. 1, 0 at the end of the file, -1. */
 static int read_line(table *t)
 {
     size_t length = 0;
@@ -88,7 +88,7 @@ static int read_line(table *t)
         t->text[length++] = (char)c;
     }
     if (ferror(t->file) && errno == EINTR) {
-        return 0; /* a caller that catches a signal wants to end */
+        return 0; /* a caught signal ends the file */
     }
     if (ferror(t->file)) {
         message("%s:%lu: cannot be read: %s", t->name, t->line, strerror(errno));
@@ -101,16 +101,16 @@ static int read_line(table *t)
     return check_text(t, length);
 }
 
-/* Takes a UTF-8 mark of byte order off the first line. */
-static void strip_mark(table *t)
+/* Removes a UTF-8 byte order mark from the first line. */
+static void strip_bom(table *t)
 {
     if (t->line == 1 && strncmp(t->text, "\xef\xbb\xbf", 3) == 0) {
         memmove(t->text, t->text + 3, strlen(t->text + 3) + 1);
     }
 }
 
-/* A spreadsheet's first line, which is none of the table. */
-static int takes_separator(table *t)
+/* The first line `sep=;` of a spreadsheet, which is not a row. */
+static int read_separator_line(table *t)
 {
     const char *text = t->text + (*t->text == '"');
 
@@ -122,7 +122,7 @@ static int takes_separator(table *t)
     return 1;
 }
 
-/* `%time` is a heading of ROS. A ; with another one after it separates. */
+/* `%time` is a heading of ROS. If a second ; follows, the ; is a separator. */
 static int is_comment(const table *t, const char *start)
 {
     switch (*start) {
@@ -139,11 +139,11 @@ static int is_comment(const table *t, const char *start)
     }
 }
 
-/* The last comment above the table, without its mark. */
-static void keep_comment(table *t, const char *start)
+/* Saves the last comment above the table, without its marker. */
+static void save_comment(table *t, const char *start)
 {
     start += strspn(
-        start, (const char[]){*start, '\0'}); /* only its own mark: "#;t;x" has a column called # */
+        start, (const char[]){*start, '\0'}); /* only this one: "#;t;x" has a column called # */
     start += strspn(start, " \t");
     if (t->first_line == 0 && strlen(start) < sizeof t->comment) {
         memcpy(t->comment, start, strlen(start) + 1);
@@ -151,7 +151,7 @@ static void keep_comment(table *t, const char *start)
     }
 }
 
-/* Reads up to the next line that holds something. */
+/* Reads the next line that is neither empty nor a comment. */
 static int read_row(table *t)
 {
     for (;;) {
@@ -159,17 +159,17 @@ static int read_row(table *t)
         if (more != 1) {
             return more;
         }
-        strip_mark(t);
+        strip_bom(t);
         const char *start = skip_blanks(t->text);
         if (*start != '\0' && is_comment(t, start)) {
-            keep_comment(t, start);
-        } else if (*start != '\0' && !takes_separator(t)) {
+            save_comment(t, start);
+        } else if (*start != '\0' && !read_separator_line(t)) {
             return 1;
         }
     }
 }
 
-/* Every comma of the line stands between digits, and a blank elsewhere: "1,5 2,5 3,5". */
+/* Every comma of the line is between digits, and there are blanks: "1,5 2,5 3,5". */
 static int has_decimal_commas(const char *start, const char *end)
 {
     int blanks = 0;
@@ -184,8 +184,8 @@ static int has_decimal_commas(const char *start, const char *end)
     return blanks > 0;
 }
 
-/* Semicolons and tabs before commas: where both stand, the commas are decimal ones; but a tab behind
- * a comma is only a blank. */
+/* Semicolons and tabs take precedence over commas, which are then decimal ones; but a tab after a
+ * comma is a blank. */
 static char find_separator(const char *line)
 {
     const char *order = ";\t,";
@@ -214,7 +214,7 @@ static int is_separator(const table *t, char c)
     return t->separator == ' ' ? is_blank(c) : c == t->separator;
 }
 
-/* Ends a text at `end` or before, so that no blank is its last. */
+/* Ends a text at `end`, without trailing blanks. */
 static void strip_end(const char *start, char *end)
 {
     while (end > start && is_blank(end[-1])) {
@@ -223,8 +223,8 @@ static void strip_end(const char *start, char *end)
     *end = '\0';
 }
 
-/* Finds the end of a field that begins with a quote, and takes the quotes off. Returns the place
- * of the separator after it, or of the end of the line; null if there is something else. */
+/* Finds the end of a quoted field, and removes the quotes. Returns the separator after it or the
+ * end of the line; null if anything else follows. */
 static char *end_quoted(const table *t, char **start)
 {
     char *end = strchr(*start + 1, '"');
@@ -249,9 +249,9 @@ static char *end_plain(const table *t, char *start)
     return start;
 }
 
-/* Cuts a line into fields. Their number; 0 if it is malformed, and then *at is the column whose quotes do
- * not match, or the first that there is no room for. */
-static unsigned cut(table *t, char *c, unsigned *at)
+/* Splits a line into fields. Their number; 0 if it is malformed, and then *at is the column whose
+ * quotes do not match, or TABLE_COLUMNS_MAX + 1. */
+static unsigned cut_fields(table *t, char *c, unsigned *at)
 {
     unsigned count = 0;
     int last = 0;
@@ -261,7 +261,7 @@ static unsigned cut(table *t, char *c, unsigned *at)
             c++;
         }
         if (*c == '\0' && t->separator == ' ') {
-            return count; /* blanks at the end of a line separate nothing */
+            return count; /* trailing blanks are not a separator */
         }
         if (count == TABLE_COLUMNS_MAX) {
             *at = count + 1;
@@ -280,11 +280,11 @@ static unsigned cut(table *t, char *c, unsigned *at)
     return count;
 }
 
-/* Cuts the current line. Its number of fields; 0, with a message, if it is malformed. */
+/* Splits the current line. Its number of fields; 0, with a message, if it is malformed. */
 static unsigned split(table *t)
 {
     unsigned at = 0;
-    const unsigned count = cut(t, t->text, &at);
+    const unsigned count = cut_fields(t, t->text, &at);
 
     if (count == 0 && at > TABLE_COLUMNS_MAX) {
         message("%s:%lu: more than %u columns: keep those of the accelerometer", t->name, t->line,
@@ -296,7 +296,7 @@ static unsigned split(table *t)
     return count;
 }
 
-/* Some words and no number. */
+/* A line of words without any number. */
 static int is_header(const table *t)
 {
     int words = 0;
@@ -325,7 +325,7 @@ static int read_first(table *t)
     return t->columns > 0 ? 1 : -1;
 }
 
-/* A word, and one or more values. */
+/* A setting: a word followed by one or more values. */
 static int is_preamble(const table *t)
 {
     if (t->has_pairs && t->has_header) {
@@ -335,7 +335,7 @@ static int is_preamble(const table *t)
            (t->columns == 2 || (t->preamble > 0 && !t->has_header));
 }
 
-/* Settings may stand before the header, a name and a value in each line. */
+/* Skips settings before the header, with a name and a value in each line. */
 static int skip_preamble(table *t)
 {
     int more;
@@ -353,7 +353,7 @@ static int skip_preamble(table *t)
     return more == 1 ? EXIT_GOOD : EXIT_FILE;
 }
 
-/* An empty last column: only a separator too many. */
+/* An empty last column, due to a trailing separator. */
 static int ends_empty(const table *t, unsigned columns)
 {
     return t->separator != ' ' && columns > 1 && *t->field[columns - 1] == '\0';
@@ -393,7 +393,7 @@ int table_open_pairs(table *t, const char *path)
     return open_table(t, path, 1);
 }
 
-/* Commas that separate, and numbers that have no points: some may be decimal commas. */
+/* If commas separate, and no number has a point, some of the commas may be decimal ones. */
 static int may_be_decimal_commas(const table *t)
 {
     for (unsigned i = 0; i < t->found; i++) {
@@ -404,7 +404,7 @@ static int may_be_decimal_commas(const table *t)
     return t->separator == ',' && t->found > t->columns && t->found <= 2 * t->columns;
 }
 
-/* Nothing follows. Not for a stream that is still going on, which it would wait for. */
+/* Whether nothing follows. Not for a live stream, on which it would block. */
 static int is_at_end(const table *t)
 {
     const int c = getc_unlocked(t->file);
@@ -412,14 +412,14 @@ static int is_at_end(const table *t)
     return c == EOF || ungetc(c, t->file) == EOF;
 }
 
-/* The field is no number, but would be with this before and that behind it. */
-static int is_part(const char *before, const char *field, const char *behind)
+/* Whether a field is not a number, but would be one between these texts. */
+static int is_part(const char *before, const char *field, const char *after)
 {
     char text[TABLE_EXCERPT_MAX];
     double number;
 
     return strlen(field) + 3 < sizeof text && number_parse(field, &number) != NUMBER_OK &&
-           snprintf(text, sizeof text, "%s%s%s", before, field, behind) > 0 &&
+           snprintf(text, sizeof text, "%s%s%s", before, field, after) > 0 &&
            number_parse(text, &number) == NUMBER_OK;
 }
 
@@ -432,7 +432,8 @@ int table_is_cut(const table *t, unsigned column)
             is_part("", t->field[column], "0"));
 }
 
-/* A row has so many columns. 1; -1, with a message, if that is not as many as the first has. */
+/* Checks the number of columns of a row. 1; -1, with a message, if it differs from that of the
+ * first line. */
 static int check_columns(table *t, unsigned columns)
 {
     if (columns == 0) {
@@ -440,7 +441,7 @@ static int check_columns(table *t, unsigned columns)
         return -1;
     }
     const int is_first = !t->has_row;
-    if (is_first) { /* the first below a header, which may not have had that separator */
+    if (is_first) { /* the header above it may lack the trailing separator */
         t->is_trailing = columns == t->columns + 1 && ends_empty(t, columns);
         t->has_row = 1;
     }
@@ -456,7 +457,7 @@ static int check_columns(table *t, unsigned columns)
     return columns == t->columns ? 1 : -1;
 }
 
-/* The row that has been read already. */
+/* Makes the row that was read ahead the current one. */
 static void take_next(table *t)
 {
     memcpy((void *)t->field, (const void *)t->next, sizeof t->next);
@@ -479,7 +480,7 @@ int table_next(table *t)
     return more == 1 ? check_columns(t, split(t)) : more;
 }
 
-/* ---- what is odd about the first lines ----------------------------------------------------------------------- */
+/* ---- irregular first lines ---------------------------------------------------------------------- */
 
 int table_comment_header(table *t)
 {
@@ -495,7 +496,7 @@ int table_comment_header(table *t)
     t->has_next = 1;
     t->pending = 0;
     t->separator = find_separator(t->comment);
-    unsigned columns = cut(t, t->comment, &at);
+    unsigned columns = cut_fields(t, t->comment, &at);
     columns -= columns > 0 && ends_empty(t, columns);
     t->separator = separator;
     t->line = t->first_line = t->comment_line;
@@ -515,8 +516,8 @@ void table_drop_header(table *t)
     t->pending = 1;
 }
 
-/* Puts the current row aside, so that the next line can be read. */
-static void hold(table *t, char *row[TABLE_COLUMNS_MAX])
+/* Saves the current row, so that the next line can be read. */
+static void save_row(table *t, char *row[TABLE_COLUMNS_MAX])
 {
     memcpy(t->held, t->text, sizeof t->held);
     for (unsigned i = 0; i < t->columns; i++) {
@@ -524,7 +525,7 @@ static void hold(table *t, char *row[TABLE_COLUMNS_MAX])
     }
 }
 
-/* Whether a first row is the end of one like the current. */
+/* Whether a first row is the end of a row like the current one. */
 static int is_end_of_row(const table *t, char *const row[TABLE_COLUMNS_MAX], unsigned columns)
 {
     return columns > t->columns || (columns == t->columns && row[0] && is_part("1", row[0], ""));
@@ -536,12 +537,12 @@ int table_drop_cut_first(table *t, unsigned long *cut)
     char *row[TABLE_COLUMNS_MAX] = {NULL};
 
     *cut = 0;
-    if (t->has_header || !t->pending || t->comment_line > 0) { /* a comment begins a whole file */
+    if (t->has_header || !t->pending || t->comment_line > 0) { /* a comment first: nothing is cut */
         return EXIT_GOOD;
     }
-    hold(t, row);
+    save_row(t, row);
     const int more = read_row(t);
-    if (more == 1 && t->columns == 1) { /* it need not hold a separator */
+    if (more == 1 && t->columns == 1) { /* the first line may lack the separator */
         t->separator = find_separator(t->text);
     }
     const unsigned found = more == 1 ? split(t) : 0;

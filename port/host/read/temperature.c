@@ -3,7 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
-#include "read/chosen.h"
+#include "read/columns_option.h"
 #include "text/number.h"
 
 static number_status status_of(const table *t, const columns *where)
@@ -18,7 +18,7 @@ int temperature_is_missing(const table *t, const columns *where)
     const number_status status = status_of(t, where);
     const int is_blank = status == NUMBER_EMPTY || status == NUMBER_NOT_FINITE;
 
-    return status != NUMBER_OK && !chosen_is_needed(COLUMN_TEMPERATURE) &&
+    return status != NUMBER_OK && !columns_option_requires(COLUMN_TEMPERATURE) &&
            (is_blank || !t->is_forgiving);
 }
 
@@ -50,6 +50,6 @@ int temperature_read(const table *t, columns *where, double *out)
     temperature_warn(t, where, "ignored");
     *index = -1;
     where->seen.name[COLUMN_TEMPERATURE][0] = '\0';
-    where->seen.others++;
+    where->seen.ignored++;
     return EXIT_GOOD;
 }

@@ -23,15 +23,15 @@ void timeline_begin(timeline *t, double rate)
     t->duration = 0;
 }
 
-/* Each two bins become one. */
-static void halve(timeline *t)
+/* Halves the number of bins. */
+static void merge_pairs(timeline *t)
 {
     for (unsigned i = 0; i < t->bins; i += 2) {
-        timeline_bin both = t->bin[i];
+        timeline_bin merged = t->bin[i];
         if (i + 1 < t->bins) {
-            widen(&both, t->bin[i + 1].low, t->bin[i + 1].high);
+            widen(&merged, t->bin[i + 1].low, t->bin[i + 1].high);
         }
-        t->bin[i / 2] = both;
+        t->bin[i / 2] = merged;
     }
     t->bins = (t->bins + 1) / 2;
     t->width *= 2;
@@ -42,7 +42,7 @@ void timeline_add(timeline *t, double time, const double value[TIMELINE_TRACES])
     float v[TIMELINE_TRACES];
 
     while (time >= TIMELINE_BINS * t->width) {
-        halve(t);
+        merge_pairs(t);
     }
     const unsigned at = (unsigned)(time / t->width);
     while (t->bins <= at) {

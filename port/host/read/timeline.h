@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * read/timeline.h: a log of any length as its outline, for a picture: what the least and the greatest
- * readings were in each of some thousand equal stretches of time. One pass, fixed memory: when the
- * last stretch is full, each two become one.
+ * read/timeline.h: the outline of a log of any length, for a picture: the smallest and the largest
+ * reading in each of one to two thousand bins of equal duration. One pass, fixed memory: when the
+ * last bin is full, pairs are merged.
  */
 #ifndef TIMELINE_H
 #define TIMELINE_H
@@ -18,24 +18,24 @@ typedef struct {
 
 typedef struct {
     timeline_bin bin[TIMELINE_BINS];
-    unsigned bins;     /* so many are in use */
-    double width;      /* of a bin, seconds */
-    double duration;   /* up to the last sample, seconds */
-    unsigned refusals; /* rests that were refused: when (the first TIMELINE_EVENTS of them) */
-    double refused[TIMELINE_EVENTS];
+    unsigned bins;                   /* in use */
+    double width;                    /* of a bin, seconds */
+    double duration;                 /* up to the last sample, seconds */
+    unsigned refusals;               /* number of refused rests, at most TIMELINE_EVENTS, */
+    double refused[TIMELINE_EVENTS]; /* and when, seconds */
 } timeline;
 
-/* Begins one of a log that is sampled so many times a second. */
+/* Begins the outline of a log with `rate` samples per second. */
 void timeline_begin(timeline *t, double rate);
 
-/* A sample at `time` seconds from the first, not before the one before. */
+/* Adds a sample at `time` seconds from the first; time must not decrease. */
 void timeline_add(timeline *t, double time, const double value[TIMELINE_TRACES]);
 
-/* A rest was refused, at the latest sample. */
+/* Notes a refused rest at the latest sample. */
 void timeline_refuse(timeline *t);
 
-/* The least and the greatest value of a trace in bins from ... to - 1. Returns 0 if no sample is
- * in them. */
+/* The smallest and the largest value of a trace in bins from ... to - 1. Returns 0 if they hold no
+ * sample. */
 int timeline_range(const timeline *t, unsigned trace, unsigned from, unsigned to, double *low,
                    double *high);
 

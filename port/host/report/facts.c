@@ -14,7 +14,7 @@ static double length(const double v[3])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/* Readings before and after, and which way was up. */
+/* Lengths before and after, and up directions. */
 static void find_positions(report_facts *f)
 {
     const calibrate_result *r = f->result;
@@ -23,11 +23,11 @@ static void find_positions(report_facts *f)
         report_position *at = &f->position[n];
         double v[3];
         invcal_apply(&r->settings.nominal, &r->data->mean[3 * (size_t)n], v);
-        at->before = f->parts * (length(v) - 1);
-        const invcal_calibration here = calibrate_at(r, n);
-        calibrate_level(r, n, v);
+        at->before = f->scale * (length(v) - 1);
+        const invcal_calibration here = calibrate_at_position(r, n);
+        calibrate_linear_reading(r, n, v);
         invcal_apply(&here, v, v);
-        at->after = f->parts * calibrate_excess(r, n);
+        at->after = f->scale * calibrate_excess(r, n);
         for (unsigned i = 0; i < 3; i++) {
             at->up[i] = length(v) > 0 ? v[i] / length(v) : i == 2;
         }
@@ -37,8 +37,8 @@ static void find_positions(report_facts *f)
     }
 }
 
-/* The same of a magnetometer: the way that is to point along the field. North of the magnetic equator that points
- * down, so that the opposite way is up. */
+/* For a magnetometer: the direction to point along the field. North of the magnetic equator the
+ * field points down, so the opposite direction is up. */
 static void find_next_along(report_facts *f)
 {
     const double *along = f->result->magnetometer->next;
@@ -48,7 +48,7 @@ static void find_next_along(report_facts *f)
     (void)invcal_words(up, f->next_words);
 }
 
-/* Where to turn next, besides the positions kept. Returns 0 without memory. */
+/* The direction to measure next, given the positions kept. Returns 0 without memory. */
 static int find_next(report_facts *f)
 {
     const unsigned kept = f->result->rejected.kept_count;
@@ -62,7 +62,7 @@ static int find_next(report_facts *f)
         return 0;
     }
     for (unsigned n = 0; n < kept; n++) {
-        calibrate_reading(f->result, n, &raw[3 * (size_t)n]);
+        calibrate_reference_reading(f->result, n, &raw[3 * (size_t)n]);
     }
     invcal_next(raw, kept, &f->result->solution.symmetric, f->next);
     (void)invcal_words(f->next, f->next_words);
@@ -86,23 +86,25 @@ static double worst_length(const report_facts *f)
     const fit_quality *q = &f->result->quality;
     uncertainty one;
 
-    calibrate_spread(f->result, f->noise, &one);
-    return f->knows_noise ? uncertainty_half(&one, one.worst, q->coverage, q->from_prior)
-                          : f->length_spread.most;
+    calibrate_uncertainty(f->result, f->noise, &one);
+    return f->knows_noise ? uncertainty_half_width(&one, one.worst, q->coverage, q->from_prior)
+                          : f->length_spread.max;
 }
 
-int report_facts_find(report_facts *f, const calibrate_result *result, const calibrate_wish *wish)
+int report_facts_find(report_facts *f, const calibrate_result *result,
+                      const calibrate_invocation *invocation)
 {
-    *f = (report_facts){.result = result, .wish = wish, .count = result->data->count, .has_up = 1};
-    f->asked = pass_judge(result);
+    *f = (report_facts){
+        .result = result, .invocation = invocation, .count = result->data->count, .has_up = 1};
+    f->outcome = pass_judge(result);
     f->is_gravity = calibrate_is_gravity(result);
-    f->parts = told_parts(result->told, f->is_gravity).scale;
-    f->unit = told_parts(result->told, f->is_gravity).unit;
+    f->scale = unit_style_page_field(result->units, f->is_gravity).scale;
+    f->unit = unit_style_page_field(result->units, f->is_gravity).unit;
     f->length = f->is_gravity ? "|a|" : "length";
     f->has_before = !nominal_is_guess(&result->nominal);
     f->knows_noise = calibrate_knows_noise(result);
     f->coverage = f->knows_noise ? result->quality.coverage : NUMBER_UNKNOWN;
-    f->noise = f->knows_noise ? f->parts * result->quality.noise : 1;
+    f->noise = f->knows_noise ? f->scale * result->quality.noise : 1;
     f->position = calloc(f->count, sizeof *f->position);
     f->mark = calloc((size_t)f->count + 1, sizeof *f->mark);
     if (!f->position || !f->mark || !find_next(f)) {
@@ -110,23 +112,23 @@ int report_facts_find(report_facts *f, const calibrate_result *result, const cal
         return EXIT_FILE;
     }
     find_positions(f);
-    calibrate_spread(result, f->knows_noise ? f->coverage * f->noise : REPORT_NORMAL,
-                     &f->length_spread);
+    calibrate_uncertainty(result, f->knows_noise ? f->coverage * f->noise : REPORT_NORMAL,
+                          &f->length_spread);
     f->length_worst = worst_length(f);
-    f->field_spread = f->knows_noise ? f->parts * need_of_field(result) : 0;
+    f->field_spread = f->knows_noise ? f->scale * need_field_part(result) : 0;
     set_marks(f);
     return EXIT_GOOD;
 }
 
-told_unit report_unit(const report_facts *f, unsigned kind)
+display_unit report_unit(const report_facts *f, unsigned kind)
 {
-    const told_style style = f->result->told;
-    const told_unit degrees = {FIGURE_DEGREES, "°"};
+    const unit_style style = f->result->units;
+    const display_unit degrees = {FIGURE_DEGREES, "°"};
 
-    return kind == 0           ? told_parts(style, f->is_gravity)
-           : kind == 1         ? told_scale(style)
-           : style == TOLD_INS ? told_angle(style)
-                               : degrees;
+    return kind == 0                 ? unit_style_page_field(style, f->is_gravity)
+           : kind == 1               ? unit_style_scale(style)
+           : style == UNIT_STYLE_INS ? unit_style_angle(style)
+                                     : degrees;
 }
 
 void report_facts_release(report_facts *f)

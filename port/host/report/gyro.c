@@ -40,23 +40,23 @@ static void write_parameters(page *p, const report_facts *f)
                               "turns about the second), in the axes of the accelerometer.",
                               titles, 3, 4};
     const gyro_fit *g = &f->result->gyro;
-    const told_unit scale = told_scale(f->result->told);
-    const told_unit angle = told_angle(f->result->told);
+    const display_unit scale = unit_style_scale(f->result->units);
+    const display_unit angle = unit_style_angle(f->result->units);
     invcal_calibration m = {.offset = {0}};
     double inverse[3][3];
     char name[CELL];
 
     memcpy(m.matrix, g->imu.parameter, sizeof m.matrix);
-    (void)matrix_inverse(&m, inverse); /* near to a unit matrix */
+    (void)matrix_inverse(&m, inverse); /* close to a unit matrix */
     page_table_begin(p, &sheet);
     for (unsigned i = 0; i < 9; i++) {
         const unsigned r = i < 3 ? i : (i - 3) / 2;
         const unsigned c = i < 3 ? i : ((i - 3) % 2 + ((i - 3) % 2 >= r));
         const double spread = g->interval * g->imu.sigma[3 * r + c];
-        const told_unit unit = i < 3 ? scale : angle;
+        const display_unit unit = i < 3 ? scale : angle;
         snprintf(name, sizeof name, i < 3 ? "scale error %s" : "cross %s%s", axes[r], axes[c]);
         if (i < 3 && g->is_counts) {
-            const double counts = UNIT_DEGREE / g->turn * inverse[r][r];
+            const double counts = UNIT_DEGREE / g->rate_unit * inverse[r][r];
             snprintf(name, sizeof name, "scale %s", axes[r]);
             add_row(p, &sheet, name, counts, counts * spread, FIGURE_PLAIN, "counts per °/s");
         } else {
@@ -84,14 +84,14 @@ static void write_figures(page *p, const gyro_fit *g)
 
 /* ---- moves -------------------------------------------------------------------------------------- */
 
-static double largest(const gyro_fit *g)
+static double largest_residual(const gyro_fit *g)
 {
-    double most = 0;
+    double max = 0;
 
     for (unsigned i = 0; i < g->moves; i++) {
-        most = g->move[i].why == INVCAL_OK ? fmax(most, g->move[i].residual) : most;
+        max = g->move[i].why == INVCAL_OK ? fmax(max, g->move[i].residual) : max;
     }
-    return MILLI * most;
+    return MILLI * max;
 }
 
 static void draw_moves(FILE *file, const void *data, double width)
@@ -100,7 +100,8 @@ static void draw_moves(FILE *file, const void *data, double width)
     const gyro_fit *g = &f->result->gyro;
     const double step = (width - LEFT - RIGHT) / g->moves;
     const ruler x = {0, 1, LEFT, width - RIGHT, 0, 0};
-    const ruler y = chart_ruler(0, largest(g) > 0 ? largest(g) : 1, TOP + PLOT, TOP, 5);
+    const ruler y =
+        chart_ruler(0, largest_residual(g) > 0 ? largest_residual(g) : 1, TOP + PLOT, TOP, 5);
     double taken = 0;
 
     svg_begin_inline(file, width, TOP + PLOT + AXIS, "Residuals of the moves",
@@ -135,7 +136,7 @@ static void draw_moves(FILE *file, const void *data, double width)
 
 /* ---- bias --------------------------------------------------------------------------------------- */
 
-/* Of a rest less that of the last, degrees/s; without the effect of orientation. */
+/* Bias of a rest minus that of the last one, degrees/s; is_level: without g-sensitivity. */
 static double bias_of(const gyro_fit *g, unsigned i, unsigned axis, int is_level)
 {
     const gyro_rest *last = &g->rest[g->rests - 1];
@@ -148,7 +149,7 @@ static double bias_of(const gyro_fit *g, unsigned i, unsigned axis, int is_level
 }
 
 /* The horizontal axis: temperature, or time. */
-static double place_of(const report_facts *f, unsigned i)
+static double abscissa(const report_facts *f, unsigned i)
 {
     const position_origin *o = &f->result->data->origin[f->result->gyro.rest[i].position];
 
@@ -166,7 +167,7 @@ static void draw_bias(FILE *file, const void *data, double width)
     double range[2][2] = {{HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, -HUGE_VAL}};
 
     for (unsigned i = 0; i < 3 * g->rests; i++) {
-        const double at[2] = {place_of(f, i / 3), bias_of(g, i / 3, i % 3, is_level)};
+        const double at[2] = {abscissa(f, i / 3), bias_of(g, i / 3, i % 3, is_level)};
         for (unsigned k = 0; k < 2 && isfinite(at[0] + at[1]); k++) {
             range[k][0] = fmin(range[k][0], at[k]);
             range[k][1] = fmax(range[k][1], at[k]);
@@ -188,7 +189,7 @@ static void draw_bias(FILE *file, const void *data, double width)
         svg_marker(file, styles[k], shapes[k], LEFT + 8 + 60 * k, 28, 4.5);
         svg_text(file, "ink small", SVG_START, LEFT + 18 + 60 * k, 32, axes[k]);
         for (unsigned i = 0; i < g->rests; i++) {
-            const double at = place_of(f, i);
+            const double at = abscissa(f, i);
             const double value = bias_of(g, i, k, is_level);
             if (isfinite(at + value)) {
                 svg_marker(file, styles[k], shapes[k], chart_pixel(&x, at), chart_pixel(&y, value),
@@ -223,7 +224,7 @@ static void write_g(page *p, const gyro_fit *g)
     page_table_end(p);
 }
 
-/* ---- together ----------------------------------------------------------------------------------- */
+/* ---- the section -------------------------------------------------------------------------------- */
 
 static void write_moves(page *p, const report_facts *f)
 {
@@ -276,9 +277,9 @@ void report_gyro_summary(page *p, const report_facts *f)
     const gyro_fit *g = &f->result->gyro;
     char number[FIGURE_MAX];
 
-    if (g->is_there && g->word) {
+    if (g->has_readings && g->word) {
         page_say(p, "The gyroscope is not calibrated: %s.", g->reason);
-    } else if (g->is_there) {
+    } else if (g->has_readings) {
         page_say(p, "The gyroscope is calibrated, too (%s): %u moves, residual %s mrad rms.",
                  gyro_verdict(g), g->imu.moves, figure_digits(MILLI * g->imu.move_rms, 2, number));
     }
@@ -289,7 +290,7 @@ void report_gyro(page *p, const report_facts *f)
     const gyro_fit *g = &f->result->gyro;
     char text[GYRO_LINE_MAX];
 
-    if (!g->is_there) {
+    if (!g->has_readings) {
         return;
     }
     page_section(p, "The gyroscope");
@@ -314,11 +315,11 @@ void report_gyro(page *p, const report_facts *f)
         write_g(p, g);
     }
     page_facts_begin(p);
-    if (g->turns->file) {
-        page_fact(p, "file", "%s", g->turns->file);
+    if (g->log->file) {
+        page_fact(p, "file", "%s", g->log->file);
     }
-    page_fact(p, "readings", "in %s, %.6g a second%s", gyro_unit_text(g, text), g->turns->rate,
-              g->turns->is_rate_known ? "" : " (a guess: its error is an error of the scales)");
+    page_fact(p, "readings", "in %s, %.6g a second%s", gyro_unit_text(g, text), g->log->rate,
+              g->log->is_rate_known ? "" : " (a guess: its error is an error of the scales)");
     page_fact(p, "g-sensitivity", "%s", gyro_g_text(g, text));
     page_fact(p, "drift", "%s", gyro_drift_text(g, text));
     if (g->range > 0) {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * How the residuals are spread, and what noise alone would do.
+ * Histogram of the residuals, with the curve of noise alone.
  */
 #include <math.h>
 
 #include "draw/chart.h"
 #include "report/facts.h"
 
-#define LEAST 12u /* positions: fewer show no shape */
+#define POSITIONS_MIN 12u /* fewer positions show no shape */
 #define BINS 11u
 #define REACH 4.0 /* standard deviations to either side */
 #define LEFT 52.0
@@ -18,9 +18,9 @@
 #define SQRT_2PI 2.50662827463100050
 
 typedef struct {
-    double sigma; /* of a residual: noise alone leaves it smaller than itself */
+    double sigma; /* expected of a residual from noise alone, which is less than the noise */
     unsigned total;
-    unsigned count[BINS]; /* those beyond the ends are in the outermost */
+    unsigned count[BINS]; /* values beyond the ends are in the outermost bins */
 } histogram;
 
 static histogram find_histogram(const report_facts *f)
@@ -40,7 +40,7 @@ static histogram find_histogram(const report_facts *f)
     return h;
 }
 
-/* Positions that noise puts into a bin about x standard deviations: the density there, times the width. */
+/* Positions expected in a bin at x standard deviations: normal density times width. */
 static double expected(const histogram *h, double x)
 {
     return h->total * exp(-x * x / 2) / SQRT_2PI * 2 * REACH / BINS;
@@ -62,13 +62,13 @@ static void draw_histogram(FILE *file, const void *data, double width)
     const double reach = REACH * h.sigma;
     const ruler x =
         chart_ruler_exact(-reach, reach, LEFT, width - RIGHT, width > PAGE_NARROW ? 8 : 4);
-    double most = expected(&h, 0);
+    double max = expected(&h, 0);
     char title[64];
 
     for (unsigned k = 0; k < BINS; k++) {
-        most = fmax(most, h.count[k]);
+        max = fmax(max, h.count[k]);
     }
-    const ruler y = chart_ruler(0, most, TOP + PLOT, TOP, 4);
+    const ruler y = chart_ruler(0, max, TOP + PLOT, TOP, 4);
     svg_begin_inline(file, width, TOP + PLOT + AXIS, "Histogram of the residuals",
                      "Number of positions by residual, with the curve of normal noise.");
     svg_text(file, "ink heading", SVG_START, 0, 16, "positions");
@@ -89,7 +89,8 @@ static void draw_histogram(FILE *file, const void *data, double width)
 
 void report_histogram(page *p, const report_facts *f)
 {
-    if (f->knows_noise && f->result->quality.dof > 0 && f->result->rejected.kept_count >= LEAST) {
+    if (f->knows_noise && f->result->quality.dof > 0 &&
+        f->result->rejected.kept_count >= POSITIONS_MIN) {
         page_picture(p,
                      "Number of positions by residual; the curve is that of noise alone. Positions "
                      "beyond the ends are counted in the last bars.",

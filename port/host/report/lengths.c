@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The length of the readings along the log, before and after: it should be the same wherever the sensor
- * was at rest. In between it is turned, and reads more than gravity.
+ * The length of the readings over the log, before and after calibration. It should be constant over
+ * all rests; between them there is motion.
  */
 #include <math.h>
 
@@ -13,7 +13,7 @@
 #define TOP 48.0
 #define PLOT 150.0
 #define AXIS 40.0
-#define MARGIN 1.5 /* of the largest deviation at rest: what is beyond was moved */
+#define MARGIN 1.5 /* range of the axis over the largest deviation at rest */
 
 typedef struct {
     const report_facts *f;
@@ -26,10 +26,10 @@ static double deviation(const report_facts *f, const invcal_calibration *c, cons
     double v[3];
 
     invcal_apply(c, raw, v);
-    return f->parts * (sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1);
+    return f->scale * (sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1);
 }
 
-/* Of the mean of a block, over the field. */
+/* The deviation of the mean of a block. */
 static double value_of(const report_facts *f, const recording_mean *m, int is_after)
 {
     const calibrate_result *r = f->result;
@@ -39,18 +39,18 @@ static double value_of(const report_facts *f, const recording_mean *m, int is_af
         return deviation(f, &r->settings.nominal, raw);
     }
     const invcal_calibration here = calibrate_at_temperature(r, m->temperature);
-    calibrate_take_drift(r, calibrate_tau_at(r->data, m->time), raw);
+    calibrate_remove_drift(r, calibrate_tau_at(r->data, m->time), raw);
     return deviation(f, &here, raw);
 }
 
-/* From least to greatest in each pixel, as far as it is within the axis. */
+/* A line from minimum to maximum in each pixel, clipped to the axis. */
 static void draw_trace(FILE *file, const plot *p, int is_after, const char *style)
 {
     const rests_summary *log = p->f->result->log;
     const unsigned count = recording_count(log->track);
     double at = -1;
-    double least = HUGE_VAL;
-    double most = -HUGE_VAL;
+    double min = HUGE_VAL;
+    double max = -HUGE_VAL;
 
     for (unsigned k = 0; k <= count; k++) {
         recording_mean m = {.time = -1};
@@ -60,21 +60,21 @@ static void draw_trace(FILE *file, const plot *p, int is_after, const char *styl
             value = value_of(p->f, &m, is_after);
         }
         const double here = floor(chart_pixel(&p->x, m.time));
-        if ((k == count || here != at) && least <= most) {
-            svg_line(file, style, at + 0.5, chart_pixel(&p->y, most) - 0.75, at + 0.5,
-                     chart_pixel(&p->y, least) + 0.75);
-            least = HUGE_VAL;
-            most = -HUGE_VAL;
+        if ((k == count || here != at) && min <= max) {
+            svg_line(file, style, at + 0.5, chart_pixel(&p->y, max) - 0.75, at + 0.5,
+                     chart_pixel(&p->y, min) + 0.75);
+            min = HUGE_VAL;
+            max = -HUGE_VAL;
         }
         at = here;
         if (value >= p->y.first && value <= p->y.last) {
-            least = fmin(least, value);
-            most = fmax(most, value);
+            min = fmin(min, value);
+            max = fmax(max, value);
         }
     }
 }
 
-/* What the readings at rest need. */
+/* An axis for the readings at rest. */
 static ruler find_axis(const report_facts *f, int has_before)
 {
     double reach = 0;
@@ -108,7 +108,7 @@ static void draw_lengths(FILE *file, const void *data, double width)
     chart_ticks_y(file, &p.y, &p.x);
     if (has_before) {
         svg_line(file, "c0 curve", LEFT, 30, LEFT + 18, 30);
-        svg_text(file, "ink small", SVG_START, LEFT + 24, 34, f->wish->nominal_name);
+        svg_text(file, "ink small", SVG_START, LEFT + 24, 34, f->invocation->nominal_name);
         draw_trace(file, &p, 0, "c0 column");
     }
     svg_line(file, "c1 curve", LEFT + 126, 30, LEFT + 144, 30);
@@ -122,9 +122,10 @@ static void draw_lengths(FILE *file, const void *data, double width)
 void report_lengths(page *p, const report_facts *f)
 {
     if (f->result->log && !f->result->refused.word && recording_count(f->result->log->track) > 0) {
-        page_panorama(p,
-                      "The length of the readings, averaged over a fraction of a second. Values "
-                      "beyond the axis are from motion.",
-                      draw_lengths, f);
+        page_wide_picture(
+            p,
+            "The length of the readings, averaged over a fraction of a second. Values "
+            "beyond the axis are from motion.",
+            draw_lengths, f);
     }
 }

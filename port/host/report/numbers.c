@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * The positions in numbers.
+ * The table of all positions.
  */
 #include <math.h>
 
 #include "report/facts.h"
 
 #define CELL 160
-#define LISTED 1000u /* positions in the table; of more only those left out and the worst */
-#define FAR_OFF 1e3  /* times the mean length */
-#define OPEN 48u     /* up to here the table is unfolded */
+#define LISTED_MAX 1000u /* with more positions, only those left out and the worst are listed */
+#define LENGTH_MAX 1e3   /* over the mean length; beyond it no figure is printed */
+#define UNFOLDED_MAX 48u /* with more positions, the table is folded */
 
 enum {
     NUMBER,
@@ -21,14 +21,14 @@ enum {
     Y,
     Z,
     UP,
-    LENGTH, /* of what was refused, over the mean of all */
+    LENGTH, /* of refused data only: relative to the mean of all */
     BEFORE,
     AFTER,
     REMARK,
     COLUMNS
 };
 
-/* A log has times, a table of means has lines. */
+/* Whether a column is shown: rests of a log have times, position means have lines. */
 static int is_shown(const report_facts *f, unsigned which)
 {
     switch (which) {
@@ -62,7 +62,7 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     char text[COLUMNS][CELL];
     char number[3][FIGURE_MAX];
     const char *cells[COLUMNS];
-    const int is_ins = f->result->told == TOLD_INS;
+    const int is_ins = f->result->units == UNIT_STYLE_INS;
     unsigned count = 0;
 
     snprintf(text[NUMBER], CELL, "%u", n + 1);
@@ -80,7 +80,7 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     snprintf(text[UP], CELL, "%.9s %.9s %.9s", number[0], number[1], number[2]);
     figure_fixed(at->before, is_ins ? 1 : 3, FIGURE_SIGNED, text[BEFORE]);
     figure_fixed(at->after, is_ins ? 2 : 4, FIGURE_SIGNED, text[AFTER]);
-    snprintf(text[LENGTH], CELL, at->length < FAR_OFF ? "%.3f" : "far off", at->length);
+    snprintf(text[LENGTH], CELL, at->length < LENGTH_MAX ? "%.3f" : "far off", at->length);
     snprintf(text[REMARK], CELL, "%s",
              !at->is_left_out          ? ""
              : f->result->refused.word ? "refused"
@@ -93,13 +93,13 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
     page_cells(p, sheet, cells);
 }
 
-/* Of very many, only the informative ones. */
+/* Whether a position is listed. */
 static int is_listed(const report_facts *f, unsigned n)
 {
     const report_position *at = &f->position[n];
 
-    return f->count <= LISTED || at->is_left_out ||
-           (!f->result->refused.word && fabs(at->after) >= 0.7 * f->parts * f->result->quality.max);
+    return f->count <= LISTED_MAX || at->is_left_out ||
+           (!f->result->refused.word && fabs(at->after) >= 0.7 * f->scale * f->result->quality.max);
 }
 
 void report_numbers(page *p, const report_facts *f)
@@ -121,7 +121,7 @@ void report_numbers(page *p, const report_facts *f)
         }
     }
     snprintf(summary, sizeof summary,
-             f->count <= LISTED        ? "All %u positions"
+             f->count <= LISTED_MAX    ? "All %u positions"
              : f->result->refused.word ? "The refused ones of %u positions"
                                        : "The positions left out and the worst, of %u",
              f->count);
@@ -135,7 +135,7 @@ void report_numbers(page *p, const report_facts *f)
                                "deviation of %s, %s.",
              calibrate_input_unit(f->result), f->length, f->unit);
     page_section(p, "The positions in numbers");
-    page_fold_begin(p, summary, f->count <= OPEN);
+    page_fold_begin(p, summary, f->count <= UNFOLDED_MAX);
     page_table_begin(p, &sheet);
     for (unsigned n = 0; n < f->count; n++) {
         if (is_listed(f, n)) {

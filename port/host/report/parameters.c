@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The nine parameters: a table, and bars against what the data sheet or the prior allows.
+ * The nine parameters: a table, and bars with the limits of the data sheet or the prior.
  */
 #include <math.h>
 #include <string.h>
@@ -45,7 +45,7 @@ static double value_of(const report_facts *f, unsigned kind, unsigned i)
     return scale_of(f, kind) * f->result->solution.x[3 * kind + i];
 }
 
-/* Half of what holds the truth in 95 % of cases. NaN: not known. */
+/* ±: half-width of the 95 % interval. NaN: unknown. */
 static double spread_of(const report_facts *f, unsigned kind, unsigned i)
 {
     const unsigned p = 3 * kind + i;
@@ -54,13 +54,13 @@ static double spread_of(const report_facts *f, unsigned kind, unsigned i)
     return scale_of(f, kind) * coverage * f->result->quality.sigma[p];
 }
 
-/* Of the data sheet, or NaN. */
+/* The limit of the data sheet, or NaN. */
 static double limit_of(const report_facts *f, unsigned kind, unsigned i)
 {
-    return scale_of(f, kind) * f->asked.limit[3 * kind + i];
+    return scale_of(f, kind) * f->outcome.limit[3 * kind + i];
 }
 
-/* The same of the prior, or 0. */
+/* ± of the prior, or 0. */
 static double prior_of(const report_facts *f, unsigned kind)
 {
     return REPORT_NORMAL * scale_of(f, kind) * f->result->settings.prior[3 * (size_t)kind];
@@ -68,7 +68,7 @@ static double prior_of(const report_facts *f, unsigned kind)
 
 static int is_failed(const report_facts *f, unsigned kind, unsigned i)
 {
-    return f->asked.failed >> (3 * kind + i) & 1;
+    return f->outcome.failed >> (3 * kind + i) & 1;
 }
 
 static int is_weak(const report_facts *f, unsigned kind, unsigned i)
@@ -78,7 +78,8 @@ static int is_weak(const report_facts *f, unsigned kind, unsigned i)
 
 /* ---- the table --------------------------------------------------------------------------------- */
 
-/* What the sensor reads in no field, or for one unit of it; angles have no such thing. */
+/* The reading at zero field (offset) or per field unit (scale), calibrated and nominal; empty for
+ * angles. */
 static void raw_cells(const report_facts *f, unsigned kind, unsigned i, char raw[CELL],
                       char nominal[CELL])
 {
@@ -107,7 +108,7 @@ static const char *state_of(const report_facts *f, unsigned kind, unsigned i)
 {
     const int from_prior = f->result->quality.from_prior >> (3 * kind + i) & 1;
     const int is_held = fit_held(&f->result->settings, &f->result->quality) >> (3 * kind + i) & 1;
-    const int is_beyond = f->asked.beyond >> (3 * kind + i) & 1;
+    const int is_beyond = f->outcome.beyond >> (3 * kind + i) & 1;
 
     return is_weak(f, kind, i)     ? "poorly determined"
            : is_beyond             ? "beyond the limit"
@@ -117,17 +118,18 @@ static const char *state_of(const report_facts *f, unsigned kind, unsigned i)
                                    : "";
 }
 
-/* Where nothing states a nominal, the columns that are about it are left out, and angles stand with the values. */
+/* Without a nominal calibration, the columns about it are left out, and the column of values shows
+ * the angles. */
 enum { NAME, DEVIATION, LIMIT, USED, RAW, NOMINAL, REMARK, COLUMNS };
 
 static int is_shown(const report_facts *f, unsigned which)
 {
     return which == DEVIATION || which == NOMINAL ? nominal_is_stated(&f->result->nominal)
-           : which == LIMIT || which == USED      ? f->asked.limited != 0
+           : which == LIMIT || which == USED      ? f->outcome.limited != 0
                                                   : 1;
 }
 
-/* Those that there is something to say in. Returns how many. */
+/* The columns that are shown. Returns their number. */
 static unsigned pick_columns(const report_facts *f, const char *const all[COLUMNS],
                              const char *out[COLUMNS])
 {
@@ -155,11 +157,11 @@ static void write_row(page *p, const page_table *sheet, const report_facts *f, u
              figure_with_sigma(value_of(f, kind, i), spread_of(f, kind, i), FIGURE_SIGNED, text),
              unit_of(f, kind));
     raw_cells(f, kind, i, cell[RAW], cell[NOMINAL]);
-    if (f->asked.limited >> r & 1u) {
+    if (f->outcome.limited >> r & 1u) {
         snprintf(cell[LIMIT], CELL, "%s %s", figure_digits(limit_of(f, kind, i), 3, text),
                  unit_of(f, kind));
-        snprintf(cell[USED], CELL, isnan(f->asked.used[r]) ? "?" : "%.0f %%",
-                 100 * f->asked.used[r]);
+        snprintf(cell[USED], CELL, isnan(f->outcome.used[r]) ? "?" : "%.0f %%",
+                 100 * f->outcome.used[r]);
     }
     snprintf(cell[REMARK], CELL, "%s", state_of(f, kind, i));
     if (!nominal_knows(&f->result->nominal, r)) {
@@ -188,14 +190,14 @@ static void write_table(page *p, const report_facts *f)
     const unsigned count = pick_columns(f, is_shown(f, NOMINAL) ? all : alone, titles);
     const page_table sheet = {caption, titles, count, 1u << (count - 1)};
 
-    snprintf(caption, sizeof caption,
-             "%sOffsets and scales as the sensor reads them: %s, and %s per %s.%s",
-             is_shown(f, DEVIATION) ? "Deviation: from nominal. " : "",
-             calibrate_input_unit(f->result), calibrate_input_unit(f->result),
-             calibrate_field_unit(f->result),
-             f->asked.limited ? " Limit: ± limit of the data sheet. Used: deviation and its ± in % "
-                                "of the limit; 100 % or less is within."
-                              : "");
+    snprintf(
+        caption, sizeof caption,
+        "%sOffsets and scales as the sensor reads them: %s, and %s per %s.%s",
+        is_shown(f, DEVIATION) ? "Deviation: from nominal. " : "", calibrate_input_unit(f->result),
+        calibrate_input_unit(f->result), calibrate_field_unit(f->result),
+        f->outcome.limited ? " Limit: ± limit of the data sheet. Used: deviation and its ± in % "
+                             "of the limit; 100 % or less is within."
+                           : "");
     page_table_begin(p, &sheet);
     for (unsigned kind = 0; kind < 3; kind++) {
         for (unsigned i = 0; i < 3; i++) {
@@ -207,20 +209,20 @@ static void write_table(page *p, const report_facts *f)
 
 /* ---- the bars ---------------------------------------------------------------------------------- */
 
-/* So far out that everything is to be seen. */
+/* The range of the axis, so that everything is visible. */
 static double reach_of(const report_facts *f, unsigned kind)
 {
     double reach = fmax(0, prior_of(f, kind));
 
     for (unsigned i = 0; i < 3; i++) {
-        reach = fmax(reach, limit_of(f, kind, i)); /* fmax passes over NaN */
+        reach = fmax(reach, limit_of(f, kind, i)); /* fmax ignores NaN */
         const double spread = spread_of(f, kind, i);
         reach = fmax(reach, fabs(value_of(f, kind, i)) + (isnan(spread) ? 0 : spread));
     }
     return reach > 0 ? 1.05 * reach : 1;
 }
 
-/* A bar from nothing to the value, and the range that holds the truth in 95 % of cases. */
+/* A bar from zero to the value, with its 95 % interval. */
 static void draw_bar(FILE *file, const report_facts *f, unsigned kind, unsigned i, const ruler *x)
 {
     const double value = value_of(f, kind, i);
@@ -242,7 +244,7 @@ static void draw_bar(FILE *file, const report_facts *f, unsigned kind, unsigned 
     }
 }
 
-/* What the data sheet or the prior allows, on both sides. */
+/* The limits of the data sheet and of the prior, on both sides. */
 static void draw_limits(FILE *file, const report_facts *f, unsigned kind, const ruler *x)
 {
     const double bottom = PANEL_TOP + 3 * ROW;
@@ -313,21 +315,21 @@ static void draw_bars(FILE *file, const void *data, double width)
 
 /* ---- the section ------------------------------------------------------------------------------- */
 
-/* What exceeds the data sheet, in a sentence. */
-static void say_beyond(page *p, const report_facts *f)
+/* The parameters beyond the limits of the data sheet, in a sentence. */
+static void write_limits(page *p, const report_facts *f)
 {
-    const uint16_t unsure = (uint16_t)(f->asked.failed & ~(unsigned)f->asked.beyond);
+    const uint16_t unsure = (uint16_t)(f->outcome.failed & ~(unsigned)f->outcome.beyond);
     char list[CELL];
 
-    if (f->asked.beyond) {
+    if (f->outcome.beyond) {
         page_say(p, "Beyond the limits of the data sheet: %s.",
-                 parameters_list(f->asked.beyond, list, sizeof list));
+                 parameters_list(f->outcome.beyond, list, sizeof list));
     }
     if (unsure) {
         page_say(p, "Possibly beyond the limits of the data sheet, which lie within their ±: %s.",
                  parameters_list(unsure, list, sizeof list));
     }
-    if (f->asked.limited && !f->asked.failed) {
+    if (f->outcome.limited && !f->outcome.failed) {
         page_say(p, "All are within the limits of the data sheet, including their ±.");
     }
 }
@@ -337,14 +339,14 @@ void report_parameters(page *p, const report_facts *f)
     char caption[4 * CELL];
 
     page_section(p, "The nine parameters");
-    say_beyond(p, f);
+    write_limits(p, f);
     write_table(p, f);
     if (nominal_is_guess(&f->result->nominal)) {
         return; /* bars are of deviations from it */
     }
     snprintf(caption, sizeof caption, "Deviation from nominal.%s%s%s",
              f->knows_noise ? " Whiskers: ±." : "",
-             f->asked.limited ? " Dashed: limits of the data sheet." : "",
+             f->outcome.limited ? " Dashed: limits of the data sheet." : "",
              fit_has_prior(&f->result->settings) ? " Shaded: the prior (95 %)." : "");
     page_picture(p, caption, draw_bars, f);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the positions say: lengths before and after, residuals.
+ * The lengths at the positions before and after calibration, and the residuals.
  */
 #include <math.h>
 #include <string.h>
@@ -15,13 +15,13 @@
 #define TOP 56.0
 #define PLOT 170.0
 #define HEIGHT (TOP + PLOT + 46)
-#define SINGLE 2500u     /* more positions than this are drawn as columns from least to greatest */
-#define LARGE 60u        /* up to here markers are large */
-#define NAME_WIDTH 100.0 /* "999999: +0.123" */
+#define POINTS_MAX 2500u      /* more positions are drawn as columns from minimum to maximum */
+#define LARGE_MARKERS_MAX 60u /* with more positions markers are small */
+#define NAME_WIDTH 100.0      /* "999999: +0.123" */
 #define NAME_HEIGHT 14.0
-#define NAMED 8u /* positions left out that are named in the chart */
+#define LABELLED_MAX 8u /* positions left out that are labelled in the chart */
 
-/* A chart over the numbers of the positions. */
+/* A chart over position numbers. */
 typedef struct {
     const report_facts *f;
     ruler x;
@@ -29,17 +29,17 @@ typedef struct {
     double radius;
 } plot;
 
-static plot begin_plot(const report_facts *f, double width, double least, double most)
+static plot begin_plot(const report_facts *f, double width, double min, double max)
 {
     const double count = f->count;
 
     return (plot){
         .f = f,
         .x = chart_ruler_exact(0.5, count + 0.5, LEFT, width - RIGHT, width > PAGE_NARROW ? 12 : 6),
-        .y = chart_ruler(least, most, TOP + PLOT, TOP, 5),
-        .radius = count <= LARGE && width > PAGE_NARROW ? 4
-                  : count <= LARGE                      ? 3
-                                                        : 1.6,
+        .y = chart_ruler(min, max, TOP + PLOT, TOP, 5),
+        .radius = count <= LARGE_MARKERS_MAX && width > PAGE_NARROW ? 4
+                  : count <= LARGE_MARKERS_MAX                      ? 3
+                                                                    : 1.6,
     };
 }
 
@@ -47,7 +47,7 @@ static void draw_axes(FILE *file, plot *p, double width, const char *what)
 {
     char title[CELL];
 
-    p->x.step = fmax(1, p->x.step); /* there is no half position */
+    p->x.step = fmax(1, p->x.step); /* position numbers are integers */
     snprintf(title, sizeof title, "%s, %s", what, p->f->unit);
     svg_text(file, "ink heading", SVG_START, 0, 16, title);
     chart_ticks_x(file, &p->x, &p->y);
@@ -55,7 +55,7 @@ static void draw_axes(FILE *file, plot *p, double width, const char *what)
     svg_text(file, "soft small", SVG_MIDDLE, (LEFT + width - RIGHT) / 2, HEIGHT - 8, "position");
 }
 
-/* One of the two lengths of a position. */
+/* Which length of a position. */
 typedef enum { BEFORE, AFTER } stage;
 
 static double value_of(const report_position *p, stage which)
@@ -63,27 +63,28 @@ static double value_of(const report_position *p, stage which)
     return which == BEFORE ? p->before : p->after;
 }
 
-/* Where a value is drawn: what lies outside is seen at the edge. */
-static double height_of(const plot *p, double value)
+/* The pixel of a value; values out of range are drawn at the edge. */
+static double y_of(const plot *p, double value)
 {
     return chart_pixel(&p->y, fmax(p->y.first, fmin(p->y.last, value)));
 }
 
-/* Thousands of markers would be a blot, and a large file: columns one pixel wide show as much. */
+/* Thousands of markers would overlap and make a large file: columns one pixel wide show the
+ * same. */
 static void draw_columns(FILE *file, const plot *p, stage which, const char *style)
 {
     unsigned n = 0;
 
     while (n < p->f->count) {
         const double at = floor(chart_pixel(&p->x, n + 1.0));
-        double least = HUGE_VAL;
-        double most = -HUGE_VAL;
+        double min = HUGE_VAL;
+        double max = -HUGE_VAL;
         for (; n < p->f->count && chart_pixel(&p->x, n + 1.0) < at + 1; n++) {
             const double value = value_of(&p->f->position[n], which);
-            least = fmin(least, value);
-            most = fmax(most, value);
+            min = fmin(min, value);
+            max = fmax(max, value);
         }
-        svg_line(file, style, at, height_of(p, most) - 0.5, at, height_of(p, least) + 0.5);
+        svg_line(file, style, at, y_of(p, max) - 0.5, at, y_of(p, min) + 0.5);
     }
 }
 
@@ -91,14 +92,14 @@ static void draw_points(FILE *file, const plot *p, stage which)
 {
     const char *const style = which == BEFORE ? "c0 hollow" : "c1 full";
 
-    if (p->f->count > SINGLE) {
+    if (p->f->count > POINTS_MAX) {
         draw_columns(file, p, which, which == BEFORE ? "c0 column" : "c1 column");
         return;
     }
     for (unsigned n = 0; n < p->f->count; n++) {
         const report_position *at = &p->f->position[n];
         if (!at->is_left_out) {
-            svg_circle(file, style, chart_pixel(&p->x, n + 1.0), height_of(p, value_of(at, which)),
+            svg_circle(file, style, chart_pixel(&p->x, n + 1.0), y_of(p, value_of(at, which)),
                        p->radius);
         }
     }
@@ -110,7 +111,7 @@ static void draw_left_out(FILE *file, const plot *p, stage which)
         const report_position *at = &p->f->position[n];
         if (at->is_left_out) {
             svg_marker(file, "c2 full", SVG_CROSS, chart_pixel(&p->x, n + 1.0),
-                       height_of(p, value_of(at, which)), fmax(p->radius, 3) + 1);
+                       y_of(p, value_of(at, which)), fmax(p->radius, 3) + 1);
         }
     }
 }
@@ -124,19 +125,19 @@ static void describe(const report_facts *f, char *text, size_t size)
 
     if (f->has_before) {
         snprintf(before, sizeof before, "%.4g %s before calibration, ",
-                 f->parts * r->residual_before, f->unit);
+                 f->scale * r->residual_before, f->unit);
     }
     snprintf(text, size,
              "Deviation of %s from the field at each of %u positions: root mean square %s%.4g %s "
              "after it. The maximum after it is %.4g %s, at position %u. %u left out.",
-             f->length, f->count, before, f->parts * r->quality.rms, f->unit,
-             f->parts * r->quality.max, f->unit, r->quality.worst + 1, r->rejected.count);
+             f->length, f->count, before, f->scale * r->quality.rms, f->unit,
+             f->scale * r->quality.max, f->unit, r->quality.worst + 1, r->rejected.count);
 }
 
 static void draw_change_legend(FILE *file, const report_facts *f, double y)
 {
     svg_circle(file, "c0 hollow", LEFT + 6, y - 4, 4);
-    svg_text(file, "ink small", SVG_START, LEFT + 16, y, f->wish->nominal_name);
+    svg_text(file, "ink small", SVG_START, LEFT + 16, y, f->invocation->nominal_name);
     svg_circle(file, "c1 full", LEFT + 126, y - 4, 4);
     svg_text(file, "ink small", SVG_START, LEFT + 136, y, "calibrated");
     if (f->result->rejected.count > 0) {
@@ -149,22 +150,22 @@ static void draw_change(FILE *file, const void *data, double width)
 {
     const report_facts *f = data;
     char text[TEXT_MAX];
-    double least = 0;
-    double most = 0;
+    double min = 0;
+    double max = 0;
 
     for (unsigned n = 0; n < f->count; n++) {
-        least = fmin(least, fmin(f->position[n].before, f->position[n].after));
-        most = fmax(most, fmax(f->position[n].before, f->position[n].after));
+        min = fmin(min, fmin(f->position[n].before, f->position[n].after));
+        max = fmax(max, fmax(f->position[n].before, f->position[n].after));
     }
-    plot p = begin_plot(f, width, least, most);
+    plot p = begin_plot(f, width, min, max);
     describe(f, text, sizeof text);
     svg_begin_inline(file, width, HEIGHT, "Deviation from the field before and after", text);
     draw_axes(file, &p, width, f->is_gravity ? "|a| - g" : "length - field");
     draw_change_legend(file, f, 38);
-    for (unsigned n = 0; n < f->count && f->count <= LARGE; n++) {
+    for (unsigned n = 0; n < f->count && f->count <= LARGE_MARKERS_MAX; n++) {
         const double at = chart_pixel(&p.x, n + 1.0);
-        svg_line(file, "rule", at, height_of(&p, f->position[n].before), at,
-                 height_of(&p, f->position[n].after));
+        svg_line(file, "rule", at, y_of(&p, f->position[n].before), at,
+                 y_of(&p, f->position[n].after));
     }
     draw_points(file, &p, BEFORE);
     draw_points(file, &p, AFTER);
@@ -174,36 +175,36 @@ static void draw_change(FILE *file, const void *data, double width)
 
 /* ---- residuals --------------------------------------------------------------------------------- */
 
-/* What the residuals of good positions stay within in 95 % of cases. */
-static double usual(const report_facts *f)
+/* The band that holds 95 % of the residuals of good positions. */
+static double noise_band(const report_facts *f)
 {
     return f->knows_noise ? f->coverage * f->noise : 0;
 }
 
-/* Where a name stands: the middle of its foot. */
+/* Where a label is: the centre of its base line. */
 typedef struct {
     double x;
     double y;
 } place;
 
-static int is_free(const place *taken, unsigned count, place at)
+static int is_vacant(const place *occupied, unsigned count, place at)
 {
     for (unsigned i = 0; i < count; i++) {
-        if (fabs(at.x - taken[i].x) < NAME_WIDTH && fabs(at.y - taken[i].y) < NAME_HEIGHT) {
+        if (fabs(at.x - occupied[i].x) < NAME_WIDTH && fabs(at.y - occupied[i].y) < NAME_HEIGHT) {
             return 0;
         }
     }
     return 1;
 }
 
-/* Positions left out are named near where they stand, in turns at three heights, where there is
- * room: the text above names them, too. */
-static void name_left_out(FILE *file, const plot *p, double width)
+/* Labels positions left out, at three heights in turn, as far as the labels do not overlap; the
+ * text above the chart names them all. */
+static void label_left_out(FILE *file, const plot *p, double width)
 {
-    place taken[NAMED];
-    unsigned named = 0;
+    place occupied[LABELLED_MAX];
+    unsigned labelled = 0;
 
-    for (unsigned n = 0; n < p->f->count && named < NAMED; n++) {
+    for (unsigned n = 0; n < p->f->count && labelled < LABELLED_MAX; n++) {
         const report_position *at = &p->f->position[n];
         const double inwards = at->after > 0 ? 1 : -1;
         char text[CELL];
@@ -211,26 +212,26 @@ static void name_left_out(FILE *file, const plot *p, double width)
         if (!at->is_left_out) {
             continue;
         }
-        const double y = height_of(p, at->after) + inwards * (8 + NAME_HEIGHT * (named % 3));
+        const double y = y_of(p, at->after) + inwards * (8 + NAME_HEIGHT * (labelled % 3));
         const double x = chart_pixel(&p->x, n + 1.0);
         const place here = {fmax(LEFT + NAME_WIDTH / 2, fmin(width - RIGHT - NAME_WIDTH / 2, x)),
                             y + (at->after > 0 ? 10 : 0)};
-        if (!is_free(taken, named, here)) {
+        if (!is_vacant(occupied, labelled, here)) {
             continue;
         }
         snprintf(text, sizeof text, "%u: %s%s", n + 1, at->after > 0 ? "+" : "",
                  figure_digits(at->after, 3, number));
         svg_text(file, "ink small halo", SVG_MIDDLE, here.x, here.y, text);
-        taken[named++] = here;
+        occupied[labelled++] = here;
     }
 }
 
 static void draw_residuals(FILE *file, const void *data, double width)
 {
     const report_facts *f = data;
-    const double band = usual(f);
+    const double band = noise_band(f);
     char text[TEXT_MAX];
-    double reach = 1.2 * fmax(band, f->parts * f->result->quality.max);
+    double reach = 1.2 * fmax(band, f->scale * f->result->quality.max);
 
     reach = reach > 0 ? reach : 1e-9;
     plot p = begin_plot(f, width, -reach, reach);
@@ -249,13 +250,13 @@ static void draw_residuals(FILE *file, const void *data, double width)
     }
     draw_points(file, &p, AFTER);
     draw_left_out(file, &p, AFTER);
-    name_left_out(file, &p, width);
+    label_left_out(file, &p, width);
     svg_end(file);
 }
 
 /* ---- the sections ------------------------------------------------------------------------------ */
 
-static void say_left_out(page *p, const report_facts *f)
+static void write_left_out(page *p, const report_facts *f)
 {
     const rejection *r = &f->result->rejected;
 
@@ -266,7 +267,7 @@ static void say_left_out(page *p, const report_facts *f)
                  rejection_drifting(r), rejection_drifting(r) == 1 ? "" : "s",
                  f->result->fit.drift_limit);
     }
-    for (unsigned k = 0; k < r->count && k < NAMED; k++) {
+    for (unsigned k = 0; k < r->count && k < LABELLED_MAX; k++) {
         const unsigned n = r->list[k].position;
         char number[FIGURE_MAX];
         if (r->list[k].drift > 0) {
@@ -281,8 +282,8 @@ static void say_left_out(page *p, const report_facts *f)
                  figure_digits(fabs(f->position[n].after), 3, number), f->unit,
                  f->position[n].after > 0 ? "much" : "little");
     }
-    if (r->count > NAMED) {
-        page_say(p, "And %u more were left out.", r->count - NAMED);
+    if (r->count > LABELLED_MAX) {
+        page_say(p, "And %u more were left out.", r->count - LABELLED_MAX);
     }
     if (r->suspected > 0) {
         page_say(p,
@@ -292,8 +293,8 @@ static void say_left_out(page *p, const report_facts *f)
     }
 }
 
-/* The noise of samples and residuals differs: something else is in them. */
-static void say_unexplained(page *p, const report_facts *f)
+/* The residuals are larger than the noise explains. */
+static void write_unexplained(page *p, const report_facts *f)
 {
     const double times = calibrate_unexplained(f->result);
     char number[FIGURE_MAX];
@@ -307,7 +308,7 @@ static void say_unexplained(page *p, const report_facts *f)
     }
 }
 
-/* Without a nominal there is nothing that a reading was before. */
+/* Lengths before and after; needs a nominal calibration. */
 static void write_change(page *p, const report_facts *f)
 {
     char caption[TEXT_MAX];
@@ -315,7 +316,7 @@ static void write_change(page *p, const report_facts *f)
     page_section(p, "Before and after");
     snprintf(caption, sizeof caption,
              "Deviation of the length of each reading from the field, with %s and calibrated.",
-             f->wish->nominal_name);
+             f->invocation->nominal_name);
     page_picture(p, caption, draw_change, f);
 }
 
@@ -325,8 +326,8 @@ void report_positions(page *p, const report_facts *f)
         write_change(p, f);
     }
     page_section(p, "Residuals");
-    say_left_out(p, f);
-    say_unexplained(p, f);
+    write_left_out(p, f);
+    write_unexplained(p, f);
     page_picture(p,
                  f->result->quality.dof > 0
                      ? "Deviation of the length of each calibrated reading from the field."

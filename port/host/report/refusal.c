@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The page of a calibration that was refused: what is missing, where the positions lie, which to add.
+ * The page about data that were refused: what is missing, where the positions lie, which to add.
  */
 #include "result/refusal.h"
 
@@ -22,25 +22,25 @@
 /* Too large for the stack. */
 static sphere map;
 
-/* What there is without a calibration. */
+/* What is known without a calibration. */
 typedef struct {
-    report_facts facts; /* of it result, wish, count, is_gravity, positions and marks */
+    report_facts facts; /* only result, invocation, count, is_gravity, has_up, position and mark */
     refusal_view view;
     refusal_direction add[REFUSAL_DIRECTIONS];
     unsigned add_count;
     unsigned mark_count;
 } refused;
 
-/* ---- what is known of it ------------------------------------------------------------------------- */
+/* ---- what is known ------------------------------------------------------------------------------- */
 
 static void find_positions(refused *d)
 {
     report_facts *f = &d->facts;
     invcal_calibration view;
 
-    d->view = refusal_see(f->result, &view);
+    d->view = refusal_find_view(f->result, &view);
     const double mean = refusal_mean_length(f->result, &view);
-    for (unsigned n = 0; n < f->count && d->view != REFUSAL_UNSEEN; n++) {
+    for (unsigned n = 0; n < f->count && d->view != REFUSAL_NO_VIEW; n++) {
         report_position *at = &f->position[n];
         sphere_mark *mark = &f->mark[d->mark_count];
         at->is_left_out = refusal_is_wrong(f->result, n);
@@ -53,8 +53,8 @@ static void find_positions(refused *d)
             memset(at->up, 0, sizeof at->up);
         }
     }
-    f->has_up = d->view != REFUSAL_UNSEEN;
-    d->add_count = refusal_add(f->result, d->add);
+    f->has_up = d->view != REFUSAL_NO_VIEW;
+    d->add_count = refusal_additions(f->result, d->add);
     for (unsigned n = 0; n < d->add_count; n++) {
         sphere_mark *mark = &f->mark[d->mark_count++];
         memcpy(mark->up, d->add[n].up, sizeof mark->up);
@@ -62,11 +62,12 @@ static void find_positions(refused *d)
     }
 }
 
-static int find(refused *d, const calibrate_result *result, const calibrate_wish *wish)
+static int find_facts(refused *d, const calibrate_result *result,
+                      const calibrate_invocation *invocation)
 {
     const unsigned count = result->data->count;
 
-    *d = (refused){.facts = {.result = result, .wish = wish, .count = count}};
+    *d = (refused){.facts = {.result = result, .invocation = invocation, .count = count}};
     d->facts.is_gravity = calibrate_is_gravity(result);
     d->facts.position = calloc((size_t)count + 1, sizeof *d->facts.position);
     d->facts.mark = calloc((size_t)count + REFUSAL_DIRECTIONS, sizeof *d->facts.mark);
@@ -80,8 +81,8 @@ static int find(refused *d, const calibrate_result *result, const calibrate_wish
 
 /* ---- the sections ------------------------------------------------------------------------------ */
 
-/* A clause as a sentence, without its stop. */
-static const char *sentence(const char *clause, char text[REFUSAL_MAX + 4])
+/* A clause with a capital letter, without a full stop. */
+static const char *capitalised(const char *clause, char text[REFUSAL_MAX + 4])
 {
     snprintf(text, REFUSAL_MAX + 4, "%c%s", toupper((unsigned char)clause[0]), clause + 1);
     return text;
@@ -90,20 +91,20 @@ static const char *sentence(const char *clause, char text[REFUSAL_MAX + 4])
 static void write_verdict(page *p, const refused *d)
 {
     const calibrate_result *r = d->facts.result;
-    const int is_asked = r->need > 0 || r->has_limits;
-    const page_answer answer = {is_asked ? "FAIL: there is no calibration." : NULL, 0};
+    const int has_criteria = r->need > 0 || r->has_limits;
+    const page_answer answer = {has_criteria ? "FAIL: there is no calibration." : NULL, 0};
     char word[64];
     char reason[REFUSAL_MAX + 8];
     char next[REFUSAL_MAX + 8];
     char text[REFUSAL_MAX + 4];
 
     snprintf(word, sizeof word, "✗ No calibration: %s", r->refused.word);
-    snprintf(reason, sizeof reason, "%s.", sentence(r->refused.reason, text));
+    snprintf(reason, sizeof reason, "%s.", capitalised(r->refused.reason, text));
     snprintf(next, sizeof next, "%s.",
              *r->refused.remedy ? r->refused.remedy : "correct what the sentence above names");
-    page_verdict_of(p, PAGE_BAD, word, &answer, reason, next);
-    if (d->facts.wish->saved) {
-        page_say(p, "%s was not written.", d->facts.wish->saved);
+    page_verdict_with_answer(p, PAGE_BAD, word, &answer, reason, next);
+    if (d->facts.invocation->saved) {
+        page_say(p, "%s was not written.", d->facts.invocation->saved);
     }
 }
 
@@ -126,7 +127,7 @@ static void write_missing(page *p, const refused *d)
         page_figure(p, number, "positions to add");
     }
     page_figures_end(p);
-    if (is_open && strcmp(r->refused.word, "undetermined") != 0) { /* which has said so */
+    if (is_open && strcmp(r->refused.word, "undetermined") != 0) { /* else the verdict says so */
         page_say(p, "Undetermined: %s.",
                  parameters_list(r->refused.undetermined, list, sizeof list));
     }
@@ -161,7 +162,7 @@ static int has_kind(const refused *d, sphere_kind kind)
     return 0;
 }
 
-/* Of what there is in the picture. */
+/* Only of the kinds in the picture. */
 static void draw_legend(FILE *file, const refused *d)
 {
     static const struct {
@@ -233,12 +234,13 @@ static void write_additions(page *p, const refused *d)
     page_table_end(p);
 }
 
-int report_refusal(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
+int report_refusal(FILE *file, const calibrate_result *result,
+                   const calibrate_invocation *invocation)
 {
     refused d;
     page p;
     char title[TEXT_MAX];
-    const int failure = find(&d, result, wish);
+    const int failure = find_facts(&d, result, invocation);
 
     if (!failure) {
         snprintf(title, sizeof title, "Calibration of %.300s", input_file_name(result->data->name));

@@ -20,15 +20,15 @@
 #define TEXT_MAX 800
 #define SUPPORT_MAX 200
 
-/* ---- what it comes to -------------------------------------------------------------------------- */
+/* ---- the verdict ------------------------------------------------------------------------------- */
 
-/* ± of the length in the worst direction, what the field may be wrong by included. */
+/* ± of the length in the worst direction, including that of the field. */
 static const char *worst_spread(const report_facts *f, char text[FIGURE_MAX])
 {
     return figure_digits(hypot(f->length_worst, f->field_spread), 2, text);
 }
 
-/* The part of it that the field alone has. */
+/* The part of it that is from the field. */
 static const char *part_of_field(const report_facts *f, char text[SUPPORT_MAX])
 {
     char spread[FIGURE_MAX];
@@ -43,8 +43,8 @@ static const char *part_of_field(const report_facts *f, char text[SUPPORT_MAX])
     return text;
 }
 
-/* What stands behind the result. */
-static void say_support(const report_facts *f, char text[SUPPORT_MAX])
+/* What confirms the result. */
+static void describe_support(const report_facts *f, char text[SUPPORT_MAX])
 {
     const fit_quality *q = &f->result->quality;
     char list[128];
@@ -57,7 +57,7 @@ static void say_support(const report_facts *f, char text[SUPPORT_MAX])
     }
 }
 
-static void say_good(const report_facts *f, char *text)
+static void describe_good(const report_facts *f, char *text)
 {
     const rejection *rejected = &f->result->rejected;
     const unsigned count = rejected->count - rejection_drifting(rejected);
@@ -74,7 +74,7 @@ static void say_good(const report_facts *f, char *text)
         snprintf(left_out, sizeof left_out, " %u position%s the others and %s left out.", count,
                  count == 1 ? " contradicts" : "s contradict", count == 1 ? "is" : "are");
     }
-    say_support(f, support);
+    describe_support(f, support);
     snprintf(text, TEXT_MAX,
              "All nine parameters are determined, %s. The length of corrected readings%s matches "
              "%s within ±%s %s in every direction, apart from their noise%s.%s",
@@ -82,7 +82,7 @@ static void say_good(const report_facts *f, char *text)
              f->unit, part_of_field(f, field), left_out);
 }
 
-static void say_weak(const report_facts *f, char *text)
+static void describe_weak(const report_facts *f, char *text)
 {
     char list[128];
     char spread[FIGURE_MAX];
@@ -95,10 +95,10 @@ static void say_weak(const report_facts *f, char *text)
              f->knows_noise ? f->unit : "times the noise of a position mean");
 }
 
-/* What is to be done with a good one. */
-static void say_how_to_use(const report_facts *f, char *text, size_t size)
+/* What to do with a good calibration. */
+static void describe_use(const report_facts *f, char *text, size_t size)
 {
-    const char *saved = f->wish->saved;
+    const char *saved = f->invocation->saved;
     char path[MESSAGE_MAX];
 
     snprintf(text, size, "%scorrect readings with invcal apply %s LOG.",
@@ -106,21 +106,21 @@ static void say_how_to_use(const report_facts *f, char *text, size_t size)
              options_quoted(saved ? saved : "CAL.json", path, sizeof path));
 }
 
-/* The verdict, and whether what was asked is kept. */
-static void write_box(page *p, const report_facts *f, page_mood mood, const char *word,
+/* The box of the verdict, with the outcome of --need and --tolerance. */
+static void write_box(page *p, const report_facts *f, page_severity severity, const char *word,
                       const char *sentence, const char *next)
 {
     char text[PASS_MAX];
     char advice[NEED_MAX] = "";
     char more[2 * TEXT_MAX + NEED_MAX];
-    const page_answer answer = {f->asked.is_asked ? pass_text(f->result, text) : NULL,
-                                f->asked.is_passed};
+    const page_answer answer = {f->outcome.has_criteria ? pass_text(f->result, text) : NULL,
+                                f->outcome.is_passed};
 
     if (f->result->need > 0) {
         (void)need_advice(f->result, advice);
     }
     snprintf(more, sizeof more, "%s%s%s", sentence, *advice ? " " : "", advice);
-    page_verdict_of(p, mood, word, &answer, more, next);
+    page_verdict_with_answer(p, severity, word, &answer, more, next);
 }
 
 static void write_weak(page *p, const report_facts *f)
@@ -129,8 +129,8 @@ static void write_weak(page *p, const report_facts *f)
     char next[TEXT_MAX];
     char advice[128];
 
-    say_weak(f, sentence);
-    if (calibrate_wants_slopes(f->result)) {
+    describe_weak(f, sentence);
+    if (calibrate_lacks_slopes(f->result)) {
         snprintf(next, sizeof next,
                  "measure nine positions or more at each of two temperatures, at least 5 K apart.");
     } else {
@@ -164,8 +164,8 @@ static void write_verdict(page *p, const report_facts *f)
     if (faces_are_good(f->result)) {
         write_six_faces(p, f);
     } else if (strcmp(word, "Good") == 0) {
-        say_good(f, sentence);
-        say_how_to_use(f, next, sizeof next);
+        describe_good(f, sentence);
+        describe_use(f, next, sizeof next);
         write_box(p, f, PAGE_GOOD, "✓ Good", sentence, next);
         if (*verdict_unchecked(f->result, text)) {
             page_say(p, "%s", text);
@@ -189,7 +189,8 @@ static void write_verdict(page *p, const report_facts *f)
     }
 }
 
-/* What the calibration has done to the lengths. Without a nominal there is no before, and without positions to spare the one after is zero whatever was measured. */
+/* The error of lengths before and after. Before needs a nominal calibration; after needs
+ * redundancy, or it is always zero. */
 static void write_improvement(page *p, const report_facts *f)
 {
     const calibrate_result *r = f->result;
@@ -202,8 +203,8 @@ static void write_improvement(page *p, const report_facts *f)
         return;
     }
     snprintf(text, sizeof text, "%s%s%s %s",
-             f->has_before ? figure_digits(f->parts * r->residual_before, 3, before) : "",
-             f->has_before ? " → " : "", figure_digits(f->parts * r->quality.rms, 3, after),
+             f->has_before ? figure_digits(f->scale * r->residual_before, 3, before) : "",
+             f->has_before ? " → " : "", figure_digits(f->scale * r->quality.rms, 3, after),
              f->unit);
     snprintf(what, sizeof what, "rms error of %s in these positions, %s", f->length,
              f->has_before ? "before and after" : "calibrated");
@@ -240,11 +241,13 @@ static void write_nominal(page *p, const report_facts *f)
     const nominal_choice *n = &f->result->nominal;
 
     if (!nominal_is_stated(n)) {
-        page_fact(p, f->wish->nominal_name, "unknown; state --sensor, --unit, or --zero and --lsb");
+        page_fact(p, f->invocation->nominal_name,
+                  "unknown; state --sensor, --unit, or --zero and --lsb");
     } else if (n->zero == n->lsb) {
-        page_fact(p, f->wish->nominal_name, "zero and scale %s", nominal_origin_text(n->zero));
+        page_fact(p, f->invocation->nominal_name, "zero and scale %s",
+                  nominal_origin_text(n->zero));
     } else {
-        page_fact(p, f->wish->nominal_name, "zero %s, scale %s", nominal_origin_text(n->zero),
+        page_fact(p, f->invocation->nominal_name, "zero %s, scale %s", nominal_origin_text(n->zero),
                   nominal_origin_text(n->lsb));
     }
     if (n->sensor.type) {
@@ -258,15 +261,15 @@ static void write_nominal(page *p, const report_facts *f)
 static void write_temperature(page *p, const report_facts *f)
 {
     const positions *data = f->result->data;
-    double least = HUGE_VAL;
-    double most = -HUGE_VAL;
+    double min = HUGE_VAL;
+    double max = -HUGE_VAL;
 
     for (unsigned n = 0; n < data->count && data->has_temperature; n++) {
-        least = fmin(least, data->origin[n].temperature);
-        most = fmax(most, data->origin[n].temperature);
+        min = fmin(min, data->origin[n].temperature);
+        max = fmax(max, data->origin[n].temperature);
     }
-    if (least <= most) {
-        page_fact(p, "temperature", "%.1f ... %.1f °C, where the result is valid", least, most);
+    if (min <= max) {
+        page_fact(p, "temperature", "%.1f ... %.1f °C, where the result is valid", min, max);
     }
     if (f->result->temperature == CALIBRATE_THERMAL) {
         page_fact(p, "offset and matrix", "at %.2f °C", f->result->fit.calibration.reference);
@@ -296,7 +299,7 @@ static void write_frame(page *p, const calibrate_result *r)
                   : "symmetric: axes as close to the case as possible");
 }
 
-/* What stands between these figures and better ones. */
+/* What limits the accuracy. */
 static void write_limit(page *p, const report_facts *f)
 {
     char text[CALIBRATE_LIMIT_MAX];
@@ -312,12 +315,12 @@ void report_file(page *p, const report_facts *f)
     page_fact(p, "file", "%s, %llu bytes, CRC-32 %08lx", r->data->name,
               (unsigned long long)r->data->bytes, (unsigned long)r->data->crc);
     page_fact(p, "read as", "%s", columns_describe(&r->data->seen, seen, sizeof seen));
-    page_literal(p, "command", f->wish->command);
+    page_literal(p, "command", f->invocation->command);
     page_fact(p, "invcal", "%s", INVCAL_VERSION);
 }
 
-/* What a magnetometer felt. */
-static void write_waved(page *p, const waved *m)
+/* The samples of a magnetometer. */
+static void write_magnetometer(page *p, const magnetometer_log *m)
 {
     page_fact(p, "samples",
               "%lu, %lu left out, in %u of %u direction cells; correlated: %.0f count as one",
@@ -345,7 +348,7 @@ static void write_origin(page *p, const report_facts *f)
                   r->place[1], REPORT_NORMAL * GRAVITY_SIGMA);
     }
     if (r->magnetometer) {
-        write_waved(p, r->magnetometer);
+        write_magnetometer(p, r->magnetometer);
     } else {
         page_fact(p, "positions", "%u used, %u left out", r->rejected.kept_count,
                   r->rejected.count);
@@ -364,8 +367,8 @@ static void write_origin(page *p, const report_facts *f)
     page_note(p, "Lengths do not determine the rotation of the calibrated axes to the case.");
 }
 
-/* Once, and for all that follows. */
-static void say_convention(page *p, const report_facts *f)
+/* The meaning of ±, once for the whole page. */
+static void write_convention(page *p, const report_facts *f)
 {
     if (f->knows_noise) {
         page_note(p,
@@ -378,7 +381,7 @@ static void say_convention(page *p, const report_facts *f)
     }
 }
 
-/* What the calibration is filed under. */
+/* The record of the calibration. */
 static void write_record(page *p, const record *r)
 {
     if (record_is_empty(r)) {
@@ -393,13 +396,13 @@ static void write_record(page *p, const record *r)
     page_facts_end(p);
 }
 
-int report_write(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
+int report_write(FILE *file, const calibrate_result *result, const calibrate_invocation *invocation)
 {
     report_facts f;
     page p;
     char title[TEXT_MAX];
     char head[RECORD_LINE_MAX];
-    const int failure = report_facts_find(&f, result, wish);
+    const int failure = report_facts_find(&f, result, invocation);
 
     if (!failure) {
         snprintf(title, sizeof title, "Calibration of %.300s", input_file_name(result->data->name));
@@ -407,7 +410,7 @@ int report_write(FILE *file, const calibrate_result *result, const calibrate_wis
         write_record(&p, &result->record);
         write_verdict(&p, &f);
         report_gyro_summary(&p, &f);
-        say_convention(&p, &f);
+        write_convention(&p, &f);
         report_use(&p, &f);
         page_section(&p, "Accuracy");
         write_figures(&p, &f);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Where the positions lie on the sphere, and how well every direction is known.
+ * The positions on the sphere, and the uncertainty of every direction.
  */
 #include "report/facts.h"
 
@@ -48,17 +48,17 @@ static void draw_half(FILE *file, const report_facts *f, unsigned half)
     svg_end(file);
 }
 
-/* How well everything is known, in a sentence. */
-static void say_uncertainty(page *p, const report_facts *f)
+/* The uncertainty in sentences. */
+static void write_uncertainty(page *p, const report_facts *f)
 {
-    char least[FIGURE_MAX];
-    char most[FIGURE_MAX];
+    char min[FIGURE_MAX];
+    char max[FIGURE_MAX];
 
     page_say(p,
              "The uncertainty of %s of a corrected reading is ±%s %s in the best direction, and "
              "±%s %s in the worst, %s%s.",
-             f->is_gravity ? "|a|" : "the length", figure_digits(f->length_spread.least, 2, least),
-             f->knows_noise ? f->unit : "", figure_digits(f->length_spread.most, 2, most),
+             f->is_gravity ? "|a|" : "the length", figure_digits(f->length_spread.min, 2, min),
+             f->knows_noise ? f->unit : "", figure_digits(f->length_spread.max, 2, max),
              f->knows_noise ? f->unit : "", f->length_spread.worst_words,
              f->knows_noise ? ""
                             : ", in multiples of the noise of a position mean, which is unknown");
@@ -66,7 +66,7 @@ static void say_uncertainty(page *p, const report_facts *f)
         page_say(p,
                  "This does not include the uncertainty of %s itself: ±%s %s, the same in all "
                  "directions.",
-                 f->is_gravity ? "g" : "the field", figure_digits(f->field_spread, 2, most),
+                 f->is_gravity ? "g" : "the field", figure_digits(f->field_spread, 2, max),
                  f->unit);
     }
     page_say(p,
@@ -79,10 +79,10 @@ static void say_uncertainty(page *p, const report_facts *f)
 void report_sphere(page *p, const report_facts *f)
 {
     const uncertainty *u = &f->length_spread;
-    const sphere_shading shading = uncertainty_shading(u, u->least, u->most);
+    const sphere_shading shading = uncertainty_shading(u, u->min, u->max);
 
     page_section(p, "Where the positions lie");
-    say_uncertainty(p, f);
+    write_uncertainty(p, f);
     sphere_arrange(&map, f->mark, f->count + 1, &shading);
     page_row_begin(p);
     draw_half(p->file, f, 0);

@@ -1,24 +1,24 @@
 /* SPDX-License-Identifier: MIT
  *
- * Results from the angles of a stand: how they are read, how the unit sits, the parameters again by J1, the
- * paper's series with its closures.
+ * Results from the angles of a stand: their convention, the mounting of the unit, the parameters by
+ * J1, and the paper's series with its closures.
  */
 #include <math.h>
 #include <string.h>
 
 #include "design/parameters.h"
 #include "report/facts.h"
-#include "stand/tell.h"
+#include "stand/output.h"
 
 #define CELL 160
 #define MILLIONTHS 1e6
 
 enum { GROUPS = INVCAL_PLAN_GROUPS };
 
-/* ---- how they are read --------------------------------------------------------------------------- */
+/* ---- convention ---------------------------------------------------------------------------------- */
 
 /* "α = alpha", "β = -(beta - 20°)". */
-static const char *reading_of(const stand *s, unsigned i, char text[CELL])
+static const char *angle_formula(const stand *s, unsigned i, char text[CELL])
 {
     static const char *const symbols[] = {"α", "β"};
     static const char *const headings[] = {"alpha", "beta"};
@@ -41,13 +41,13 @@ static void write_convention(page *p, const stand *s)
         page_say(p,
                  "%u positions with angles, in degrees: %s, %s, where alpha and beta are the "
                  "columns as the stand shows them.",
-                 s->count, reading_of(s, 0, text[0]), reading_of(s, 1, text[1]));
+                 s->count, angle_formula(s, 0, text[0]), angle_formula(s, 1, text[1]));
     } else {
         page_say(p, "%u positions with angles: those of the program %s, in its order.", s->count,
                  s->from);
     }
-    if (s->without > 0) {
-        page_say(p, "%u more have no angles, or angles that changed.", s->without);
+    if (s->without_angles > 0) {
+        page_say(p, "%u more have no angles, or angles that changed.", s->without_angles);
     }
     page_picture(p,
                  "The unit on the two axes of the stand (the paper's Fig. 1) at α = 0, β = 0, and "
@@ -57,7 +57,7 @@ static void write_convention(page *p, const stand *s)
                  report_stand_figure, NULL);
 }
 
-/* ---- how the unit sits --------------------------------------------------------------------------- */
+/* ---- mounting ------------------------------------------------------------------------------------ */
 
 static void write_missets(page *p, const stand *s)
 {
@@ -67,7 +67,7 @@ static void write_missets(page *p, const stand *s)
         page_say(p, "%s", stand_misset_text(s, &s->misset[i], text));
     }
     if (s->missets > 0) {
-        page_say(p, "%s", STAND_MISSET_HARM);
+        page_say(p, "%s", STAND_MISSET_NOTE);
     } else {
         page_say(p, "No position is misset.");
     }
@@ -78,7 +78,7 @@ static void write_mounting(page *p, const report_facts *f)
     static const char *const axes[] = {"about x", "about y", "about z"};
     static const char *const titles[] = {"mounting", "angle"};
     const mounting *m = &f->result->stand.mounting;
-    const told_unit unit = report_unit(f, 2);
+    const display_unit unit = report_unit(f, 2);
     const page_table sheet = {
         "Mounting of the unit on the stand: a rotation that lengths cannot show.", titles, 2, 0};
 
@@ -101,8 +101,8 @@ static void write_mounting(page *p, const report_facts *f)
                   "direction.",
                   1e3 * m->scatter);
     }
-    if (*stand_turned_far(m)) {
-        page_say(p, "%s", stand_turned_far(m));
+    if (*stand_large_angle_text(m)) {
+        page_say(p, "%s", stand_large_angle_text(m));
     }
 }
 
@@ -111,7 +111,7 @@ static void write_mounting(page *p, const report_facts *f)
 static void write_vertical_row(page *p, const page_table *sheet, const report_facts *f, unsigned r)
 {
     const stand_vertical *v = &f->result->stand.vertical;
-    const told_unit unit = report_unit(f, r / 3);
+    const display_unit unit = report_unit(f, r / 3);
     const double x = unit.scale * f->result->solution.x[r];
     const double difference = unit.scale * (v->x[r] - f->result->solution.x[r]);
     const double sigma = unit.scale * v->sigma[r];
@@ -180,7 +180,7 @@ static void write_group(page *p, const page_table *sheet, const group_series *s,
     page_cells(p, sheet, stands_for);
 }
 
-/* Nearly all coefficients are deviations from nominal. */
+/* The coefficients are combinations of deviations from nominal. */
 static void write_coefficients(page *p, const group_series *s)
 {
     static const char *const titles[] = {"group", "a0", "a1", "b1", "a2", "b2"};
@@ -216,9 +216,9 @@ static void write_closure_row(page *p, const page_table *sheet, const report_fac
     static const char *const groups[] = {"2 and 3", "1 and 3", "1 and 2"};
     static const char *const only[] = {"3", "2", "1"};
     const group_series *s = &f->result->stand.series;
-    const told_unit unit = report_unit(f, r / 3);
-    const double wide = stand_series_coverage(s);
-    const double spread = wide * unit.scale * s->noise * s->x_root[r];
+    const display_unit unit = report_unit(f, r / 3);
+    const double coverage = stand_series_coverage(s);
+    const double spread = coverage * unit.scale * s->noise * s->x_root[r];
     const int places = figure_places(unit.scale * s->x[r], spread);
     char value[CELL];
     char number[5][FIGURE_MAX];
@@ -232,15 +232,15 @@ static void write_closure_row(page *p, const page_table *sheet, const report_fac
     cells[2] = r < GROUP_SERIES_CLOSURES ? groups[r % 3] : only[r % 3];
     if (r < GROUP_SERIES_CLOSURES) {
         const double closure = unit.scale * s->closure[r];
-        const double of_it = unit.scale * s->noise * s->closure_root[r];
+        const double sigma = unit.scale * s->noise * s->closure_root[r];
         for (unsigned i = 0; i < 2; i++) {
-            cells[3 + i] =
-                nominal_knows(&f->result->nominal, r)
-                    ? figure_fixed(unit.scale * s->told[r][i], places, FIGURE_SIGNED, number[1 + i])
-                    : "";
+            cells[3 + i] = nominal_knows(&f->result->nominal, r)
+                               ? figure_fixed(unit.scale * s->by_group[r][i], places, FIGURE_SIGNED,
+                                              number[1 + i])
+                               : "";
         }
-        cells[5] = figure_with_sigma(closure, wide * of_it, FIGURE_SIGNED, number[3]);
-        cells[6] = of_it > 0 ? figure_fixed(closure / of_it, 2, FIGURE_SIGNED, number[4]) : "";
+        cells[5] = figure_with_sigma(closure, coverage * sigma, FIGURE_SIGNED, number[3]);
+        cells[6] = sigma > 0 ? figure_fixed(closure / sigma, 2, FIGURE_SIGNED, number[4]) : "";
     }
     page_cells(p, sheet, cells);
 }
@@ -252,7 +252,7 @@ static void write_chance(page *p, const group_series *s)
                  "All six closures together: F = %.3g with 6 and %u degrees of freedom; by chance "
                  "as large in %.3g %% of cases%s.",
                  s->f, s->dof, 100 * s->chance,
-                 s->chance < STAND_UNLIKELY ? ": the groups contradict each other" : "");
+                 s->chance < STAND_SIGNIFICANCE ? ": the groups contradict each other" : "");
     } else {
         page_say(p,
                  "The groups have no redundancy: only the closures themselves show their scatter.");
@@ -288,17 +288,17 @@ void report_stand(page *p, const report_facts *f)
         return;
     }
     page_section(p, "At the stand");
-    if (s->reading != STAND_AS_STATED) {
-        page_say(p, "! %c%s", stand_advice(s->reading)[0] - 'a' + 'A',
-                 stand_advice(s->reading) + 1);
+    if (s->convention != STAND_AS_STATED) {
+        page_say(p, "! %c%s", stand_advice(s->convention)[0] - 'a' + 'A',
+                 stand_advice(s->convention) + 1);
     }
     write_convention(p, s);
-    if (s->reading == STAND_AS_STATED) {
+    if (s->convention == STAND_AS_STATED) {
         write_missets(p, s);
         write_mounting(p, f);
         write_vertical(p, f);
         write_series(p, f);
-        if (s->series.is_closed_over) {
+        if (s->series.has_closures) {
             write_closures(p, f);
         }
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The unit on the two axes of a stand, with the senses in which its angles grow: seen from the front, a little
+ * The unit on the two axes of a stand, with the senses of its angles: seen from the front, a little
  * from the right and from above.
  */
 #include <math.h>
@@ -8,43 +8,43 @@
 #include "maths/angles.h"
 #include "report/facts.h"
 
-#define HEIGHT_BESIDE 275.0 /* of the picture where the three poses stand at its right, */
-#define HEIGHT_BELOW 420.0  /* and where they stand below */
-#define ASIDE 0.42          /* pixels to the left for each towards the viewer, */
-#define DOWN 0.30           /* and down */
-#define HALF 30.0           /* of an edge of the unit */
-#define FRAME 84.0     /* from the middle: the frame that the outer axis turns, at the sides, */
-#define FRAME_TOP 72.0 /* at the top and at the bottom; */
-#define POST 122.0     /* the posts that hold its axis; */
-#define FLOOR 112.0    /* what they stand on */
-#define ARC 27.0       /* radius of the arrows of rotation */
+#define HEIGHT_BESIDE 275.0 /* height of the picture with the three poses at its right */
+#define HEIGHT_BELOW 420.0  /* the same with the poses below */
+#define DEPTH_X 0.42        /* shift to the left for each unit towards the viewer */
+#define DEPTH_Y 0.30        /* shift down */
+#define HALF_EDGE 30.0      /* half an edge of the unit */
+#define FRAME 84.0          /* from the centre to the sides of the outer frame */
+#define FRAME_TOP 72.0      /* to its top and bottom */
+#define POST 122.0          /* to the posts that hold the outer axis */
+#define FLOOR 112.0         /* to the floor */
+#define ARC 27.0            /* radius of the arrows of rotation */
 
 typedef struct {
     FILE *file;
-    double x, y;  /* of the middle of the unit */
-    double scale; /* pixels for what is one in the stand itself */
+    double x, y;  /* pixel of the centre of the unit */
+    double scale; /* 1: the stand at the size above */
 } view;
 
 typedef struct {
     double x, y;
-} spot;
+} point;
 
-static spot spot_of(const view *v, const double at[3])
+static point project(const view *v, const double at[3])
 {
-    return (spot){v->x + v->scale * (at[0] - ASIDE * at[2]),
-                  v->y - v->scale * (at[1] - DOWN * at[2])};
+    return (point){v->x + v->scale * (at[0] - DEPTH_X * at[2]),
+                   v->y - v->scale * (at[1] - DEPTH_Y * at[2])};
 }
 
-static void line(const view *v, const char *style, const double from[3], const double to[3])
+static void draw_line(const view *v, const char *style, const double from[3], const double to[3])
 {
-    const spot a = spot_of(v, from);
-    const spot b = spot_of(v, to);
+    const point a = project(v, from);
+    const point b = project(v, to);
 
     svg_line(v->file, style, a.x, a.y, b.x, b.y);
 }
 
-/* The head of an arrow that ends at b, coming from a. */
-static void head(const view *v, const char *colour, spot a, spot b)
+/* The head of an arrow from a to b. */
+static void draw_arrow_head(const view *v, const char *colour, point a, point b)
 {
     const double length = hypot(b.x - a.x, b.y - a.y);
     const double along[2] = {(b.x - a.x) / length, (b.y - a.y) / length};
@@ -62,10 +62,10 @@ static void head(const view *v, const char *colour, spot a, spot b)
 
 /* ---- the unit ---------------------------------------------------------------------------------- */
 
-/* Is a direction one that the viewer sees the front of? */
-static int is_towards(const double d[3])
+/* 1 if a side with this normal is visible. */
+static int faces_viewer(const double d[3])
 {
-    return ASIDE * d[0] + DOWN * d[1] + d[2] > 1e-9;
+    return DEPTH_X * d[0] + DEPTH_Y * d[1] + d[2] > 1e-9;
 }
 
 /* A side of the cube, along axis i. */
@@ -76,41 +76,41 @@ static void draw_side(const view *v, const double (*axis)[3], unsigned i, double
     const double *k = axis[(i + 2) % 3];
     const double out[3] = {sign * axis[i][0], sign * axis[i][1], sign * axis[i][2]};
 
-    if (!is_towards(out)) {
+    if (!faces_viewer(out)) {
         return;
     }
     svg_polygon_begin(v->file, "c0 hollow");
     for (unsigned n = 0; n < 4; n++) {
         double at[3];
         for (unsigned c = 0; c < 3; c++) {
-            at[c] = HALF * (out[c] + corners[n][0] * j[c] + corners[n][1] * k[c]);
+            at[c] = HALF_EDGE * (out[c] + corners[n][0] * j[c] + corners[n][1] * k[c]);
         }
-        const spot s = spot_of(v, at);
+        const point s = project(v, at);
         svg_polyline_point(v->file, s.x, s.y);
     }
     svg_polyline_end(v->file);
 }
 
-/* An axis of the unit from its side on, so long, with its name. */
+/* An axis of the unit, from its side to `length`, with its name. */
 static void draw_axis(const view *v, const double axis[3], const char *name, double length)
 {
     double from[3];
     double to[3];
 
     for (unsigned c = 0; c < 3; c++) {
-        from[c] = HALF * axis[c];
+        from[c] = HALF_EDGE * axis[c];
         to[c] = length * axis[c];
     }
-    const spot a = spot_of(v, from);
-    const spot b = spot_of(v, to);
+    const point a = project(v, from);
+    const point b = project(v, to);
     const double along = hypot(b.x - a.x, b.y - a.y);
     svg_line(v->file, "c1 curve", a.x, a.y, b.x, b.y);
-    head(v, "c1", a, b);
+    draw_arrow_head(v, "c1", a, b);
     svg_text(v->file, "ink halo", SVG_MIDDLE, b.x + 13 * (b.x - a.x) / along,
              b.y + 5 + 13 * (b.y - a.y) / along, name);
 }
 
-/* The unit at angles, in degrees; what is behind it first. */
+/* The unit at the angles alpha and beta, degrees; axes behind it first. */
 static void draw_unit(const view *v, double alpha, double beta, const double length[3])
 {
     static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -119,7 +119,7 @@ static void draw_unit(const view *v, double alpha, double beta, const double len
 
     for (unsigned i = 0; i < 3; i++) {
         angles_vector(alpha, beta, unit[i], axis[i]);
-        if (!is_towards(axis[i])) {
+        if (!faces_viewer(axis[i])) {
             draw_axis(v, axis[i], names[i], length[i]);
         }
     }
@@ -128,7 +128,7 @@ static void draw_unit(const view *v, double alpha, double beta, const double len
         draw_side(v, (const double(*)[3])axis, i, -1);
     }
     for (unsigned i = 0; i < 3; i++) {
-        if (is_towards(axis[i])) {
+        if (faces_viewer(axis[i])) {
             draw_axis(v, axis[i], names[i], length[i]);
         }
     }
@@ -150,21 +150,21 @@ static void draw_stand(const view *v)
         const double top[3] = {side * POST, 0, 0};
         const double outer[3] = {side * FRAME, 0, 0};
         const double upper[3] = {0, side * FRAME_TOP, 0};
-        const double unit[3] = {0, side * HALF, 0};
-        line(v, "rule", foot, top);
-        line(v, "rule", outer, top);
-        line(v, "rule", upper, unit);
+        const double unit[3] = {0, side * HALF_EDGE, 0};
+        draw_line(v, "rule", foot, top);
+        draw_line(v, "rule", outer, top);
+        draw_line(v, "rule", upper, unit);
     }
     for (unsigned i = 0; i < 4; i++) {
-        line(v, "rule", frame[i], frame[(i + 1) % 4]);
+        draw_line(v, "rule", frame[i], frame[(i + 1) % 4]);
     }
 }
 
-/* The way of a mark on the unit, or on what turns with it, as one of its angles grows: the arrow. */
-static void draw_growth(const view *v, const double mark[3], const double centre[3], int is_beta)
+/* An arrow along the path of a mark on the unit as alpha or beta increases. */
+static void draw_rotation(const view *v, const double mark[3], const double centre[3], int is_beta)
 {
-    spot last = {0, 0};
-    spot now = {0, 0};
+    point last = {0, 0};
+    point now = {0, 0};
 
     svg_polyline_begin(v->file, "c2 curve");
     for (unsigned n = 0; n <= 60; n++) {
@@ -175,11 +175,11 @@ static void draw_growth(const view *v, const double mark[3], const double centre
             at[c] += centre[c];
         }
         last = now;
-        now = spot_of(v, at);
+        now = project(v, at);
         svg_polyline_point(v->file, now.x, now.y);
     }
     svg_polyline_end(v->file);
-    head(v, "c2", last, now);
+    draw_arrow_head(v, "c2", last, now);
 }
 
 static void draw_angles(const view *v)
@@ -189,15 +189,15 @@ static void draw_angles(const view *v)
     static const double outer_mark[3] = {0, -ARC * 0.6, ARC * 0.8};
     static const double inner_mark[3] = {ARC, 0, 0};
 
-    draw_growth(v, outer_mark, on_outer, 0);
-    draw_growth(v, inner_mark, on_inner, 1);
+    draw_rotation(v, outer_mark, on_outer, 0);
+    draw_rotation(v, inner_mark, on_inner, 1);
     svg_text(v->file, "ink halo", SVG_START, v->x + on_outer[0] + 13, v->y - 22, "α");
     svg_text(v->file, "ink halo", SVG_START, v->x + ARC + 8, v->y - on_inner[1] + 2, "β");
 }
 
 /* ---- the picture -------------------------------------------------------------------------------- */
 
-/* What the arrows are derived from: one axis after the other comes to point up. */
+/* The poses that define the senses of the angles: y, z and x point up. */
 static void draw_poses(FILE *file, double x, double y, double step)
 {
     static const double angles[3][2] = {{0, 0}, {90, 0}, {90, 90}};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What temperature does to the sensor, and to the residuals.
+ * The effect of temperature on the parameters and on the residuals.
  */
 #include <math.h>
 #include <string.h>
@@ -14,9 +14,9 @@
 #define RIGHT 30.0 /* names of the curves */
 #define TOP 26.0
 #define PLOT 120.0
-#define GAP 34.0   /* between two plots, with the title of the second; */
-#define TICKS 16.0 /* with figures of temperature more */
-#define AXIS 42.0  /* below the last */
+#define GAP 34.0   /* between two plots, with the title of the second */
+#define TICKS 16.0 /* added to it for figures of temperature */
+#define AXIS 42.0  /* below the last plot */
 #define STEPS 24u  /* of a curve */
 #define NAME_HEIGHT 13.0
 #define POINTS 2500u /* drawn at most */
@@ -37,12 +37,12 @@ static kind kind_of(const report_facts *f, unsigned which)
 {
     static const char *const axes[] = {"x", "y", "z"};
     static const char *const pairs[] = {"xy", "xz", "zy"};
-    const int is_ins = f->result->told == TOLD_INS;
-    const told_unit scale = told_scale(f->result->told);
-    const told_unit angle = told_angle(f->result->told);
+    const int is_ins = f->result->units == UNIT_STYLE_INS;
+    const display_unit scale = unit_style_scale(f->result->units);
+    const display_unit angle = unit_style_angle(f->result->units);
     const kind kinds[KINDS] = {
-        {"offset over the field", f->unit, f->parts,
-         f->is_gravity ? (is_ins ? "µg/K" : "mg/K") : (is_ins ? "ppm/K" : "‰/K"), f->parts, axes},
+        {"offset over the field", f->unit, f->scale,
+         f->is_gravity ? (is_ins ? "µg/K" : "mg/K") : (is_ins ? "ppm/K" : "‰/K"), f->scale, axes},
         {"scale error", scale.unit, scale.scale, "ppm/K", 1e6, axes},
         {"angle off square", angle.unit, angle.scale, is_ins ? "arcsec/K" : "degrees/K",
          angle.scale, pairs},
@@ -101,8 +101,8 @@ static void write_slopes(page *p, const report_facts *f)
 
 /* ---- the parameters over the range ------------------------------------------------------------ */
 
-/* One parameter at STEPS + 1 temperatures, and half the width of its band. Where nothing states what it was to
- * be, it is against what it is at the reference. */
+/* Three parameters at STEPS + 1 temperatures, and the half-widths of their bands. If no nominal
+ * value is stated, they are relative to the values at the reference temperature. */
 typedef struct {
     double value[KINDS][STEPS + 1];
     double half[KINDS][STEPS + 1];
@@ -136,19 +136,19 @@ static void find_curves(const report_facts *f, unsigned which, curves *c)
 
 static ruler value_ruler(const curves *c, double top)
 {
-    double least = HUGE_VAL;
-    double most = -HUGE_VAL;
+    double min = HUGE_VAL;
+    double max = -HUGE_VAL;
 
     for (unsigned i = 0; i < KINDS; i++) {
         for (unsigned step = 0; step <= STEPS; step++) {
-            least = fmin(least, c->value[i][step] - c->half[i][step]);
-            most = fmax(most, c->value[i][step] + c->half[i][step]);
+            min = fmin(min, c->value[i][step] - c->half[i][step]);
+            max = fmax(max, c->value[i][step] + c->half[i][step]);
         }
     }
-    return chart_ruler(least, most, top + PLOT, top, 4);
+    return chart_ruler(min, max, top + PLOT, top, 4);
 }
 
-/* The line that is so many half widths of the band above the curve. */
+/* A line `halves` half-widths of the band above the curve. */
 static void draw_edge(FILE *file, const report_facts *f, const curves *c, unsigned axis,
                       double halves, const ruler *x, const ruler *y)
 {
@@ -164,8 +164,8 @@ static void draw_edge(FILE *file, const report_facts *f, const curves *c, unsign
     svg_polyline_end(file);
 }
 
-/* At the right ends, moved apart downwards where they would overlap, but not out of the plot. */
-static void name_curves(FILE *file, const kind *k, const curves *c, const ruler *x, const ruler *y)
+/* At the right ends, moved down where they would overlap, but not out of the plot. */
+static void label_curves(FILE *file, const kind *k, const curves *c, const ruler *x, const ruler *y)
 {
     unsigned order[KINDS] = {0, 1, 2};
     double at[KINDS];
@@ -215,7 +215,7 @@ static void draw_kind(FILE *file, const report_facts *f, unsigned which, const r
             draw_edge(file, f, &c, i, edge, x, &y);
         }
     }
-    name_curves(file, &k, &c, x, &y);
+    label_curves(file, &k, &c, x, &y);
 }
 
 static double height_of(unsigned plots, double gap)
@@ -223,12 +223,12 @@ static double height_of(unsigned plots, double gap)
     return TOP + plots * PLOT + (plots - 1) * gap + AXIS;
 }
 
-static ruler temperature_ruler(double least, double most, double width)
+static ruler temperature_ruler(double min, double max, double width)
 {
-    return chart_ruler_exact(least, most, LEFT, width - RIGHT, width > PAGE_NARROW ? 10 : 5);
+    return chart_ruler_exact(min, max, LEFT, width - RIGHT, width > PAGE_NARROW ? 10 : 5);
 }
 
-static void name_axis(FILE *file, const ruler *x, double height)
+static void label_axis(FILE *file, const ruler *x, double height)
 {
     svg_text(file, "soft small", SVG_MIDDLE, (x->from + x->to) / 2, height - 8, "temperature, °C");
 }
@@ -248,7 +248,7 @@ static void draw_parameters(FILE *file, const void *data, double width)
     for (unsigned which = 0; which < KINDS; which++) {
         draw_kind(file, f, which, &x);
     }
-    name_axis(file, &x, height_of(KINDS, GAP));
+    label_axis(file, &x, height_of(KINDS, GAP));
     svg_end(file);
 }
 
@@ -256,7 +256,7 @@ static void draw_parameters(FILE *file, const void *data, double width)
 
 typedef enum { WITHOUT, WITH } terms;
 
-/* Deviation of a position from the field, in parts of it. */
+/* Deviation of the length at a position, in the unit of the report. */
 static double residual_of(const report_facts *f, unsigned n, terms which)
 {
     const thermal_fit *fit = &f->result->fit;
@@ -267,7 +267,7 @@ static double residual_of(const report_facts *f, unsigned n, terms which)
     }
     invcal_apply(&fit->nine.calibration, &f->result->data->mean[3 * (size_t)n], v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    return f->parts * (length - 1);
+    return f->scale * (length - 1);
 }
 
 static double reach_of(const report_facts *f, terms which)
@@ -303,17 +303,17 @@ static void draw_residuals_of(FILE *file, const report_facts *f, terms which, do
     }
 }
 
-static void find_range(const report_facts *f, double *least, double *most)
+static void find_range(const report_facts *f, double *min, double *max)
 {
-    *least = HUGE_VAL;
-    *most = -HUGE_VAL;
+    *min = HUGE_VAL;
+    *max = -HUGE_VAL;
     for (unsigned n = 0; n < f->count; n++) {
-        *least = fmin(*least, f->result->data->origin[n].temperature);
-        *most = fmax(*most, f->result->data->origin[n].temperature);
+        *min = fmin(*min, f->result->data->origin[n].temperature);
+        *max = fmax(*max, f->result->data->origin[n].temperature);
     }
 }
 
-/* How many plots there are: with slopes, the nine parameters alone are another one. */
+/* The number of plots: with slopes, there is a second one without them. */
 static unsigned residual_plots(const report_facts *f)
 {
     const thermal_fit *fit = &f->result->fit;
@@ -329,13 +329,13 @@ static void draw_residuals(FILE *file, const void *data, double width)
     const report_facts *f = data;
     const unsigned plots = residual_plots(f);
     const double height = height_of(plots, GAP + TICKS);
-    double least;
-    double most;
+    double min;
+    double max;
     char text[TEXT_MAX];
 
-    find_range(f, &least, &most);
-    const double room = fmax(0.02 * (most - least), 0.1);
-    const ruler x = temperature_ruler(least - room, most + room, width);
+    find_range(f, &min, &max);
+    const double margin = fmax(0.02 * (max - min), 0.1);
+    const ruler x = temperature_ruler(min - margin, max + margin, width);
     snprintf(text, sizeof text,
              "Deviation of %s from the field at each of %u positions over temperature.%s",
              f->length, f->count,
@@ -351,13 +351,13 @@ static void draw_residuals(FILE *file, const void *data, double width)
         svg_text(file, "ink heading", SVG_START, 0, top - 10, text);
         draw_residuals_of(file, f, which, top, &x);
     }
-    name_axis(file, &x, height);
+    label_axis(file, &x, height);
     svg_end(file);
 }
 
 /* ---- the section ------------------------------------------------------------------------------ */
 
-static void say_fitted(page *p, const report_facts *f)
+static void write_fitted(page *p, const report_facts *f)
 {
     const invcal_thermal *c = &f->result->fit.calibration;
 
@@ -377,7 +377,7 @@ static void say_fitted(page *p, const report_facts *f)
     }
 }
 
-static void say_difference(page *p, const report_facts *f)
+static void write_difference(page *p, const report_facts *f)
 {
     const thermal_fit *fit = &f->result->fit;
     char before[FIGURE_MAX];
@@ -386,13 +386,13 @@ static void say_difference(page *p, const report_facts *f)
     page_say(p,
              "Nine parameters without temperature leave an rms error of %s %s in the same "
              "positions, with temperature %s %s.",
-             figure_digits(f->parts * fit->without, 3, before), f->unit,
-             figure_digits(f->parts * f->result->quality.rms, 3, after), f->unit);
+             figure_digits(f->scale * fit->without, 3, before), f->unit,
+             figure_digits(f->scale * f->result->quality.rms, 3, after), f->unit);
 }
 
 static void write_thermal(page *p, const report_facts *f)
 {
-    say_fitted(p, f);
+    write_fitted(p, f);
     if (f->result->fit.calibration.fitted > 0) {
         write_slopes(p, f);
         page_picture(p,
@@ -402,7 +402,7 @@ static void write_thermal(page *p, const report_facts *f)
                      draw_parameters, f);
     }
     if (residual_plots(f) > 1) {
-        say_difference(p, f);
+        write_difference(p, f);
     }
 }
 
@@ -416,7 +416,7 @@ void report_temperature(page *p, const report_facts *f)
     page_section(p, "Temperature");
     if (f->result->temperature == CALIBRATE_THERMAL) {
         write_thermal(p, f);
-    } else if (*calibrate_advice(f->result, advice)) {
+    } else if (*calibrate_temperature_advice(f->result, advice)) {
         page_say(p, "%s", advice);
     }
     page_picture(p, "Residual of each position over its temperature.", draw_residuals, f);

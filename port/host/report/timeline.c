@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The log from which the positions come: what was read, and where the rests are.
+ * The log: its readings, and the rests in it.
  */
 #include <math.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 #define LEFT 68.0
 #define RIGHT 10.0
 #define TOP 58.0
-#define STRIP 74.0 /* one for each axis, and the gap to the next */
+#define STRIP 74.0 /* height for each axis, with the gap to the next */
 #define GAP 14.0
 #define AXIS 40.0
 #define DIGIT 7.0 /* width of a digit in a number of a rest */
@@ -34,14 +34,14 @@ static void draw_trace(FILE *file, const timeline *t, unsigned trace, const rule
     double high;
 
     svg_polygon_begin(file, "c1 outline");
-    for (int way = 1; way >= -1; way -= 2) {
+    for (int direction = 1; direction >= -1; direction -= 2) {
         for (double k = 0; k < pixels; k++) {
-            const double i = way > 0 ? k : pixels - 1 - k;
+            const double i = direction > 0 ? k : pixels - 1 - k;
             const unsigned from = (unsigned)(i * bins);
             if (timeline_range(t, trace, from, (unsigned)fmax(from + 1.0, (i + 1) * bins), &low,
                                &high)) {
                 svg_polyline_point(file, chart_pixel(x, from * t->width),
-                                   chart_pixel(y, way > 0 ? high : low));
+                                   chart_pixel(y, direction > 0 ? high : low));
             }
         }
     }
@@ -53,17 +53,17 @@ static ruler strip_ruler(const timeline *t, unsigned trace, double top)
 {
     const unsigned first = trace < 3 ? 0 : trace;
     const unsigned last = trace < 3 ? 2 : trace;
-    double least = HUGE_VAL;
-    double most = -HUGE_VAL;
+    double min = HUGE_VAL;
+    double max = -HUGE_VAL;
 
     for (unsigned i = first; i <= last; i++) {
         double low;
         double high;
         (void)timeline_range(t, i, 0, t->bins, &low, &high);
-        least = fmin(least, low);
-        most = fmax(most, high);
+        min = fmin(min, low);
+        max = fmax(max, high);
     }
-    return chart_ruler_exact(least, most, top + STRIP - GAP, top, 4);
+    return chart_ruler_exact(min, max, top + STRIP - GAP, top, 4);
 }
 
 static void draw_strip(FILE *file, const report_facts *f, unsigned trace, const ruler *x,
@@ -77,7 +77,7 @@ static void draw_strip(FILE *file, const report_facts *f, unsigned trace, const 
     draw_trace(file, t, trace, x, &y);
 }
 
-/* A band from top to bottom for each rest, with its number where there is room. */
+/* A band from top to bottom for each rest, with its number if it has space. */
 static void draw_rests(FILE *file, const report_facts *f, const ruler *x, double bottom)
 {
     double taken = LEFT;
@@ -150,8 +150,8 @@ static void draw_timeline(FILE *file, const void *data, double width)
     svg_end(file);
 }
 
-/* Which rests were refused, and why. */
-static void say_refused(page *p, const rests_summary *log)
+/* How many rests were refused, and why. */
+static void write_refused(page *p, const rests_summary *log)
 {
     for (unsigned i = 0; i < RESTS_REASONS; i++) {
         if (log->refused[i] > 0) {
@@ -175,12 +175,12 @@ void report_timeline(page *p, const report_facts *f)
              "are the positions.",
              log->samples, log->seconds, log->rate,
              log->is_rate_known ? "" : " (a guess; state --rate)", f->count);
-    say_refused(p, log);
+    write_refused(p, log);
     if (log->gaps > 0) {
         page_say(p, "%lu gap%s in the times; those of more than a minute are left out here.",
                  log->gaps, log->gaps == 1 ? "" : "s");
     }
-    page_panorama(p, "The range of the readings, minimum to maximum, and the rests in them.",
-                  draw_timeline, f);
+    page_wide_picture(p, "The range of the readings, minimum to maximum, and the rests in them.",
+                      draw_timeline, f);
     report_lengths(p, f);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The result to take away: offset and matrix, the constant in C, the commands that use it.
+ * How to use the result: offset and matrix, the constant in C, the commands.
  */
 #include <string.h>
 
@@ -12,7 +12,7 @@
 #define CELL 64
 #define COMMAND_MAX (3 * MESSAGE_MAX)
 
-/* A file as an operand: in quotes if a shell needs them, and never an option. */
+/* A file as an operand: quoted if a shell needs it, and never taken for an option. */
 static const char *operand(const char *path, char text[MESSAGE_MAX])
 {
     char plain[MESSAGE_MAX];
@@ -23,7 +23,7 @@ static const char *operand(const char *path, char text[MESSAGE_MAX])
 
 static const char *file_of(const report_facts *f, char text[MESSAGE_MAX])
 {
-    return f->wish->saved ? operand(f->wish->saved, text) : "CAL.json";
+    return f->invocation->saved ? operand(f->invocation->saved, text) : "CAL.json";
 }
 
 /* calibrated x = matrix xx (x - offset x) + matrix xy (y - offset y) + ... */
@@ -54,14 +54,14 @@ static void write_matrix(page *p, const report_facts *f, const invcal_calibratio
 
 static void write_apply(page *p, const report_facts *f)
 {
-    const char *log = f->wish->log;
+    const char *log = f->invocation->log;
     char command[COMMAND_MAX];
     char file[MESSAGE_MAX];
     char text[MESSAGE_MAX];
 
-    if (!f->wish->saved) {
+    if (!f->invocation->saved) {
         page_say(p, "Save it:");
-        snprintf(command, sizeof command, "%s --out CAL.json", f->wish->command);
+        snprintf(command, sizeof command, "%s --out CAL.json", f->invocation->command);
         page_code(p, command);
     }
     page_say(p, "Correct the readings of a log:");

@@ -15,10 +15,10 @@
 typedef int (*number_reader)(json_reader *r, double *out);
 typedef int (*member_reader)(json_reader *r, const char *name, void *into);
 
-/* How much of it is wanted. */
+/* The members that are read. */
 typedef enum { OFFSET_AND_MATRIX, CORRECTION, EVERYTHING } reading_depth;
 
-/* What one file is read into. */
+/* State of reading a file. */
 typedef struct {
     calibration_file *file;
     reading_depth depth;
@@ -26,7 +26,7 @@ typedef struct {
     int has_matrix;
 } reading;
 
-/* Goes on to element `index` of a list that must have `count`, or over its end. */
+/* Moves to element `index` of a list that must have `count`, or past its end. */
 static int expect_element(json_reader *r, unsigned index, unsigned count)
 {
     const int more = json_element(r, index);
@@ -53,7 +53,7 @@ static int read_vector(json_reader *r, double out[3])
     return read_three(r, json_read_number, out);
 }
 
-/* A figure that was not known was written as null. */
+/* A number; null is NUMBER_UNKNOWN. */
 static int read_figure(json_reader *r, double *out)
 {
     *out = NUMBER_UNKNOWN;
@@ -81,7 +81,7 @@ static int read_matrix(json_reader *r, double out[3][3])
     return read_nine(r, json_read_number, out);
 }
 
-/* A list of texts, with commas between; what is too long for `out` is cut. */
+/* A list of texts, joined with commas, cut to the size of `out`. */
 static int read_names(json_reader *r, char *out, size_t size)
 {
     char name[CALIBRATION_FILE_WORD];
@@ -100,7 +100,7 @@ static int read_names(json_reader *r, char *out, size_t size)
 
 static int read_object(json_reader *r, member_reader read, void *into)
 {
-    char name[24]; /* longer ones are of no interest */
+    char name[24]; /* no known name is longer */
     int more = 0;
     int failure = json_enter(r, '{');
 
@@ -119,7 +119,7 @@ static int read_nominal_member(json_reader *r, const char *name, void *into)
 {
     calibration_file *c = into;
 
-    c->is_skewed = c->is_skewed || is(name, "matrix");
+    c->has_cross_terms = c->has_cross_terms || is(name, "matrix");
     return is(name, "zero")        ? read_sigma(r, c->zero)
            : is(name, "lsb")       ? read_sigma(r, c->lsb)
            : is(name, "zero_from") ? json_read_text(r, c->zero_from, sizeof c->zero_from)
@@ -139,7 +139,7 @@ static int read_sigma_member(json_reader *r, const char *name, void *into)
 
 /* ---- temperature ------------------------------------------------------------------------------ */
 
-/* The thermal calibration, and which of its members were there. */
+/* State of reading a thermal calibration. */
 typedef struct {
     calibration_file *file;
     double degree;
@@ -158,7 +158,7 @@ static int read_row_member(json_reader *r, const char *name, void *into)
                                : json_skip(r);
 }
 
-/* A number that is missing in a row stays one that is none, which the check notices. */
+/* A number that is missing in a row remains NUMBER_UNKNOWN, which is_usable detects. */
 static int read_coefficients(json_reader *r, thermal_reading *t)
 {
     int more = 0;
@@ -215,7 +215,7 @@ int calibration_file_at(const calibration_file *file, double temperature, invcal
     return 1;
 }
 
-/* It must hold at both ends of its range. */
+/* Complete, and valid at both ends of its range. */
 static int is_usable(const thermal_reading *t)
 {
     const invcal_thermal *c = &t->file->thermal;
@@ -257,7 +257,7 @@ static int read_nonlinear_member(json_reader *r, const char *name, void *into)
                                         : json_skip(r);
 }
 
-/* What is missing of the field or the matrix stays 0. */
+/* Missing members remain 0. */
 static int read_nonlinear(json_reader *r, calibration_file *file)
 {
     double inverse[3][3];
@@ -275,7 +275,7 @@ static int read_nonlinear(json_reader *r, calibration_file *file)
 
 /* ---- gyroscope -------------------------------------------------------------------------------- */
 
-/* The calibration, and which of its members were there. */
+/* State of reading a gyroscope. */
 typedef struct {
     calibration_file *file;
     int has_offset;
@@ -308,7 +308,7 @@ static int read_gyro_member(json_reader *r, const char *name, void *into)
                : json_skip(r);
 }
 
-/* One that was refused is none. */
+/* A gyroscope that was refused counts as none. */
 static int read_gyro(json_reader *r, calibration_file *file)
 {
     gyro_reading g = {.file = file};
@@ -329,7 +329,7 @@ static int read_gyro(json_reader *r, calibration_file *file)
 
 static int read_record_member(json_reader *r, const char *name, void *into)
 {
-    char text[RECORD_MAX + 1]; /* one more, to notice what is too long */
+    char text[RECORD_MAX + 1]; /* one more, to detect a text that is too long */
     char what[RECORD_MAX];
 
     for (unsigned k = 0; k < RECORD_TEXTS; k++) {
@@ -359,7 +359,7 @@ static int read_magnetometer_member(json_reader *r, const char *name, void *into
     return failure;
 }
 
-/* A number of its own. Returns where it goes, or null. */
+/* The number that a member sets, or null. */
 static double *number_of(const char *name, calibration_file *c)
 {
     const struct {
@@ -379,8 +379,8 @@ static double *number_of(const char *name, calibration_file *c)
     return NULL;
 }
 
-/* What does not belong to the correction itself. */
-static int read_circumstance(json_reader *r, const char *name, calibration_file *c)
+/* Members that are not part of the correction itself. */
+static int read_metadata(json_reader *r, const char *name, calibration_file *c)
 {
     double *number = number_of(name, c);
 
@@ -418,7 +418,7 @@ static int read_member(json_reader *r, const char *name, void *into)
            : is(name, "gyroscope") && x->depth >= CORRECTION    ? read_gyro(r, x->file)
            : is(name, "unit") && x->depth >= CORRECTION
                ? json_read_text(r, x->file->unit, sizeof x->file->unit)
-           : x->depth == EVERYTHING ? read_circumstance(r, name, x->file)
+           : x->depth == EVERYTHING ? read_metadata(r, name, x->file)
                                     : json_skip(r);
 }
 
@@ -437,7 +437,7 @@ static int read_calibration(json_reader *r, reading *x)
     return json_finish(r);
 }
 
-static void forget(calibration_file *c)
+static void clear(calibration_file *c)
 {
     *c = (calibration_file){.gravity = NUMBER_UNKNOWN,
                             .interval = NUMBER_UNKNOWN,
@@ -457,7 +457,7 @@ static int read_path(const char *path, calibration_file *out, reading_depth dept
     double inverse[3][3];
     FILE *file = input_open(path);
 
-    forget(out);
+    clear(out);
     if (!file) {
         return EXIT_FILE;
     }

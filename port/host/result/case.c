@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The turn from the calibrated axes to those of the case.
+ * The rotation from the calibrated axes to those of the case, in words and as JSON.
  */
 #include <math.h>
 
@@ -11,7 +11,7 @@
 #define DEGREES 57.2957795130823209
 
 /* "about x +0.52 ± 0.01" */
-static void say_angle(const case_frame *c, unsigned i, char text[64])
+static void angle_text(const case_frame *c, unsigned i, char text[64])
 {
     char figure[FIGURE_MAX];
 
@@ -27,7 +27,7 @@ const char *calibrate_case_text(const calibrate_result *result, char text[CALIBR
     char off[FIGURE_MAX];
 
     for (unsigned i = 0; i < 3; i++) {
-        say_angle(c, i, angle[i]);
+        angle_text(c, i, angle[i]);
     }
     const int used =
         snprintf(text, CALIBRATE_LIMIT_MAX,

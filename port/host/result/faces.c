@@ -6,9 +6,9 @@
 #include "design/parameters.h"
 #include "text/figure.h"
 
-#define FEWEST 6u /* positions */
-#define ANGLES (7u << INVCAL_GAMMA_XY)
-#define USUAL 1e-3 /* noise of a position mean, over the field, where none is known */
+#define POSITIONS_MIN 6u /* positions */
+#define ANGLE_BITS (7u << INVCAL_GAMMA_XY)
+#define NOISE_ASSUMED 1e-3 /* of a position mean over the field, if it is unknown */
 
 int faces_are_good(const calibrate_result *r)
 {
@@ -16,7 +16,7 @@ int faces_are_good(const calibrate_result *r)
            (r->quality.verdict == INVCAL_GOOD || r->quality.verdict == INVCAL_NO_REDUNDANCY);
 }
 
-/* An angle moves the length in direction xyz by itself times xy, xz or zy. */
+/* An angle changes the length in direction xyz by itself times xy, xz or zy. */
 faces_error faces_error_of(const calibrate_result *r)
 {
     const uint16_t held = fit_held(&r->settings, &r->quality);
@@ -29,19 +29,19 @@ faces_error faces_error_of(const calibrate_result *r)
         square += sigma * sigma / 15;
     }
     uncertainty_search(&u);
-    return (faces_error){FIT_NORMAL * sqrt(square), u.most};
+    return (faces_error){FIT_NORMAL * sqrt(square), u.max};
 }
 
 const char *faces_cost(const calibrate_result *r, char text[FACES_MAX])
 {
     const uint16_t held = fit_held(&r->settings, &r->quality);
-    const told_unit told = calibrate_told_field(r);
-    const told_unit angle = told_angle(r->told);
+    const display_unit display = calibrate_display_unit(r);
+    const display_unit angle = unit_style_angle(r->units);
     const faces_error e = faces_error_of(r);
     char list[128] = "angles";
     char number[3][FIGURE_MAX];
 
-    if (held != ANGLES) {
+    if (held != ANGLE_BITS) {
         (void)parameters_list(held, list, sizeof list);
     }
     snprintf(text, FACES_MAX,
@@ -50,8 +50,8 @@ const char *faces_cost(const calibrate_result *r, char text[FACES_MAX])
              "worst, and none with an axis up.%s",
              list, r->nominal.lsb == NOMINAL_EARLIER ? "in the earlier calibration," : "0",
              figure_digits(angle.scale * r->settings.prior[INVCAL_GAMMA_XY], 2, number[0]),
-             angle.unit, figure_digits(told.scale * e.rms, 2, number[1]), told.unit,
-             figure_digits(told.scale * e.most, 2, number[2]), told.unit,
+             angle.unit, figure_digits(display.scale * e.rms, 2, number[1]), display.unit,
+             figure_digits(display.scale * e.max, 2, number[2]), display.unit,
              r->quality.dof > 0 ? "" : " No redundant position checks offsets and scales.");
     return text;
 }
@@ -64,21 +64,21 @@ void faces_json(json_writer *w, const calibrate_result *r)
     json_number(w, "angle_sigma", r->settings.prior[INVCAL_GAMMA_XY]);
     json_parameters(w, "not_measured", fit_held(&r->settings, &r->quality));
     json_number(w, "length95", e.rms * r->settings.field);
-    json_number(w, "length95_most", e.most * r->settings.field);
+    json_number(w, "length95_most", e.max * r->settings.field);
     json_object_end(w);
 }
 
-int faces_would_do(const positions *data, const fit_settings *settings)
+int faces_suffice(const positions *data, const fit_settings *settings)
 {
     fit_settings s = *settings;
     fit_solution solution;
     fit_quality q;
 
-    if (data->count < FEWEST || fit_has_prior(settings)) {
+    if (data->count < POSITIONS_MIN || fit_has_prior(settings)) {
         return 0;
     }
     s.is_six_faces = 1;
-    s.noise = s.noise > 0 ? s.noise : USUAL;
+    s.noise = s.noise > 0 ? s.noise : NOISE_ASSUMED;
     for (unsigned p = INVCAL_GAMMA_XY; p < INVCAL_PARAMETERS; p++) {
         s.prior[p] = INVCAL_CROSS_AXIS;
     }

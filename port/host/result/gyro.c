@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The gyroscope for people, and as JSON.
+ * The gyroscope in sentences, as a table, and as JSON.
  */
 #include "result/gyro.h"
 
@@ -32,12 +32,12 @@ const char *gyro_fault(const gyro_fit *g, char text[GYRO_TEXT_MAX])
     text[0] = '\0';
     if (g->word) {
         append(text, GYRO_TEXT_MAX, "not calibrated: %s", g->reason);
-    } else if (g->is_there && g->imu.verdict == INVCAL_WEAK) {
+    } else if (g->has_readings && g->imu.verdict == INVCAL_WEAK) {
         append(text, GYRO_TEXT_MAX, "weak: %s; make more moves, about all three axes",
                parameter_list_imu(g->imu.open, list, sizeof list));
-    } else if (g->is_there && g->imu.verdict == INVCAL_NO_REDUNDANCY) {
+    } else if (g->has_readings && g->imu.verdict == INVCAL_NO_REDUNDANCY) {
         append(text, GYRO_TEXT_MAX, "without redundancy to check it; make more moves");
-    } else if (g->is_there && g->imu.verdict != INVCAL_GOOD) {
+    } else if (g->has_readings && g->imu.verdict != INVCAL_GOOD) {
         append(text, GYRO_TEXT_MAX, "%s, as the accelerometer is", gyro_verdict(g));
     }
     return text;
@@ -45,16 +45,17 @@ const char *gyro_fault(const gyro_fit *g, char text[GYRO_TEXT_MAX])
 
 const char *gyro_unit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
 {
-    static const char *const who[] = {[UNIT_FROM_HEADER] = "from the header",
-                                      [UNIT_FROM_OPTION] = "--gyro-lsb",
-                                      [UNIT_FROM_SIZE] = "from the moves"};
+    static const char *const sources[] = {[UNIT_FROM_HEADER] = "from the header",
+                                          [UNIT_FROM_OPTION] = "--gyro-lsb",
+                                          [UNIT_FROM_SIZE] = "from the moves"};
     char number[FIGURE_MAX];
 
-    if (g->is_counts || strcmp(unit_turn_words(g->turn), "counts") == 0) {
+    if (g->is_counts || strcmp(unit_angular_rate_words(g->rate_unit), "counts") == 0) {
         snprintf(text, GYRO_LINE_MAX, "counts of 1/%s °/s (%s)",
-                 figure_digits(UNIT_DEGREE / g->turn, 3, number), who[g->turn_from]);
+                 figure_digits(UNIT_DEGREE / g->rate_unit, 3, number), sources[g->rate_unit_from]);
     } else {
-        snprintf(text, GYRO_LINE_MAX, "%s (%s)", unit_turn_words(g->turn), who[g->turn_from]);
+        snprintf(text, GYRO_LINE_MAX, "%s (%s)", unit_angular_rate_words(g->rate_unit),
+                 sources[g->rate_unit_from]);
     }
     return text;
 }
@@ -65,11 +66,11 @@ const char *gyro_limit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
         "the up directions from the rests; hold it stiller and longer",
         "its noise; more moves help",
         "its bias, which changes from rest to rest; let it warm up, and turn faster"};
-    unsigned most = 0;
+    unsigned max = 0;
     double square = 0;
 
     for (unsigned i = 0; i < GYRO_PARTS; i++) {
-        most = g->part[i] > g->part[most] ? i : most;
+        max = g->part[i] > g->part[max] ? i : max;
         square += g->part[i] * g->part[i];
     }
     if (g->imu.move_rms > 2 * sqrt(square)) {
@@ -78,14 +79,14 @@ const char *gyro_limit_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
                  "uneven clock, or a nonlinear scale",
                  1e3 * sqrt(square));
     } else {
-        snprintf(text, GYRO_LINE_MAX, "%s (%.2g mrad of a move)", words[most], 1e3 * g->part[most]);
+        snprintf(text, GYRO_LINE_MAX, "%s (%.2g mrad of a move)", words[max], 1e3 * g->part[max]);
     }
     return text;
 }
 
 /* A rest in which the device turned. */
-static void say_turned(const calibrate_result *r, unsigned rest, double rate,
-                       char text[GYRO_LINE_MAX])
+static void describe_turned(const calibrate_result *r, unsigned rest, double rate,
+                            char text[GYRO_LINE_MAX])
 {
     const gyro_fit *g = &r->gyro;
     const unsigned position = g->rest[rest].position;
@@ -119,7 +120,7 @@ const char *gyro_left_out(const calibrate_result *r, unsigned move, char text[GY
                 return text;
             }
         }
-        say_turned(r, m->turned, m->rate, text);
+        describe_turned(r, m->turned, m->rate, text);
     } else if (m->why != INVCAL_OK) {
         snprintf(text, GYRO_LINE_MAX, "the move from position %u to %u (line %lu): %s",
                  rest[-1].position + 1, rest->position + 1, r->data->origin[rest->position].line,
@@ -131,15 +132,15 @@ const char *gyro_left_out(const calibrate_result *r, unsigned move, char text[GY
 const char *gyro_g_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
 {
     unsigned at = 0;
-    double most = 0;
+    double max = 0;
     double bound = 0;
     char number[FIGURE_MAX];
 
     for (unsigned i = 0; i < 9; i++) {
         const double x = fabs(g->imu.slope[i / 3][i % 3]) / UNIT_DEGREE;
         const double sigma = g->imu.slope_sigma[i / 3][i % 3] / UNIT_DEGREE;
-        at = x > most ? i : at;
-        most = fmax(most, x);
+        at = x > max ? i : at;
+        max = fmax(max, x);
         bound = fmax(bound, x + 2 * sigma);
     }
     if (!(g->imu.slope_sigma[0][0] > 0)) {
@@ -196,23 +197,23 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* 1.4826 is 1 over the median of a standard normal variable's size. */
-double gyro_wander(const gyro_fit *g, unsigned axis)
+/* 1.4826: 1 / median of |x|, x standard normal. */
+double gyro_bias_spread(const gyro_fit *g, unsigned axis)
 {
     double x[INVCAL_MAX_MOVES];
     unsigned n = 0;
 
     for (unsigned i = 0; i < g->rests; i++) {
         x[n] = g->rest[i].bias[axis];
-        n += isfinite(x[n]) != 0; /* there were readings */
+        n += isfinite(x[n]) != 0; /* else the rest has no readings */
     }
     if (n < 2) {
         return 0;
     }
     qsort(x, n, sizeof x[0], compare);
-    const double middle = x[n / 2];
+    const double median = x[n / 2];
     for (unsigned i = 0; i < n; i++) {
-        x[i] = fabs(x[i] - middle);
+        x[i] = fabs(x[i] - median);
     }
     qsort(x, n, sizeof x[0], compare);
     return 1.4826 * x[n / 2];
@@ -236,15 +237,16 @@ static void add_row(const char *label, const char *which, double value, double s
 static void print_figures(FILE *file, const calibrate_result *r)
 {
     const gyro_fit *g = &r->gyro;
-    const told_unit scale = told_scale(r->told);
-    const told_unit angle = told_angle(r->told);
-    const int is_counts = strcmp(unit_turn_words(g->turn), "counts") == 0 || g->is_counts;
+    const display_unit scale = unit_style_scale(r->units);
+    const display_unit angle = unit_style_angle(r->units);
+    const int is_counts =
+        strcmp(unit_angular_rate_words(g->rate_unit), "counts") == 0 || g->is_counts;
     char angle_off[FIGURE_MAX];
     invcal_calibration nominal = {.offset = {0}};
     double inverse[3][3];
 
     memcpy(nominal.matrix, g->imu.parameter, sizeof nominal.matrix);
-    (void)matrix_inverse(&nominal, inverse); /* near to a unit matrix */
+    (void)matrix_inverse(&nominal, inverse); /* close to a unit matrix */
     snprintf(angle_off, sizeof angle_off, "%s off axis", angle.unit);
     tabular_begin(file, "lrl");
     tabular_cell("gyroscope");
@@ -254,14 +256,15 @@ static void print_figures(FILE *file, const calibrate_result *r)
     for (unsigned i = 0; i < 3; i++) {
         const char axis[] = {"xyz"[i], '\0'};
         const unsigned of = (unsigned)abs(g->axes[i]) - 1;
-        const double per = is_counts ? g->turn : UNIT_DEGREE;
-        add_row("bias", axis, g->calibration.offset[of] * g->turn / per, gyro_wander(g, i) / per,
+        const double per = is_counts ? g->rate_unit : UNIT_DEGREE;
+        add_row("bias", axis, g->calibration.offset[of] * g->rate_unit / per,
+                gyro_bias_spread(g, i) / per,
                 is_counts ? "counts; ±: over all rests" : "°/s; ±: over all rests");
     }
     for (unsigned i = 0; i < 3; i++) {
         const char axis[] = {"xyz"[i], '\0'};
-        const double m = inverse[i][i]; /* as data sheets state it: readings per turn */
-        const double counts = UNIT_DEGREE / g->turn * m;
+        const double m = inverse[i][i]; /* reading per rate, as in data sheets */
+        const double counts = UNIT_DEGREE / g->rate_unit * m;
         if (g->is_counts) { /* the nominal unit is not stated */
             add_row("scale", axis, counts, counts * m * g->imu.sigma[4 * (size_t)i],
                     "counts per °/s");
@@ -293,15 +296,15 @@ static void print_source(FILE *file, const gyro_fit *g)
     char seen[COLUMNS_TEXT_MAX];
     char name[PLAIN_MAX];
 
-    if (g->turns->file) {
-        wrapped_printf(file, 0, "%s: %s", plain_copy(g->turns->file, name),
-                       columns_describe(&g->turns->seen, seen, sizeof seen));
+    if (g->log->file) {
+        wrapped_printf(file, 0, "%s: %s", plain_copy(g->log->file, name),
+                       columns_describe(&g->log->seen, seen, sizeof seen));
     }
     if (!g->word) {
         wrapped_printf(file, 0, "gyroscope: %s, %.6g readings per second%s",
-                       gyro_unit_text(g, text), g->turns->rate,
-                       g->turns->is_rate_known ? ""
-                                               : " (a guess: its error is an error of the scales)");
+                       gyro_unit_text(g, text), g->log->rate,
+                       g->log->is_rate_known ? ""
+                                             : " (a guess: its error is an error of the scales)");
     }
     if (fabs(g->lag) > 0) {
         wrapped_printf(file, 0,
@@ -322,10 +325,10 @@ static void print_moves(FILE *file, const calibrate_result *r)
                    "position %u), %u degrees of freedom",
                    g->imu.moves, g->moves, 1e3 * g->imu.move_rms, 1e3 * g->imu.move_max,
                    worst->position + 1, g->imu.dof);
-    if (g->more > 0) {
+    if (g->earlier_rests > 0) {
         wrapped_printf(file, LABEL,
                        "              those between the last %u rests; %u earlier ones are ignored",
-                       g->rests, g->more);
+                       g->rests, g->earlier_rests);
     }
     for (unsigned i = 0; i < g->moves; i++) {
         if (*gyro_left_out(r, i, text)) {
@@ -346,7 +349,7 @@ void gyro_print(FILE *file, const calibrate_result *r)
     const gyro_fit *g = &r->gyro;
     char text[LINE_MAX + GYRO_TEXT_MAX];
 
-    if (!g->is_there) {
+    if (!g->has_readings) {
         return;
     }
     print_source(file, g);
@@ -456,7 +459,7 @@ void gyro_json(json_writer *w, const calibrate_result *r)
     double nine[2][3][3];
     char text[GYRO_LINE_MAX];
 
-    if (!g->is_there) {
+    if (!g->has_readings) {
         return;
     }
     json_object(w, "gyroscope");
@@ -472,10 +475,10 @@ void gyro_json(json_writer *w, const calibrate_result *r)
     memcpy(nine[1], g->imu.sigma, sizeof nine[1]);
     json_vector(w, "offset", g->calibration.offset);
     json_matrix(w, "matrix", g->calibration.matrix);
-    json_text(w, "unit", g->is_counts ? "counts" : unit_turn_words(g->turn));
-    json_text(w, "unit_from", unit_origin_name(g->turn_from));
-    json_number(w, "lsb", g->turn);
-    json_number(w, "rate", g->turns->rate);
+    json_text(w, "unit", g->is_counts ? "counts" : unit_angular_rate_words(g->rate_unit));
+    json_text(w, "unit_from", unit_origin_name(g->rate_unit_from));
+    json_number(w, "lsb", g->rate_unit);
+    json_number(w, "rate", g->log->rate);
     json_number(w, "late", g->lag);
     json_matrix(w, "parameters", (const double(*)[3])nine[0]);
     json_matrix(w, "sigma", (const double(*)[3])nine[1]);

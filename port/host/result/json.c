@@ -8,10 +8,10 @@
 #include "result/need.h"
 #include "result/pass.h"
 #include "text/number.h"
-#include "stand/tell.h"
+#include "stand/output.h"
 #include "result/verdict.h"
 
-/* Three numbers as they are, or as not known. */
+/* Three numbers; null if they are not known. */
 static void write_known(json_writer *w, const char *name, const double x[3], int known)
 {
     const double unknown[3] = {NUMBER_UNKNOWN, NUMBER_UNKNOWN, NUMBER_UNKNOWN};
@@ -53,7 +53,7 @@ static void write_nominal(json_writer *w, const nominal_choice *nominal)
     json_object_end(w);
 }
 
-/* What was found besides outliers, and what could not be looked for. */
+/* Systematic errors that were found, and those that were not checked. */
 static void write_systematic(json_writer *w, const calibrate_result *result)
 {
     const fit_quality *q = &result->quality;
@@ -98,13 +98,13 @@ static void write_quality(json_writer *w, const calibrate_result *result)
     json_parameters(w, "undetermined", q->weak);
 }
 
-/* What lengths are right within, and what is missing to what is needed. */
+/* The accuracy of lengths, and what is missing for the need. */
 static void write_accuracy(json_writer *w, const calibrate_result *result)
 {
     const double field = result->settings.field;
     const int known = calibrate_knows_noise(result);
 
-    json_number(w, "accuracy95", known ? need_reached(result) * field : NUMBER_UNKNOWN);
+    json_number(w, "accuracy95", known ? need_accuracy(result) * field : NUMBER_UNKNOWN);
     if (result->need > 0) {
         json_object(w, "need");
         json_number(w, "wanted", result->need);
@@ -113,7 +113,7 @@ static void write_accuracy(json_writer *w, const calibrate_result *result)
     }
 }
 
-/* Whether what was asked is kept, and by which margin. */
+/* Whether need and limits are met, and by which margin. */
 static void write_pass(json_writer *w, const calibrate_result *result)
 {
     const pass p = pass_judge(result);
@@ -121,7 +121,7 @@ static void write_pass(json_writer *w, const calibrate_result *result)
     if (p.limited) {
         json_parameters(w, "beyond", p.beyond);
     }
-    if (!p.is_asked) {
+    if (!p.has_criteria) {
         return;
     }
     json_object(w, "pass");
@@ -146,7 +146,7 @@ static void write_source(json_writer *w, uint16_t from_prior)
     json_object_end(w);
 }
 
-/* What the positions left out read too much. */
+/* Errors of the positions that were left out. */
 static void write_excess(json_writer *w, const calibrate_result *result)
 {
     const rejection *r = &result->rejected;
@@ -158,7 +158,7 @@ static void write_excess(json_writer *w, const calibrate_result *result)
     json_list_end(w);
 }
 
-/* Which file it was. */
+/* The source file. */
 static void write_file(json_writer *w, const positions *data)
 {
     char crc[16];
@@ -168,7 +168,7 @@ static void write_file(json_writer *w, const positions *data)
     json_text(w, "source_crc", crc);
 }
 
-/* All that invcal_thermal_at needs, in one place; then what there is to know of it. */
+/* Everything that invcal_thermal_at needs, then figures about the fit. */
 static void write_thermal(json_writer *w, const calibrate_result *result)
 {
     const thermal_fit *fit = &result->fit;
@@ -191,7 +191,7 @@ static void write_thermal(json_writer *w, const calibrate_result *result)
         json_nine(w, NULL, c->x[a]);
     }
     json_list_end(w);
-    json_number(w, "asked", fit->wish.degree);
+    json_number(w, "asked", fit->options.degree);
     json_text(w, "fallback", invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         slope[0][r] = calibrate_slope_scale(result, r) * fit->slope[r];
@@ -242,7 +242,7 @@ void calibrate_json(FILE *file, const calibrate_result *result)
         write_source(&w, result->quality.from_prior);
     }
     if (result->magnetometer) {
-        calibrate_waved_json(&w, result);
+        calibrate_magnetometer_json(&w, result);
     }
     if (result->settings.is_six_faces) {
         faces_json(&w, result);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the positions leave uncertain, and why.
+ * Uncertainty of the result, and what limits it.
  */
 #include <math.h>
 #include <string.h>
@@ -10,13 +10,13 @@
 #include "text/figure.h"
 #include "maths/matrix.h"
 
-#define UNLIKELY 0.05
-#define STEPS 20u        /* each takes all but some percent of what the one before left */
-#define MANY 60u         /* degrees of freedom behind the noise of the samples: as good as known */
-#define SIGNIFICANT 0.01 /* chance that slopes that are none show as much */
-#define UNEVEN 2.0       /* times the least sigma that so many positions could leave */
+#define SIGNIFICANCE 0.05
+#define ITERATIONS 20u          /* each leaves a few percent of the error of the one before */
+#define NOISE_DOF 60u           /* degrees of freedom assumed for the noise of the samples */
+#define SLOPE_SIGNIFICANCE 0.01 /* of slopes over temperature */
+#define UNEVEN_RATIO 2.0 /* ratio of the worst sigma to that of as many well-spread positions */
 
-int calibrate_wants_slopes(const calibrate_result *r)
+int calibrate_lacks_slopes(const calibrate_result *r)
 {
     return r->temperature == CALIBRATE_THERMAL && r->fit.calibration.fitted == 0 &&
            r->quality.verdict == INVCAL_WEAK && r->quality.weak == (1u << INVCAL_PARAMETERS) - 1;
@@ -35,12 +35,12 @@ invcal_calibration calibrate_at_temperature(const calibrate_result *r, double te
                                                : r->solution.calibration;
 }
 
-invcal_calibration calibrate_at(const calibrate_result *r, unsigned position)
+invcal_calibration calibrate_at_position(const calibrate_result *r, unsigned position)
 {
     return calibrate_at_temperature(r, r->data->origin[position].temperature);
 }
 
-void calibrate_take_drift(const calibrate_result *r, double tau, double reading[3])
+void calibrate_remove_drift(const calibrate_result *r, double tau, double reading[3])
 {
     double inverse[3][3];
 
@@ -53,17 +53,17 @@ void calibrate_take_drift(const calibrate_result *r, double tau, double reading[
     }
 }
 
-/* Removes quadratic and cubic errors, at the direction that the calibration makes of what is left
- * (nonlinearity.h). */
-static void take_nonlinearity(const calibrate_result *r, double reading[3])
+/* Removes quadratic and cubic errors. They depend on the direction of the corrected reading
+ * (nonlinearity.h), so the correction is iterated. */
+static void remove_nonlinearity(const calibrate_result *r, double reading[3])
 {
-    const double was[3] = {reading[0], reading[1], reading[2]};
+    const double measured[3] = {reading[0], reading[1], reading[2]};
     double inverse[3][3];
 
     if (r->degree == 0 || !matrix_inverse(&r->settings.nominal, inverse)) {
         return;
     }
-    for (unsigned step = 0; step < STEPS; step++) {
+    for (unsigned step = 0; step < ITERATIONS; step++) {
         double eta[3];
         double error[3];
         invcal_apply(&r->solution.symmetric, reading, eta);
@@ -73,29 +73,29 @@ static void take_nonlinearity(const calibrate_result *r, double reading[3])
         }
         for (unsigned a = 0; a < 3; a++) {
             const double *n = inverse[a];
-            reading[a] = was[a] - (n[0] * error[0] + n[1] * error[1] + n[2] * error[2]);
+            reading[a] = measured[a] - (n[0] * error[0] + n[1] * error[1] + n[2] * error[2]);
         }
     }
 }
 
-void calibrate_level(const calibrate_result *r, unsigned position, double out[3])
+void calibrate_linear_reading(const calibrate_result *r, unsigned position, double out[3])
 {
     memcpy(out, &r->data->mean[3 * (size_t)position], 3 * sizeof *out);
-    calibrate_take_drift(r, calibrate_tau(r->data, position), out);
-    take_nonlinearity(r, out);
+    calibrate_remove_drift(r, calibrate_tau(r->data, position), out);
+    remove_nonlinearity(r, out);
 }
 
 double calibrate_excess(const calibrate_result *r, unsigned position)
 {
-    const invcal_calibration here = calibrate_at(r, position);
+    const invcal_calibration here = calibrate_at_position(r, position);
     double v[3];
 
-    calibrate_level(r, position, v);
+    calibrate_linear_reading(r, position, v);
     invcal_apply(&here, v, v);
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
 }
 
-void calibrate_reading(const calibrate_result *r, unsigned kept, double out[3])
+void calibrate_reference_reading(const calibrate_result *r, unsigned kept, double out[3])
 {
     const double *mean = &r->rejected.kept[3 * (size_t)kept];
 
@@ -114,28 +114,30 @@ void calibrate_with_moves(const calibrate_result *result, fit_settings *with)
     }
 }
 
-void calibrate_spread(const calibrate_result *r, double unit, uncertainty *u)
+void calibrate_uncertainty(const calibrate_result *r, double unit, uncertainty *u)
 {
-    if (r->temperature == CALIBRATE_THERMAL) { /* the first nine coefficients: at the reference */
+    if (r->temperature == CALIBRATE_THERMAL) { /* the first nine are those at the reference */
         memcpy(u->covariance, r->fit.covariance, sizeof u->covariance);
     } else {
         fit_settings with;
         calibrate_with_moves(r, &with);
         fit_information(r->rejected.kept, r->rejected.kept_count, &with, &r->solution,
                         r->quality.noise, u->covariance);
-        (void)matrix_invert_packed(u->covariance, INVCAL_PARAMETERS); /* no result without */
+        (void)matrix_invert_packed(u->covariance,
+                                   INVCAL_PARAMETERS); /* regular, or there would be no result */
     }
     u->unit = unit;
     uncertainty_search(u);
 }
 
-/* The positions disagree by that many times what they should by noise, which is known. */
+/* 1 if a ratio of observed to expected noise is significantly above 1 (more than twice the
+ * variance). */
 static int is_beyond(const calibrate_result *r, double times)
 {
     const unsigned dof = (unsigned)fmin(1000, r->quality.dof);
 
     return dof >= 1 && times * times > 2 &&
-           f_tail(1 / (1 + times * times * dof / MANY), dof, MANY) <= UNLIKELY;
+           f_tail(1 / (1 + times * times * dof / NOISE_DOF), dof, NOISE_DOF) <= SIGNIFICANCE;
 }
 
 int calibrate_is_coarse(const calibrate_result *r)
@@ -149,34 +151,34 @@ int calibrate_is_coarse(const calibrate_result *r)
 
 int calibrate_is_disturbed(const calibrate_result *r)
 {
-    return is_beyond(r, calibrate_times(r)) && !calibrate_is_coarse(r);
+    return is_beyond(r, calibrate_noise_ratio(r)) && !calibrate_is_coarse(r);
 }
 
-/* Sigma of the length in the worst direction over the least that can be had there, which so many
- * positions leave in the best directions: sqrt(9 / n) noises of one. With a parabola those at
- * three temperatures contribute only a third of what is known at the middle one. */
+/* Sigma of the length in the worst direction over the minimum that is possible with as many
+ * positions, sqrt(9 / n) times their noise. With a parabola over three temperatures, only a third
+ * of the positions count at the middle one. */
 static double unevenness(const calibrate_result *r, const uncertainty *length)
 {
     const int is_parabola = r->temperature == CALIBRATE_THERMAL && r->fit.calibration.fitted == 2;
     const double count = r->rejected.kept_count / (is_parabola ? 3.0 : 1.0);
 
-    return length->most / length->unit / sqrt((double)INVCAL_PARAMETERS / count);
+    return length->max / length->unit / sqrt((double)INVCAL_PARAMETERS / count);
 }
 
 int calibrate_is_uneven(const calibrate_result *r)
 {
     uncertainty length;
 
-    calibrate_spread(r, 1, &length);
-    return unevenness(r, &length) >= UNEVEN && !fit_has_prior(&r->settings);
+    calibrate_uncertainty(r, 1, &length);
+    return unevenness(r, &length) >= UNEVEN_RATIO && !fit_has_prior(&r->settings);
 }
 
 static int depends_on_temperature(const calibrate_result *r)
 {
-    return r->temperature == CALIBRATE_PROBED && r->fit.significance <= SIGNIFICANT;
+    return r->temperature == CALIBRATE_PROBED && r->fit.significance <= SLOPE_SIGNIFICANCE;
 }
 
-/* The smallest step of a reading over the field, the mean over the axes. */
+/* The quantisation step of a reading over the field, mean over the axes. */
 static double step_of(const calibrate_result *r)
 {
     const double(*m)[3] = (const double(*)[3])r->settings.nominal.matrix;
@@ -189,19 +191,19 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
 {
     const double uneven = unevenness(r, length);
     const char *noise = r->is_noise_given ? "stated noise" : "noise of the samples";
-    const told_unit told = calibrate_told_field(r);
+    const display_unit display = calibrate_display_unit(r);
     char number[FIGURE_MAX];
 
     if (depends_on_temperature(r) && r->fit.without > 2 * r->fit.quality.rms) {
         snprintf(text, CALIBRATE_LIMIT_MAX, "temperature, which --thermal would correct.");
-    } else if (calibrate_wants_slopes(r)) {
+    } else if (calibrate_lacks_slopes(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "temperature: the slopes are not fitted, and appear as other errors.");
     } else if (fit_held(&r->settings, &r->quality)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "the angles, which these positions do not determine; add positions midway between "
                  "two axes.");
-    } else if (uneven >= UNEVEN && !fit_has_prior(&r->settings)) {
+    } else if (uneven >= UNEVEN_RATIO && !fit_has_prior(&r->settings)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "the orientations%s: in the worst direction (%s), ± is %s times that of %u "
                  "well-spread positions.",
@@ -224,7 +226,7 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
                  "quantisation: the readings have steps of %s %s, more than their noise, which "
                  "explains the residuals. More positions help, or a smaller range of the sensor; "
                  "longer or steadier rests do not.",
-                 figure_digits(told.scale * step_of(r), 2, number), told.unit);
+                 figure_digits(display.scale * step_of(r), 2, number), display.unit);
     } else if (calibrate_is_disturbed(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "handling, drift or temperature: the positions disagree by %s times the %s. "
@@ -239,26 +241,26 @@ const char *calibrate_limit(const calibrate_result *r, const uncertainty *length
     return text;
 }
 
-/* ---- what temperature does, if nobody asked ------------------------------------------------- */
+/* ---- effect of temperature, without --thermal ----------------------------------------------- */
 
-/* The steepest offset, which people can picture. */
+/* The offset with the steepest slope. */
 static unsigned steepest_offset(const thermal_fit *fit)
 {
-    unsigned most = 0;
+    unsigned steepest = 0;
 
     for (unsigned r = 1; r < 3; r++) {
-        most = fabs(fit->slope[r]) > fabs(fit->slope[most]) ? r : most;
+        steepest = fabs(fit->slope[r]) > fabs(fit->slope[steepest]) ? r : steepest;
     }
-    return most;
+    return steepest;
 }
 
-const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMIT_MAX])
+const char *calibrate_temperature_advice(const calibrate_result *r, char text[CALIBRATE_LIMIT_MAX])
 {
     const thermal_fit *fit = &r->fit;
     const double range = fit->calibration.max - fit->calibration.min;
-    const told_unit told = told_parts(r->told, calibrate_is_gravity(r));
-    const unsigned most = steepest_offset(fit);
-    const double scale = told.scale * calibrate_slope_scale(r, most);
+    const display_unit display = unit_style_page_field(r->units, calibrate_is_gravity(r));
+    const unsigned steepest = steepest_offset(fit);
+    const double scale = display.scale * calibrate_slope_scale(r, steepest);
     char before[FIGURE_MAX];
     char after[FIGURE_MAX];
     char slope[FIGURE_MAX];
@@ -281,12 +283,12 @@ const char *calibrate_advice(const calibrate_result *r, char text[CALIBRATE_LIMI
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "The residuals depend on temperature (p = %.1g); offset %c drifts by %s %s/K (95 "
                  "%%). --thermal 1 reduces their rms from %s to %s %s.",
-                 fmax(1e-99, fit->significance), "xyz"[most],
-                 figure_with_sigma(scale * fit->slope[most],
-                                   scale * fit->quality.coverage * fit->slope_sigma[most],
+                 fmax(1e-99, fit->significance), "xyz"[steepest],
+                 figure_with_sigma(scale * fit->slope[steepest],
+                                   scale * fit->quality.coverage * fit->slope_sigma[steepest],
                                    FIGURE_SIGNED, slope),
-                 told.unit, figure_digits(told.scale * fit->without, 3, before),
-                 figure_digits(told.scale * fit->quality.rms, 3, after), told.unit);
+                 display.unit, figure_digits(display.scale * fit->without, 3, before),
+                 figure_digits(display.scale * fit->quality.rms, 3, after), display.unit);
     }
     return text;
 }

@@ -7,9 +7,9 @@
 #include "text/append.h"
 #include "text/figure.h"
 
-#define MANY_MORE 3.0 /* times as many positions: longer rests are easier */
+#define POSITIONS_RATIO_MAX 3.0 /* if more positions than this are needed, recommend longer rests */
 
-#define ABOUT 0.01 /* of 1 g, a field in g */
+#define FIELD_TOLERANCE 0.01 /* of 1, the length of a field in g */
 
 static int ends_with(const char *text, size_t length, const char *ending)
 {
@@ -18,10 +18,10 @@ static int ends_with(const char *text, size_t length, const char *ending)
     return length >= size && memcmp(text + length - size, ending, size) == 0;
 }
 
-/* What a field of 1 is in this unit: a fixed number, or (0) its length in m/s^2. */
+/* Units; `scale` is a field of length 1 in this unit, or 0 for its length in m/s^2. */
 static const struct {
     const char *ending;
-    told_unit unit;
+    display_unit unit;
     int is_of_gravity;
 } units[] = {
     {"mg", {1e3, "mg"}, 1},   {"ug", {1e6, "µg"}, 1},
@@ -30,11 +30,11 @@ static const struct {
     {"m/s²", {0, "m/s²"}, 1}, {"%", {1e2, "% of the field"}, 0},
 };
 
-need_ending need_parse(const char *text, double field, size_t *digits, told_unit *unit)
+need_ending need_parse(const char *text, double field, size_t *digits, display_unit *unit)
 {
     const size_t length = strlen(text);
     const int is_gravity = unit_is_gravity(field);
-    const int is_in_g = fabs(field - 1) <= ABOUT;
+    const int is_in_g = fabs(field - 1) <= FIELD_TOLERANCE;
 
     *digits = length;
     for (unsigned i = 0; i < sizeof units / sizeof *units; i++) {
@@ -52,41 +52,41 @@ need_ending need_parse(const char *text, double field, size_t *digits, told_unit
         if (*digits == 0) {
             return NEED_NO_UNIT;
         }
-        *unit = is_si ? (told_unit){field, units[i].unit.unit} : units[i].unit;
+        *unit = is_si ? (display_unit){field, units[i].unit.unit} : units[i].unit;
         return NEED_UNIT;
     }
-    *unit = (told_unit){field, is_gravity ? "m/s²" : "field units"};
+    *unit = (display_unit){field, is_gravity ? "m/s²" : "field units"};
     return strchr("0123456789.", text[length - 1]) ? NEED_PLAIN : NEED_NO_UNIT;
 }
 
-double need_of_field(const calibrate_result *r)
+double need_field_part(const calibrate_result *r)
 {
     return FIT_NORMAL * r->field_sigma;
 }
 
-double need_reached(const calibrate_result *r)
+double need_accuracy(const calibrate_result *r)
 {
-    const double field = need_of_field(r);
+    const double field = need_field_part(r);
 
     return sqrt(r->accuracy * r->accuracy +
-                field * field); /* hypot rounds differently in each libc */
+                field * field); /* hypot rounds differently from libc to libc */
 }
 
-/* Over the field. */
-static double wanted(const calibrate_result *r)
+/* The need over the field. */
+static double needed(const calibrate_result *r)
 {
     return r->need / r->settings.field;
 }
 
-/* How many times as much has to be measured: what is wrong falls with the root of that. */
-static double times_more(const calibrate_result *r)
+/* How many times as much must be measured: the error falls with its square root. */
+static double effort_ratio(const calibrate_result *r)
 {
-    const double field = need_of_field(r);
+    const double field = need_field_part(r);
 
-    return r->accuracy * r->accuracy / (wanted(r) * wanted(r) - field * field);
+    return r->accuracy * r->accuracy / (needed(r) * needed(r) - field * field);
 }
 
-static need_missing of_verdict(const calibrate_result *r)
+static need_missing missing_by_verdict(const calibrate_result *r)
 {
     switch (r->quality.verdict) {
     case INVCAL_GOOD:
@@ -104,12 +104,12 @@ static need_missing of_verdict(const calibrate_result *r)
 
 need_missing need_judge(const calibrate_result *r)
 {
-    const need_missing verdict = of_verdict(r);
+    const need_missing verdict = missing_by_verdict(r);
 
-    if (verdict != NEED_NOTHING || need_reached(r) <= wanted(r)) {
+    if (verdict != NEED_NOTHING || need_accuracy(r) <= needed(r)) {
         return verdict;
     }
-    if (!(need_of_field(r) < wanted(r))) {
+    if (!(need_field_part(r) < needed(r))) {
         return NEED_GRAVITY;
     }
     if (calibrate_is_disturbed(r)) {
@@ -118,7 +118,8 @@ need_missing need_judge(const calibrate_result *r)
     if (calibrate_is_uneven(r) || fit_held(&r->settings, &r->quality)) {
         return NEED_DIRECTIONS;
     }
-    return times_more(r) <= MANY_MORE || calibrate_is_coarse(r) ? NEED_POSITIONS : NEED_REST;
+    return effort_ratio(r) <= POSITIONS_RATIO_MAX || calibrate_is_coarse(r) ? NEED_POSITIONS
+                                                                            : NEED_REST;
 }
 
 const char *need_word(need_missing missing)
@@ -162,16 +163,16 @@ const char *need_advice(const calibrate_result *r, char text[NEED_MAX])
         snprintf(text, NEED_MAX,
                  "Missing: rests about %s times as long, if the noise averages out, or a quieter "
                  "sensor.",
-                 figure_digits(times_more(r), 2, number));
+                 figure_digits(effort_ratio(r), 2, number));
         return text;
     case NEED_POSITIONS:
         snprintf(text, NEED_MAX, "Missing: about %.0f positions instead of %u, or ",
-                 ceil(count * times_more(r)), count);
+                 ceil(count * effort_ratio(r)), count);
         if (calibrate_is_coarse(r)) {
             append(text, NEED_MAX, "a finer resolution; longer rests do not help.");
         } else {
             append(text, NEED_MAX, "rests %s times as long.",
-                   figure_digits(times_more(r), 2, number));
+                   figure_digits(effort_ratio(r), 2, number));
         }
         return text;
     }

@@ -13,22 +13,22 @@
 #include "text/figure.h"
 #include "text/number.h"
 
-#define CLOSE 0.006 /* to a limit */
+#define NEAR_LIMIT 0.006 /* of the limit: figures this close are printed with more digits */
 
 static int is_good(const calibrate_result *r)
 {
     return strcmp(verdict_word(r), "Good") == 0 || faces_are_good(r);
 }
 
-/* The greatest that a parameter may be, 95 %. */
-static double greatest(const calibrate_result *r, unsigned p)
+/* Upper bound of |x| of a parameter, 95 %. */
+static double upper_bound(const calibrate_result *r, unsigned p)
 {
     return calibrate_knows_noise(r)
                ? fabs(r->solution.x[p]) + fit_coverage(&r->quality, p) * r->quality.sigma[p]
                : NUMBER_UNKNOWN;
 }
 
-static double least(const calibrate_result *r, unsigned p)
+static double lower_bound(const calibrate_result *r, unsigned p)
 {
     const double spread =
         calibrate_knows_noise(r) ? fit_coverage(&r->quality, p) * r->quality.sigma[p] : 0;
@@ -44,10 +44,10 @@ static void judge_limits(const calibrate_result *r, pass *p)
             continue;
         }
         p->limit[i] = r->limit[i];
-        p->used[i] = greatest(r, i) / p->limit[i];
+        p->used[i] = upper_bound(r, i) / p->limit[i];
         p->limited |= (uint16_t)(1u << i);
         p->failed |= (uint16_t)((unsigned)!(p->used[i] <= 1) << i);
-        p->beyond |= (uint16_t)((unsigned)!(least(r, i) <= p->limit[i]) << i);
+        p->beyond |= (uint16_t)((unsigned)!(lower_bound(r, i) <= p->limit[i]) << i);
         p->nearest = !(p->used[i] <= p->used[p->nearest]) ? i : p->nearest;
     }
 }
@@ -57,17 +57,17 @@ pass pass_judge(const calibrate_result *r)
     pass p = {.need_used = NUMBER_UNKNOWN};
 
     judge_limits(r, &p);
-    p.is_asked = r->need > 0 || r->has_limits;
+    p.has_criteria = r->need > 0 || r->has_limits;
     if (r->need > 0 && calibrate_knows_noise(r)) {
-        p.need_used = r->settings.field * need_reached(r) / r->need;
+        p.need_used = r->settings.field * need_accuracy(r) / r->need;
     }
-    p.is_passed = p.is_asked && is_good(r) && !p.failed && (!(r->need > 0) || p.need_used <= 1);
+    p.is_passed = p.has_criteria && is_good(r) && !p.failed && (!(r->need > 0) || p.need_used <= 1);
     return p;
 }
 
 /* ---- in words ---------------------------------------------------------------------------------- */
 
-/* "rough", ... */
+/* Appends "rough", ... */
 static void add_verdict(const calibrate_result *r, char text[PASS_MAX])
 {
     const char *word = verdict_word(r);
@@ -75,7 +75,7 @@ static void add_verdict(const calibrate_result *r, char text[PASS_MAX])
     append(text, PASS_MAX, "%c%s", tolower((unsigned char)word[0]), word + 1);
 }
 
-/* Why it is called that. */
+/* Appends the reason for the verdict. */
 static void add_cause(const calibrate_result *r, char text[PASS_MAX])
 {
     char cause[VERDICT_MAX];
@@ -95,30 +95,30 @@ static void add_need(const calibrate_result *r, char text[PASS_MAX])
 {
     const double scale = r->need_unit.scale;
     char reached[FIGURE_MAX];
-    char wanted[FIGURE_MAX];
+    char needed[FIGURE_MAX];
 
     append(text, PASS_MAX, "%s within %s of %s %s", calibrate_is_gravity(r) ? "|a|" : "length",
-           figure_digits(scale * need_reached(r), 2, reached),
-           figure_digits(scale * r->need / r->settings.field, 2, wanted), r->need_unit.unit);
+           figure_digits(scale * need_accuracy(r), 2, reached),
+           figure_digits(scale * r->need / r->settings.field, 2, needed), r->need_unit.unit);
 }
 
 static void add_limit(const calibrate_result *r, unsigned parameter, double limit,
                       char text[PASS_MAX])
 {
-    const told_unit degrees = {FIGURE_DEGREES, "°"};
-    const told_unit angle = r->told == TOLD_INS ? told_angle(r->told) : degrees;
-    const told_unit told = parameter < INVCAL_DK_X       ? calibrate_told_field(r)
-                           : parameter < INVCAL_GAMMA_XY ? told_scale(r->told)
-                                                         : angle;
-    const double ratio = greatest(r, parameter) / limit;
-    const int digits = fabs(ratio - 1) < CLOSE ? 6 : 3; /* which of them is larger is to be seen */
+    const display_unit degrees = {FIGURE_DEGREES, "°"};
+    const display_unit angle = r->units == UNIT_STYLE_INS ? unit_style_angle(r->units) : degrees;
+    const display_unit display = parameter < INVCAL_DK_X       ? calibrate_display_unit(r)
+                                 : parameter < INVCAL_GAMMA_XY ? unit_style_scale(r->units)
+                                                               : angle;
+    const double ratio = upper_bound(r, parameter) / limit;
+    const int digits = fabs(ratio - 1) < NEAR_LIMIT ? 6 : 3; /* to show which one is larger */
     char reached[FIGURE_MAX];
     char allowed[FIGURE_MAX];
 
     append(text, PASS_MAX, "%s up to %s of %s%s%s", parameter_words(parameter),
-           figure_digits(told.scale * greatest(r, parameter), digits, reached),
-           figure_digits(told.scale * limit, digits, allowed),
-           strcmp(told.unit, degrees.unit) == 0 ? "" : " ", told.unit);
+           figure_digits(display.scale * upper_bound(r, parameter), digits, reached),
+           figure_digits(display.scale * limit, digits, allowed),
+           strcmp(display.unit, degrees.unit) == 0 ? "" : " ", display.unit);
 }
 
 const char *pass_text(const calibrate_result *r, char text[PASS_MAX])
@@ -160,7 +160,7 @@ const char *pass_strict(const calibrate_result *r, char text[PASS_MAX])
     char advice[NEED_MAX];
 
     text[0] = '\0';
-    if (p.is_asked && !p.is_passed) {
+    if (p.has_criteria && !p.is_passed) {
         (void)pass_text(r, text);
         append(text, PASS_MAX, "%s%s", r->need > 0 && *need_advice(r, advice) ? " " : "",
                r->need > 0 ? advice : "");

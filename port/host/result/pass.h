@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * result/pass.h: PASS or FAIL: does a calibration keep what was asked of it, --need and the limits of
- * --tolerance, and by which margin?
+ * result/pass.h: PASS or FAIL: does a calibration meet --need and the limits of --tolerance, and by
+ * which margin?
  *
- * A limit is kept if the value and its interval of 95 % lie within, as ISO 14253-1 demands as
- * proof. What nothing is known of passes nothing, nor does a calibration whose verdict is not good.
+ * A limit is met if the value and its 95 % interval are within it, as ISO 14253-1 requires as
+ * proof. A value whose uncertainty is unknown fails, and so does a calibration whose verdict is not
+ * good.
  */
 #ifndef PASS_H
 #define PASS_H
@@ -12,16 +13,15 @@
 #include "result/result.h"
 
 typedef struct {
-    int is_asked;     /* there is a need, or limits */
-    int is_passed;    /* all of it is kept */
-    double need_used; /* accuracy over need: above 1 it is too large; NaN: not known, or no need */
+    int has_criteria;                /* there is a need, or a limit */
+    int is_passed;                   /* all are met */
+    double need_used;                /* accuracy / need; NaN: unknown, or no need */
     double limit[INVCAL_PARAMETERS]; /* of parameter r, to either side; NaN: none */
-    double
-        used[INVCAL_PARAMETERS]; /* (|x| + interval of 95 %) / limit; NaN: not known, or no limit */
-    uint16_t limited;            /* bit r: parameter r has a limit, */
-    uint16_t failed;             /* is not known to keep it, */
-    uint16_t beyond;  /* and is known not to, or by its value alone if the interval is unknown */
-    unsigned nearest; /* of those with limits, the one that uses most of its own */
+    double used[INVCAL_PARAMETERS];  /* (|x| + 95 % interval) / limit; NaN: unknown, or no limit */
+    uint16_t limited;                /* bit r: parameter r has a limit */
+    uint16_t failed;                 /* bit r: it is not proved to meet the limit */
+    uint16_t beyond;  /* bit r: it exceeds it; by its value alone if the interval is unknown */
+    unsigned nearest; /* the parameter with the largest `used` */
 } pass;
 
 pass pass_judge(const calibrate_result *result);
@@ -30,7 +30,7 @@ pass pass_judge(const calibrate_result *result);
 #define PASS_MAX 1200u
 const char *pass_text(const calibrate_result *result, char text[PASS_MAX]);
 
-/* Why --strict refuses it: a verdict that is not good, limits or a need that are not kept; "" if neither.
+/* Why --strict fails: a verdict that is not good, or limits or a need that are not met; else "".
  * Returns text. */
 const char *pass_strict(const calibrate_result *result, char text[PASS_MAX]);
 

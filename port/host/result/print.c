@@ -16,16 +16,16 @@
 #include "cli/options.h"
 #include "text/paint.h"
 #include "design/parameters.h"
-#include "stand/tell.h"
+#include "stand/output.h"
 #include "text/tabular.h"
 #include "text/utf8.h"
 #include "text/wrapped.h"
 #include "result/verdict.h"
 #include "text/plain.h"
 
-#define LABEL 14u /* columns of what stands before a line's text */
+#define LABEL 14u /* columns of the label of a line */
 #define TEXT_MAX 512
-#define LISTED 10u /* positions left out that are named */
+#define LISTED_MAX 10u /* positions left out that are listed */
 
 /* One line of the table. */
 typedef struct {
@@ -45,7 +45,7 @@ static void add_figure(const calibrate_result *r, const figure *f)
     tabular_cell("%s %s", f->label, f->axis);
     tabular_cell("%s", figure_fixed(f->value, places, FIGURE_PLAIN, text));
     tabular_cell("± %s", f->sigma >= 0 ? figure_fixed(f->sigma, places, FIGURE_PLAIN, text) : "?");
-    if (!nominal_is_stated(&r->nominal)) { /* the table has no columns for it */
+    if (!nominal_is_stated(&r->nominal)) { /* the table has no column for it */
         tabular_note("%s", f->unit);
         tabular_row();
         return;
@@ -73,24 +73,24 @@ static void add_offsets(const calibrate_result *r, int known)
     }
 }
 
-/* The same against nominal, over the field. */
+/* The deviations of offsets from nominal, over the field. */
 static void add_biases(const calibrate_result *r, int known)
 {
-    const told_unit told = calibrate_told_field(r);
+    const display_unit display = calibrate_display_unit(r);
 
     for (unsigned i = 0; i < 3 && nominal_knows(&r->nominal, INVCAL_DELTA_X); i++) {
         const figure f = {.label = "offset error",
                           .axis = {"xyz"[i]},
-                          .value = told.scale * r->solution.x[INVCAL_DELTA_X + i],
-                          .sigma = known ? told.scale * r->quality.sigma[INVCAL_DELTA_X + i]
+                          .value = display.scale * r->solution.x[INVCAL_DELTA_X + i],
+                          .sigma = known ? display.scale * r->quality.sigma[INVCAL_DELTA_X + i]
                                          : NUMBER_UNKNOWN,
                           .nominal = NUMBER_UNKNOWN,
-                          .unit = told.unit};
+                          .unit = display.unit};
         add_figure(r, &f);
     }
 }
 
-/* As data sheets state it: input units per field unit. */
+/* Scales as in data sheets: input units per field unit. */
 static void add_scales(const calibrate_result *r, int known)
 {
     double inverse[3][3];
@@ -117,8 +117,8 @@ static void add_scales(const calibrate_result *r, int known)
 static void add_errors(const calibrate_result *r, int known)
 {
     static const char *const pairs[] = {"xy", "xz", "zy"};
-    const told_unit scale = told_scale(r->told);
-    const told_unit angle = told_angle(r->told);
+    const display_unit scale = unit_style_scale(r->units);
+    const display_unit angle = unit_style_angle(r->units);
     const uint16_t held = fit_held(&r->settings, &r->quality);
     char off_square[FIGURE_MAX];
     char not_measured[FIGURE_MAX];
@@ -147,23 +147,23 @@ static void add_errors(const calibrate_result *r, int known)
     }
 }
 
-/* A residual, which is over the field, in a unit that one can picture: to 0.1 millionth of the field, in
- * micro-g to a thousandth of that. */
+/* A residual over the field in the unit of the table, to 1e-7 of the field; in INS units, to 0.001
+ * of a µg. */
 static const char *residual_text(const calibrate_result *r, double residual, char text[TEXT_MAX])
 {
-    const told_unit told = calibrate_told_field(r);
-    const int places = r->told == TOLD_INS ? 3 : calibrate_is_gravity(r) ? 4 : 5;
+    const display_unit display = calibrate_display_unit(r);
+    const int places = r->units == UNIT_STYLE_INS ? 3 : calibrate_is_gravity(r) ? 4 : 5;
 
-    snprintf(text, TEXT_MAX, "%14.*f %s", places, told.scale * residual, told.unit);
+    snprintf(text, TEXT_MAX, "%14.*f %s", places, display.scale * residual, display.unit);
     return text;
 }
 
 static void print_residuals(FILE *file, const calibrate_result *r, const char *nominal_name)
 {
     const fit_quality *q = &r->quality;
-    const told_unit noise = r->told == TOLD_INS
-                                ? calibrate_told_field(r)
-                                : (told_unit){r->settings.field, calibrate_field_unit(r)};
+    const display_unit noise = r->units == UNIT_STYLE_INS
+                                   ? calibrate_display_unit(r)
+                                   : (display_unit){r->settings.field, calibrate_field_unit(r)};
     char text[TEXT_MAX];
 
     fprintf(file, "residual rms  %s\n", residual_text(r, q->rms, text));
@@ -196,7 +196,8 @@ static void print_residuals(FILE *file, const calibrate_result *r, const char *n
         if (r->field_sigma > 0) {
             wrapped_printf(file, LABEL, "%-14s%.2g %s, included in the ± of all three scales%s",
                            r->magnetometer ? "of the field" : "of g",
-                           told_scale(r->told).scale * r->field_sigma, told_scale(r->told).unit,
+                           unit_style_scale(r->units).scale * r->field_sigma,
+                           unit_style_scale(r->units).unit,
                            r->is_field_stated ? "" : "; --gravity or --latitude reduces it");
         }
         if (calibrate_unexplained(r) > 0) {
@@ -217,7 +218,7 @@ static void print_limit(FILE *file, const calibrate_result *result)
     char text[CALIBRATE_LIMIT_MAX];
     uncertainty length;
 
-    calibrate_spread(result, 1, &length);
+    calibrate_uncertainty(result, 1, &length);
     fprintf(file, "%s", label);
     wrapped_line(file, LABEL, LABEL, calibrate_limit(result, &length, text));
 }
@@ -229,7 +230,7 @@ static paint colour_of(invcal_verdict verdict)
                                                                         : PAINT_RED;
 }
 
-/* Whether what was asked is kept. */
+/* PASS or FAIL. */
 static void print_pass(FILE *file, const calibrate_result *result)
 {
     const pass p = pass_judge(result);
@@ -237,7 +238,7 @@ static void print_pass(FILE *file, const calibrate_result *result)
     char advice[NEED_MAX];
     char list[128];
 
-    if (!p.is_asked) {
+    if (!p.has_criteria) {
         return;
     }
     (void)pass_text(result, text); /* begins with a word of four letters and a colon */
@@ -294,10 +295,11 @@ static void print_verdict(FILE *file, const calibrate_result *result)
     }
 }
 
-static void print_next(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
+static void print_next(FILE *file, const calibrate_result *result,
+                       const calibrate_invocation *invocation)
 {
     const fit_quality *q = &result->quality;
-    const char *saved = wish->saved;
+    const char *saved = invocation->saved;
     char path[PLAIN_MAX];
     char command[PLAIN_MAX + sizeof "invcal apply  LOG"];
     char advice[128];
@@ -307,8 +309,8 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     if (saved) {
         wrapped_printf(file, 0, "Saved in %s.", plain_copy(saved, path));
     }
-    if (wish->report) {
-        wrapped_printf(file, 0, "Report in %s.", plain_copy(wish->report, path));
+    if (invocation->report) {
+        wrapped_printf(file, 0, "Report in %s.", plain_copy(invocation->report, path));
     }
     if (faces_are_good(result)) {
         snprintf(text, sizeof text,
@@ -318,7 +320,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     } else if (q->verdict == INVCAL_NO_REDUNDANCY && !result->magnetometer) {
         wrapped_printf(file, 0,
                        "Next: add 3 or more positions in other directions, to check the fit.");
-    } else if (q->verdict == INVCAL_WEAK && calibrate_wants_slopes(result)) {
+    } else if (q->verdict == INVCAL_WEAK && calibrate_lacks_slopes(result)) {
         wrapped_printf(file, 0,
                        "Next: measure nine positions or more at each of two temperatures, at least "
                        "5 K apart.");
@@ -340,7 +342,7 @@ static void print_next(FILE *file, const calibrate_result *result, const calibra
     }
 }
 
-/* What the calibration is filed under. */
+/* The record of the calibration. */
 static void print_record(FILE *file, const record *r)
 {
     char text[RECORD_MAX + 16];
@@ -353,7 +355,7 @@ static void print_record(FILE *file, const record *r)
     }
 }
 
-/* What the file was taken for. */
+/* What the file was recognised as. */
 static void print_recognised(FILE *file, const positions *data)
 {
     char text[COLUMNS_TEXT_MAX];
@@ -364,7 +366,7 @@ static void print_recognised(FILE *file, const positions *data)
     wrapped_line(file, 0, 0, plain(line));
 }
 
-/* What the positions were found in. */
+/* The log in which the positions were found. */
 static void print_log(FILE *file, const calibrate_result *result)
 {
     const rests_summary *log = result->log;
@@ -405,7 +407,7 @@ static void print_place(FILE *file, const calibrate_result *result)
 static void print_rejected(FILE *file, const calibrate_result *result)
 {
     const rejection *r = &result->rejected;
-    const told_unit told = calibrate_told_field(result);
+    const display_unit display = calibrate_display_unit(result);
     char text[FIGURE_MAX];
 
     if (rejection_drifting(r) > 0) {
@@ -416,8 +418,8 @@ static void print_rejected(FILE *file, const calibrate_result *result)
                        rejection_drifting(r) == 1 ? "" : "s", result->fit.drift_limit);
     }
     for (unsigned i = 0; i < r->count; i++) {
-        if (i == LISTED && r->count > LISTED + 1) {
-            fprintf(file, "          and %u more\n", r->count - LISTED);
+        if (i == LISTED_MAX && r->count > LISTED_MAX + 1) {
+            fprintf(file, "          and %u more\n", r->count - LISTED_MAX);
             break;
         }
         if (r->list[i].drift > 0) {
@@ -429,8 +431,8 @@ static void print_rejected(FILE *file, const calibrate_result *result)
             file, 10, "%sLeft out:%s position %u (line %lu), off by %s %s",
             paint_on(file, PAINT_RED), paint_off(file), r->list[i].position + 1,
             result->data->origin[r->list[i].position].line,
-            figure_digits(told.scale * calibrate_excess(result, r->list[i].position), 3, text),
-            told.unit);
+            figure_digits(display.scale * calibrate_excess(result, r->list[i].position), 3, text),
+            display.unit);
     }
     if (r->suspected > 0) {
         wrapped_printf(
@@ -442,8 +444,8 @@ static void print_rejected(FILE *file, const calibrate_result *result)
 
 static void print_stand(FILE *file, const calibrate_result *result)
 {
-    const told_unit unit[3] = {calibrate_told_field(result), told_scale(result->told),
-                               told_angle(result->told)};
+    const display_unit unit[3] = {calibrate_display_unit(result), unit_style_scale(result->units),
+                                  unit_style_angle(result->units)};
 
     if (result->stand.from) {
         stand_print(file, &result->stand, &result->nominal, result->solution.x, unit);
@@ -460,7 +462,7 @@ static void print_case(FILE *file, const calibrate_result *result)
     }
 }
 
-/* Against an accelerometer. */
+/* The axes of a magnetometer relative to those of an accelerometer. */
 static void print_axes(FILE *file, const calibrate_result *result)
 {
     char text[CALIBRATE_AXES_MAX];
@@ -471,7 +473,7 @@ static void print_axes(FILE *file, const calibrate_result *result)
     }
 }
 
-/* What the sensor was to read, and who says so. */
+/* Nominal zero and scale, and their source. */
 static void print_nominal(FILE *file, const calibrate_result *r, const char *name)
 {
     char text[TEXT_MAX];
@@ -519,7 +521,7 @@ static void print_parameters(FILE *file, const calibrate_result *result, const c
     tabular_row_in(PAINT_BOLD);
     add_offsets(result, known);
     add_scales(result, known);
-    if (result->told == TOLD_INS) { /* in input units alone no engineer of INS can read it */
+    if (result->units == UNIT_STYLE_INS) { /* biases are not usually in input units there */
         add_biases(result, known);
     }
     add_errors(result, known);
@@ -527,18 +529,19 @@ static void print_parameters(FILE *file, const calibrate_result *result, const c
     tabular_end();
 }
 
-void calibrate_print(FILE *file, const calibrate_result *result, const calibrate_wish *wish)
+void calibrate_print(FILE *file, const calibrate_result *result,
+                     const calibrate_invocation *invocation)
 {
     char name[PLAIN_MAX];
     char nominal[CALIBRATE_NAME_MAX + 1];
 
-    snprintf(nominal, sizeof nominal, "%s", wish->nominal_name);
+    snprintf(nominal, sizeof nominal, "%s", invocation->nominal_name);
     plain(nominal);
     print_record(file, &result->record);
     print_recognised(file, result->data);
     print_log(file, result);
     if (result->magnetometer) {
-        calibrate_waved_print(file, result);
+        calibrate_magnetometer_print(file, result);
     }
     wrapped_printf(file, 0, "%s: %u %s, field %.7g %s", plain_copy(result->data->name, name),
                    result->data->count,
@@ -562,6 +565,6 @@ void calibrate_print(FILE *file, const calibrate_result *result, const calibrate
     fprintf(file, "\n");
     gyro_print(file, result);
     print_verdict(file, result);
-    print_next(file, result, wish);
+    print_next(file, result, invocation);
     gyro_print_last(file, result);
 }

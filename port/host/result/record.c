@@ -12,7 +12,7 @@ const char *record_name(record_text which)
     return names[which];
 }
 
-/* The digits from `at` on as a number; -1 if one of them is none. */
+/* `count` digits from `at` on as a number; -1 if one of them is not a digit. */
 static int digits(const char *text, unsigned at, unsigned count)
 {
     int number = 0;
@@ -42,7 +42,8 @@ static int is_date(const char *text)
            day <= days[month - 1] + (month == 2 && is_leap);
 }
 
-/* What a terminal, a page and JSON show alike: UTF-8 without control characters (C1 is C2 80 ... C2 9F). */
+/* UTF-8 without control characters (C1 is C2 80 ... C2 9F), which looks the same on a terminal, on
+ * a page and in JSON. */
 static int is_plain(const char *text)
 {
     while (*text != '\0') {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * result/record.h: what people file a calibration under: which device, when, by whom.
+ * result/record.h: the record of a calibration: which device, when, by whom.
  */
 #ifndef RECORD_H
 #define RECORD_H
@@ -11,12 +11,12 @@ typedef enum {
     RECORD_DEVICE, /* its type */
     RECORD_SERIAL,
     RECORD_OPERATOR,
-    RECORD_DATE, /* 2026-11-23: texts in the order of days */
+    RECORD_DATE, /* 2026-11-23, so that dates sort as texts */
     RECORD_NOTE,
     RECORD_TEXTS
 } record_text;
 
-#define RECORD_MAX 160 /* bytes of a text, with the mark at its end */
+#define RECORD_MAX 160 /* bytes of a text, with the terminating zero */
 
 /* The options, for help texts. */
 #define RECORD_OPTIONS                                                                             \
@@ -35,17 +35,17 @@ typedef struct {
 /* "device", "serial", "operator", "date", "note". */
 const char *record_name(record_text which);
 
-/* Takes a text over. Returns null; what is wrong with it, to follow it in a sentence, the record
- * untouched: it is too long, no plain text in UTF-8, or no date of the calendar. */
+/* Sets a text. Returns null; or what is wrong with it, a clause to follow it, the record untouched:
+ * too long, not plain UTF-8 text, not a valid date. */
 const char *record_set(record *r, record_text which, const char *text);
 
 int record_is_empty(const record *r);
 
-/* The member "record", with what is given; nothing if that is nothing. */
+/* Writes the member "record", with the texts that are given, if any. */
 void record_json(json_writer *w, const record *r);
 
-/* In a line, for headings: "ADXL355 · serial 4711 · 2026-11-23"; "" if there is none of the three. Cut to
- * size. Returns text. */
+/* A line for headings: "ADXL355 · serial 4711 · 2026-11-23"; "" if none of the three is given. Cut
+ * to size. Returns text. */
 #define RECORD_LINE_MAX (3 * RECORD_MAX + 32)
 const char *record_line(const record *r, char text[RECORD_LINE_MAX]);
 

@@ -7,9 +7,8 @@
 
 #include "result/gyro.h"
 
-#define GOOD 12u /* positions */
-#define DETERMINED                                                                                 \
-    4.0 /* sigma of a parameter over that of a position mean: what such a set leaves */
+#define POSITIONS_GOOD 12u /* minimum with redundancy */
+#define SIGMA_MAX 4.0 /* of a parameter that counts as determined, over that of a position mean */
 
 static const invcal_calibration identity = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
@@ -34,7 +33,7 @@ double refusal_length(const calibrate_result *r, const invcal_calibration *view,
     return length(v);
 }
 
-/* Mean of the lengths, and of their squares. */
+/* Means of the lengths and of their squares. */
 static void average(const calibrate_result *r, const invcal_calibration *view, double *mean,
                     double *square)
 {
@@ -62,8 +61,8 @@ double refusal_mean_length(const calibrate_result *r, const invcal_calibration *
     return mean;
 }
 
-/* Variance of the lengths over the square of their mean: 0 where they are all alike. */
-static double unlikeness(const calibrate_result *r, const invcal_calibration *view)
+/* Variance of the lengths over the square of their mean. */
+static double length_variance(const calibrate_result *r, const invcal_calibration *view)
 {
     double mean;
     double square;
@@ -72,7 +71,7 @@ static double unlikeness(const calibrate_result *r, const invcal_calibration *vi
     return square / (mean * mean) - 1;
 }
 
-refusal_view refusal_see(const calibrate_result *r, invcal_calibration *view)
+refusal_view refusal_find_view(const calibrate_result *r, invcal_calibration *view)
 {
     const invcal_calibration *nominal = &r->settings.nominal;
     const int has_nominal = fabs(nominal->matrix[0][0]) > 0;
@@ -81,12 +80,12 @@ refusal_view refusal_see(const calibrate_result *r, invcal_calibration *view)
         *view = *nominal;
         return REFUSAL_BY_NOMINAL;
     }
-    const double by_zero = unlikeness(r, &identity);
-    const double by_range = has_nominal ? unlikeness(r, nominal) : HUGE_VAL;
+    const double by_zero = length_variance(r, &identity);
+    const double by_range = has_nominal ? length_variance(r, nominal) : HUGE_VAL;
     *view = by_range < by_zero ? *nominal : identity;
     return by_range < by_zero   ? REFUSAL_BY_RANGE
            : by_zero < HUGE_VAL ? REFUSAL_BY_ZERO
-                                : REFUSAL_UNSEEN;
+                                : REFUSAL_NO_VIEW;
 }
 
 int refusal_up(const calibrate_result *r, const invcal_calibration *view, unsigned position,
@@ -104,34 +103,34 @@ int refusal_up(const calibrate_result *r, const invcal_calibration *view, unsign
 
 /* ---- which to add ------------------------------------------------------------------------------ */
 
-/* Unit vectors that are there, and those to come. */
+/* Up directions: those of the positions, then those to add. */
 typedef struct {
     double (*up)[3];
     unsigned count;
 } directions;
 
-static int tells_nine(const directions *d)
+static int determines_nine(const directions *d)
 {
     double root[INVCAL_PARAMETERS];
-    int is_told = d->count >= GOOD;
+    int is_determined = d->count >= POSITIONS_GOOD;
 
     invcal_prospect(d->up[0], d->count, &identity, NULL, root);
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
-        is_told = is_told && root[p] <= DETERMINED;
+        is_determined = is_determined && root[p] <= SIGMA_MAX;
     }
-    return is_told;
+    return is_determined;
 }
 
-static int tells_nonlinearity(const directions *d, unsigned degree)
+static int determines_nonlinearity(const directions *d, unsigned degree)
 {
     nonlinearity_prospect p;
 
-    return d->count >= nonlinearity_least(degree) &&
+    return d->count >= nonlinearity_min_positions(degree) &&
            nonlinearity_judge((const double(*)[3])d->up, NULL, d->count, degree, &p, NULL);
 }
 
-/* Of the faces and edges of a cube the one that is farthest from all that are there: between the axes and along
- * them. */
+/* Of the axes and the directions midway between two of them, the one farthest from all that are
+ * there. */
 static void find_gap(const directions *d, double out[3])
 {
     double farthest = HUGE_VAL; /* as a cosine */
@@ -166,12 +165,12 @@ static void find_direction(const directions *d, unsigned degree, double out[3])
     }
 }
 
-static directions find_taken(const calibrate_result *r)
+static directions find_directions(const calibrate_result *r)
 {
     directions d = {calloc((size_t)r->data->count + REFUSAL_DIRECTIONS + 1, sizeof *d.up), 0};
     invcal_calibration view;
 
-    if (d.up && refusal_see(r, &view) != REFUSAL_UNSEEN) {
+    if (d.up && refusal_find_view(r, &view) != REFUSAL_NO_VIEW) {
         for (unsigned n = 0; n < r->data->count; n++) {
             d.count +=
                 (unsigned)(!refusal_is_wrong(r, n) && refusal_up(r, &view, n, d.up[d.count]));
@@ -180,7 +179,7 @@ static directions find_taken(const calibrate_result *r)
     return d;
 }
 
-unsigned refusal_add(const calibrate_result *r, refusal_direction out[REFUSAL_DIRECTIONS])
+unsigned refusal_additions(const calibrate_result *r, refusal_direction out[REFUSAL_DIRECTIONS])
 {
     const unsigned degree = r->refused.degree;
     unsigned count = 0;
@@ -188,9 +187,9 @@ unsigned refusal_add(const calibrate_result *r, refusal_direction out[REFUSAL_DI
     if (!r->refused.wants_positions) {
         return 0;
     }
-    directions d = find_taken(r);
+    directions d = find_directions(r);
     while (d.up && count < REFUSAL_DIRECTIONS &&
-           !(degree > 0 ? tells_nonlinearity(&d, degree) : tells_nine(&d))) {
+           !(degree > 0 ? determines_nonlinearity(&d, degree) : determines_nine(&d))) {
         find_direction(&d, degree, out[count].up);
         memcpy(d.up[d.count++], out[count].up, sizeof *d.up);
         (void)invcal_words(out[count].up, out[count].words);
@@ -212,7 +211,7 @@ const char *refusal_text(const calibrate_result *r, char text[REFUSAL_TEXT_MAX])
 void refusal_json(FILE *file, const calibrate_result *r)
 {
     refusal_direction add[REFUSAL_DIRECTIONS];
-    const unsigned count = refusal_add(r, add);
+    const unsigned count = refusal_additions(r, add);
     json_writer w;
 
     json_begin(&w, file);

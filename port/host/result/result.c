@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-#define MANY_LEFT_OUT 6 /* more than one position in so many: chance does not take these */
-#define UNEXPLAINED 3.0 /* times the noise: a hand that holds the device comes near it */
-#define CLOSE 2.0       /* ratio of two lengths in one unit; the units of a field differ by more */
+#define LEFT_OUT_PART 6     /* more than one position in 6 is not chance */
+#define NOISE_RATIO_MIN 3.0 /* smaller ratios may be the tremor of a hand */
+#define SAME_UNIT_RATIO 2.0 /* lengths in one unit differ by less, those in two units by more */
 
 static double time_of(const positions *p, unsigned i)
 {
@@ -40,15 +40,16 @@ int calibrate_is_gravity(const calibrate_result *result)
     return !result->magnetometer && unit_is_gravity(result->settings.field);
 }
 
-/* A field of a magnetometer is in the unit of its readings if these measure it, or if it is stated about as
- * long as they read it: no two units of a magnetometer are that close. */
+/* The field of a magnetometer is in the unit of its readings if they measure it, or if the stated
+ * length is about the measured one: no two units of a magnetic field are that close. */
 static int is_field_in_input_units(const calibrate_result *r)
 {
     const double scale = r->nominal.calibration.matrix[0][0];
 
     return r->magnetometer &&
            (r->is_field_stated
-                ? r->nominal.lsb == NOMINAL_RANGE && scale > 1 / CLOSE && scale < CLOSE
+                ? r->nominal.lsb == NOMINAL_RANGE && scale > 1 / SAME_UNIT_RATIO &&
+                      scale < SAME_UNIT_RATIO
                 : r->nominal.lsb == NOMINAL_UNIT || r->data->seen.unit != UNIT_UNKNOWN);
 }
 
@@ -63,9 +64,9 @@ const char *calibrate_field_unit(const calibrate_result *result)
     return calibrate_is_gravity(result) ? "m/s²" : "field units";
 }
 
-told_unit calibrate_told_field(const calibrate_result *result)
+display_unit calibrate_display_unit(const calibrate_result *result)
 {
-    return told_field(result->told, calibrate_is_gravity(result));
+    return unit_style_field(result->units, calibrate_is_gravity(result));
 }
 
 const char *calibrate_input_unit(const calibrate_result *result)
@@ -78,7 +79,7 @@ int calibrate_knows_noise(const calibrate_result *result)
     return result->settings.noise > 0 || result->quality.noise < 1;
 }
 
-double calibrate_times(const calibrate_result *result)
+double calibrate_noise_ratio(const calibrate_result *result)
 {
     const double expected = result->settings.noise;
 
@@ -87,14 +88,14 @@ double calibrate_times(const calibrate_result *result)
 
 double calibrate_unexplained(const calibrate_result *result)
 {
-    const double times = calibrate_times(result);
+    const double times = calibrate_noise_ratio(result);
 
-    return times >= UNEXPLAINED ? times : 0;
+    return times >= NOISE_RATIO_MIN ? times : 0;
 }
 
-int calibrate_has_lost_many(const calibrate_result *result)
+int calibrate_many_left_out(const calibrate_result *result)
 {
     const rejection *r = &result->rejected;
 
-    return MANY_LEFT_OUT * (r->count - rejection_drifting(r)) > r->count + r->kept_count;
+    return LEFT_OUT_PART * (r->count - rejection_drifting(r)) > r->count + r->kept_count;
 }

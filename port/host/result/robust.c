@@ -4,15 +4,15 @@
 #include "result/result.h"
 #include "text/wrapped.h"
 
-#define LABEL 14u       /* columns before a line's text */
-#define CONTRADICTS 4.0 /* standard deviations of the difference */
+#define LABEL 14u          /* columns of the label of a line */
+#define DIFFERENCE_MAX 4.0 /* standard deviations of the difference */
 
-/* The positions left out may pull, each to the same side. */
+/* The positions left out, which the l1 estimate includes, may all pull to the same side. */
 static int contradicts(const calibrate_result *r)
 {
-    const double limit = CONTRADICTS + r->rejected.count * L1_PULL / L1_DIFFERENCE;
+    const double limit = DIFFERENCE_MAX + r->rejected.count * L1_PULL / L1_DIFFERENCE;
 
-    return calibrate_knows_noise(r) && !(r->robust_most <= limit);
+    return calibrate_knows_noise(r) && !(r->robust_max <= limit);
 }
 
 void calibrate_robust_print(FILE *file, const calibrate_result *r)
@@ -27,7 +27,7 @@ void calibrate_robust_print(FILE *file, const calibrate_result *r)
     }
     snprintf(text, sizeof text,
              "over all %u positions: largest difference in %s, %.2g times that of noise: %s",
-             r->data->count, invcal_parameter_name(r->robust_worst), r->robust_most,
+             r->data->count, invcal_parameter_name(r->robust_worst), r->robust_max,
              contradicts(r)
                  ? "it contradicts. An outlier was kept, or a good position was left out."
                  : "it agrees.");
@@ -41,7 +41,7 @@ void calibrate_robust_json(json_writer *w, const calibrate_result *r)
     if (r->has_robust) {
         calibrate_parameters_json(w, r, r->robust);
         json_text(w, "worst", invcal_parameter_name(r->robust_worst));
-        json_number(w, "difference", r->robust_most);
+        json_number(w, "difference", r->robust_max);
     }
     json_text(w, "answer", !r->has_robust ? "none" : contradicts(r) ? "contradicts" : "agrees");
     json_object_end(w);

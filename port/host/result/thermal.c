@@ -11,7 +11,7 @@
 #include "design/parameters.h"
 
 #define TEXT_MAX 512
-#define LABEL 14u /* columns before a line's text */
+#define LABEL 14u /* columns of the label of a line */
 
 /* The unit of a slope. */
 typedef struct {
@@ -21,13 +21,13 @@ typedef struct {
 
 static slope_unit unit_of(const calibrate_result *r, unsigned parameter)
 {
-    const int is_ins = r->told == TOLD_INS;
+    const int is_ins = r->units == UNIT_STYLE_INS;
 
     return parameter >= INVCAL_GAMMA_XY
-               ? (slope_unit){told_angle(r->told).scale, is_ins ? "arcsec/K" : "degrees/K"}
+               ? (slope_unit){unit_style_angle(r->units).scale, is_ins ? "arcsec/K" : "degrees/K"}
            : parameter >= INVCAL_DK_X ? (slope_unit){1e6, "ppm/K"}
            : calibrate_is_gravity(r)
-               ? (slope_unit){told_field(r->told, 1).scale, is_ins ? "µg/K" : "mg/K"}
+               ? (slope_unit){unit_style_field(r->units, 1).scale, is_ins ? "µg/K" : "mg/K"}
                : (slope_unit){1e6, "ppm of the field/K"};
 }
 
@@ -42,7 +42,7 @@ static void print_fitted(FILE *file, const thermal_fit *fit)
                    c->max, words[c->fitted], c->reference);
     if (c->fallback != INVCAL_THERMAL_AS_ASKED) {
         snprintf(text, sizeof text, "%s instead of %s: %s.",
-                 c->fitted > 0 ? "Straight lines" : "No slopes", words[fit->wish.degree],
+                 c->fitted > 0 ? "Straight lines" : "No slopes", words[fit->options.degree],
                  invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
         wrapped_line(file, 0, 0, text);
     }
@@ -76,7 +76,7 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
     char value[FIGURE_MAX];
 
     if (r->temperature != CALIBRATE_THERMAL) {
-        if (*calibrate_advice(r, text)) {
+        if (*calibrate_temperature_advice(r, text)) {
             wrapped_line(file, 0, 0, text);
         }
         return;
@@ -86,12 +86,12 @@ void calibrate_print_thermal(FILE *file, const calibrate_result *r)
         print_slopes(file, r);
     }
     if (fit->calibration.fitted > 0 && r->quality.dof > 0 && !isnan(fit->without)) {
-        const told_unit told = calibrate_told_field(r);
+        const display_unit display = calibrate_display_unit(r);
         char without[FIGURE_MAX];
         snprintf(text, sizeof text,
                  "Nine parameters without temperature leave an rms of %s %s in the same positions, "
                  "%s times as large.",
-                 figure_digits(told.scale * fit->without, 3, without), told.unit,
+                 figure_digits(display.scale * fit->without, 3, without), display.unit,
                  figure_digits(fit->without / r->quality.rms, 3, value));
         wrapped_line(file, 0, 0, text);
     }

@@ -12,7 +12,7 @@
 static int is_contradictory(const calibrate_result *r)
 {
     return (r->quality.verdict == INVCAL_GOOD || r->quality.verdict == INVCAL_ROUGH) &&
-           r->rejected.suspected > 0 && !calibrate_has_lost_many(r);
+           r->rejected.suspected > 0 && !calibrate_many_left_out(r);
 }
 
 const char *verdict_word(const calibrate_result *r)
@@ -40,17 +40,17 @@ const char *verdict_systematic(unsigned systematic)
 /* The size of the systematic error with its unit. */
 static const char *size_of(const calibrate_result *r, char text[64])
 {
-    const told_unit told = calibrate_told_field(r);
+    const display_unit display = calibrate_display_unit(r);
     char number[FIGURE_MAX];
 
-    snprintf(text, 64, "%s %s", figure_digits(told.scale * fabs(r->quality.size), 2, number),
-             told.unit);
+    snprintf(text, 64, "%s %s", figure_digits(display.scale * fabs(r->quality.size), 2, number),
+             display.unit);
     return text;
 }
 
-static void say_drift(const calibrate_result *r, char text[VERDICT_MAX])
+static void describe_drift(const calibrate_result *r, char text[VERDICT_MAX])
 {
-    const told_unit told = calibrate_told_field(r);
+    const display_unit display = calibrate_display_unit(r);
     char number[3][FIGURE_MAX];
     char size[64];
 
@@ -63,15 +63,15 @@ static void say_drift(const calibrate_result *r, char text[VERDICT_MAX])
         return;
     }
     for (unsigned i = 0; i < 3; i++) {
-        (void)figure_digits(told.scale * r->drift[i], 2, number[i]);
+        (void)figure_digits(display.scale * r->drift[i], 2, number[i]);
     }
     snprintf(text, VERDICT_MAX,
              "the offsets drift, by %s, %s, %s %s (x, y, z) from the first position to the last. "
              "The drift is fitted: the calibration is that of the middle of the log.",
-             number[0], number[1], number[2], told.unit);
+             number[0], number[1], number[2], display.unit);
 }
 
-static void say_bent(const calibrate_result *r, char text[VERDICT_MAX])
+static void describe_bent(const calibrate_result *r, char text[VERDICT_MAX])
 {
     const fit_quality *q = &r->quality;
     const char axis = (char)('x' + q->axis);
@@ -97,12 +97,12 @@ static void say_bent(const calibrate_result *r, char text[VERDICT_MAX])
     }
 }
 
-static void say_rough(const calibrate_result *r, char text[VERDICT_MAX])
+static void describe_rough(const calibrate_result *r, char text[VERDICT_MAX])
 {
-    const double times = calibrate_times(r);
+    const double times = calibrate_noise_ratio(r);
     char number[FIGURE_MAX];
 
-    if (calibrate_has_lost_many(r)) {
+    if (calibrate_many_left_out(r)) {
         snprintf(text, VERDICT_MAX,
                  "%u of %u positions contradict the others and are left out; the same may be wrong "
                  "with the rest.",
@@ -125,13 +125,13 @@ const char *verdict_cause(const calibrate_result *r, char text[VERDICT_MAX])
                  "nothing shows which of them are wrong.",
                  r->rejected.suspected);
     } else if (r->magnetometer) {
-        (void)calibrate_waved_fault(r, text);
+        (void)calibrate_magnetometer_fault(r, text);
     } else if (r->quality.verdict == INVCAL_DRIFTING) {
-        say_drift(r, text);
+        describe_drift(r, text);
     } else if (r->quality.verdict == INVCAL_BENT) {
-        say_bent(r, text);
+        describe_bent(r, text);
     } else {
-        say_rough(r, text);
+        describe_rough(r, text);
     }
     return text;
 }

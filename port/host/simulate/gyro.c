@@ -41,16 +41,16 @@ invcal_calibration gyro_scene_truth(const gyro_model *m)
 int gyro_scene_g(const gyro_model *m, double g[3][3])
 {
     const invcal_calibration truth = gyro_scene_truth(m);
-    double most = 0;
+    double max = 0;
 
     for (unsigned i = 0; i < 9; i++) {
         g[i / 3][i % 3] = 0;
         for (unsigned k = 0; k < 3; k++) {
             g[i / 3][i % 3] += truth.matrix[i / 3][k] * m->g[3 * k + i % 3] / m->lsb;
         }
-        most = fmax(most, fabs(m->g[i]));
+        max = fmax(max, fabs(m->g[i]));
     }
-    return most > 0;
+    return max > 0;
 }
 
 void gyro_scene_begin(gyro_scene *s, const gyro_model *model, double rate, uint32_t seed)
@@ -90,7 +90,7 @@ static void turn_between(const double before[3], const double up[3], double twis
     rotation_vector((const double(*)[3])both, th);
 }
 
-void gyro_scene_next(gyro_scene *s, const double up[3], const double felt[3], double twist,
+void gyro_scene_next(gyro_scene *s, const double up[3], const double acceleration[3], double twist,
                      int32_t raw[3])
 {
     const gyro_model *m = s->model;
@@ -106,7 +106,7 @@ void gyro_scene_next(gyro_scene *s, const double up[3], const double felt[3], do
     for (unsigned i = 0; i < 3; i++) {
         double u = m->bias[i] + m->noise * random_normal(&s->random);
         for (unsigned k = 0; k < 3; k++) {
-            u += response[i][k] * th[k] * s->rate / UNIT_DEGREE + m->g[3 * i + k] * felt[k];
+            u += response[i][k] * th[k] * s->rate / UNIT_DEGREE + m->g[3 * i + k] * acceleration[k];
         }
         const double counts = nearbyint(fmax(-m->range, fmin(m->range, u)) / m->lsb);
         raw[i] = (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, counts));

@@ -10,9 +10,9 @@
 #define WALK_MEMORY 100.0 /* seconds */
 #define TREMOR_RATE 3.0   /* Hz */
 #define REFERENCE 25.0    /* degrees C */
-#define ASIDE 0.3         /* of a hand's way off the shortest, rad */
-#define TWIST 0.7         /* rad about the way up, in a move */
-#define SHAKE 0.15        /* of a hand's acceleration, over the field */
+#define BULGE 0.3         /* detour of a move from the shortest arc, rad */
+#define TWIST 0.7         /* rad about up, in a move */
+#define SHAKE 0.15        /* amplitude of the hand's acceleration, over the field */
 #define SHAKE_RATE 4.0    /* Hz */
 
 /* I + S. */
@@ -58,7 +58,7 @@ void scene_interval(const scene *s, unsigned i, uint64_t *begin, uint64_t *end)
     *end = *begin + dwell_samples(s);
 }
 
-/* Positions that are wrong, drawn without putting back. */
+/* Draws the outliers, without replacement. */
 static void choose_outliers(scene *s)
 {
     for (unsigned n = 0; n < s->model->outliers && n < s->route->count; n++) {
@@ -101,59 +101,60 @@ static void normalise(double v[3])
     }
 }
 
-/* Between a and b on the shortest arc, with a bulge aside in the middle: share 0 ... 1. */
-static void way(const double a[3], const double b[3], const double aside[3], double share,
-                double v[3])
+/* A direction between a (share 0) and b (1) on the shortest arc, with a sideways bulge in the
+ * middle. */
+static void interpolate(const double a[3], const double b[3], const double sideways[3],
+                        double share, double v[3])
 {
     const double angle = acos(fmax(-1, fmin(1, dot(a, b))));
-    const double bulge = ASIDE * pow(sin(TURN / 2 * share), 2);
+    const double bulge = BULGE * pow(sin(TURN / 2 * share), 2);
     const double smooth = share * share * (3 - 2 * share);
     double across[3]; /* unit vector at right angles to a, towards b */
 
     for (unsigned i = 0; i < 3; i++) {
         across[i] = b[i] - dot(a, b) * a[i];
     }
-    if (!(dot(across, across) > 1e-12)) { /* there and back again, or to the opposite */
+    if (!(dot(across, across) > 1e-12)) { /* b is equal or opposite to a */
         for (unsigned i = 0; i < 3; i++) {
-            across[i] = aside[i] - dot(a, aside) * a[i];
+            across[i] = sideways[i] - dot(a, sideways) * a[i];
         }
     }
     normalise(across);
     for (unsigned i = 0; i < 3; i++) {
-        v[i] = cos(angle * smooth) * a[i] + sin(angle * smooth) * across[i] + bulge * aside[i];
+        v[i] = cos(angle * smooth) * a[i] + sin(angle * smooth) * across[i] + bulge * sideways[i];
     }
     normalise(v);
 }
 
-/* What goes slowly: the walk of the offsets and the tremor of the hand, each a first-order
- * process x' = -rate x + noise of a given standard deviation. */
-static void drift_on(scene *s, double x[3], double rate, double sigma)
+/* One step of a first-order Gauss-Markov process x' = -rate x + noise with standard deviation
+ * sigma: drift of the offsets, tremor of the hand. */
+static void gauss_markov_step(scene *s, double x[3], double rate, double sigma)
 {
-    const double keep = exp(-rate / s->model->rate);
+    const double decay = exp(-rate / s->model->rate);
 
     for (unsigned i = 0; i < 3 && sigma > 0; i++) {
-        x[i] = keep * x[i] + sigma * sqrt(1 - keep * keep) * random_normal(&s->random);
+        x[i] = decay * x[i] + sigma * sqrt(1 - decay * decay) * random_normal(&s->random);
     }
 }
 
-/* Between two angles, the shorter way round. */
-static double angle_between(double from, double to, double share)
+/* An angle between two others, degrees, the shorter way. */
+static double interpolate_angle(double from, double to, double share)
 {
     return from + share * remainder(to - from, 360);
 }
 
-/* What a stand reads, a share 0 ... 1 of the way behind a position. */
+/* The angles of a stand, at a share 0 ... 1 of the move after a position. */
 static void read_stand(const scene *s, scene_sample *out, int leg, double share)
 {
     const design_position *here = &s->route->position[leg];
     const design_position *next = share > 0 ? here + 1 : here;
 
-    out->alpha = angle_between(here->alpha, next->alpha, share);
-    out->beta = angle_between(here->beta, next->beta, share);
+    out->alpha = interpolate_angle(here->alpha, next->alpha, share);
+    out->beta = interpolate_angle(here->beta, next->beta, share);
 }
 
-/* The acceleration that the case feels, over the field. */
-static void feel(scene *s, scene_sample *out, double v[3])
+/* The acceleration of the case, over the field; also updates position, angles and up. */
+static void find_acceleration(scene *s, scene_sample *out, double v[3])
 {
     const uint64_t into = s->index % leg_samples(s);
     const int leg = (int)(s->index / leg_samples(s));
@@ -161,7 +162,7 @@ static void feel(scene *s, scene_sample *out, double v[3])
     out->position = into < dwell_samples(s) ? leg : -1;
     if (leg != s->leg) {
         s->leg = leg;
-        random_direction(&s->random, s->aside);
+        random_direction(&s->random, s->sideways);
         random_direction(&s->random, s->shake);
         s->twist = TWIST * s->shake[0];
     }
@@ -178,13 +179,13 @@ static void feel(scene *s, scene_sample *out, double v[3])
         const double push =
             SHAKE * pow(sin(TURN / 2 * share), 2) * sin(TURN * SHAKE_RATE * moved / s->model->rate);
         read_stand(s, out, leg, share);
-        way(here, s->route->position[leg + 1].vertical, s->aside, share, v);
+        interpolate(here, s->route->position[leg + 1].vertical, s->sideways, share, v);
         memcpy(s->up, v, sizeof s->up);
         for (unsigned i = 0; i < 3; i++) {
             v[i] += push * s->shake[i];
         }
     }
-    drift_on(s, s->tremor, TURN * TREMOR_RATE, s->model->tremor);
+    gauss_markov_step(s, s->tremor, TURN * TREMOR_RATE, s->model->tremor);
     for (unsigned i = 0; i < 3; i++) {
         v[i] += s->tremor[i];
     }
@@ -199,15 +200,15 @@ static int32_t quantise(const scene_model *m, double u, double zero)
     return (int32_t)fmax(INT32_MIN, fmin(INT32_MAX, counts));
 }
 
-void scene_read(const scene_model *m, random_source *random, const double felt[3],
+void scene_read(const scene_model *m, random_source *random, const double acceleration[3],
                 const double extra[3], int32_t raw[3])
 {
     double response[3][3];
 
     set_response(m, response);
     for (unsigned i = 0; i < 3; i++) {
-        const double u =
-            dot(response[i], felt) + m->delta[i] + extra[i] + m->noise * random_normal(random);
+        const double u = dot(response[i], acceleration) + m->delta[i] + extra[i] +
+                         m->noise * random_normal(random);
         raw[i] = quantise(m, u, m->zero[i]);
     }
 }
@@ -224,8 +225,8 @@ int scene_next(scene *s, scene_sample *out)
     const double share = s->total > 1 ? (double)s->index / (double)(s->total - 1) : 0;
     out->time = (double)s->index / m->rate;
     out->temperature = m->temperature[0] + share * (m->temperature[1] - m->temperature[0]);
-    feel(s, out, v);
-    drift_on(s, s->walk, 1 / WALK_MEMORY, m->instability);
+    find_acceleration(s, out, v);
+    gauss_markov_step(s, s->walk, 1 / WALK_MEMORY, m->instability);
     for (unsigned i = 0; i < 3; i++) {
         extra[i] = s->walk[i] + m->drift * (out->temperature - REFERENCE);
     }

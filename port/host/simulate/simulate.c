@@ -102,13 +102,13 @@ static const option options[OPTIONS] = {
 #define WAVED_TREMOR 0.02 /* over the field */
 static const option_syntax syntax = {"simulate", options, OPTIONS, NULL, 0, 0};
 
-/* One option that is one number or some numbers between two bounds. */
+/* An option that is one number or a list of numbers, each within bounds. */
 typedef struct {
     unsigned which;
     unsigned count;
     double *out;
-    double least;
-    double most;
+    double min;
+    double max;
 } number_option;
 
 static int read_option(const char *const *value, const number_option *o)
@@ -121,9 +121,9 @@ static int read_option(const char *const *value, const number_option *o)
     }
     failure = options_numbers(&syntax, o->which, value[o->which], o->count, read, NULL);
     for (unsigned i = 0; i < o->count && !failure; i++) {
-        if (!(read[i] >= o->least && read[i] <= o->most)) {
+        if (!(read[i] >= o->min && read[i] <= o->max)) {
             return message_usage(syntax.command, "%s %s: must be within %.6g ... %.6g",
-                                 options[o->which].name, value[o->which], o->least, o->most);
+                                 options[o->which].name, value[o->which], o->min, o->max);
         }
         o->out[i] = read[i];
     }
@@ -147,7 +147,7 @@ static scene_model defaults(void)
     };
 }
 
-/* Options that make sense with another only. */
+/* Number options that need another option. */
 static int read_options_of(const char *const *value, unsigned with, const number_option *numbers,
                            unsigned count)
 {
@@ -219,7 +219,7 @@ static int read_wave(const char *const *value, wave_model *m, scene_model *accel
     return failure;
 }
 
-/* Everything but the set of positions. */
+/* The model of the sensor, without the set of positions. */
 static int read_model(const char *const *value, scene_model *m, uint32_t *seed)
 {
     double seed_number = 1;
@@ -259,7 +259,7 @@ static int read_model(const char *const *value, scene_model *m, uint32_t *seed)
     return failure;
 }
 
-/* The positions, when they were held, and which are wrong. */
+/* The positions: when they were held, and their errors. */
 static void write_truth_positions(json_writer *w, const scene *s)
 {
     json_list(w, "positions");
@@ -318,7 +318,7 @@ static void write_truth(FILE *file, const scene *s)
     json_end(&w);
 }
 
-/* The log; temperature and angles have columns if they were asked for. */
+/* The log; columns of temperature and angles are optional. */
 static int write_log(scene *s, int has_temperature, int has_angles)
 {
     scene_sample sample;
@@ -343,7 +343,7 @@ static int write_log(scene *s, int has_temperature, int has_angles)
     return output_flush();
 }
 
-/* One of the two is there. */
+/* The log of positions, or that of a wave if w is not null. */
 static int print_log(scene *s, wave *w, const char *const *value)
 {
     return w ? wave_write_log(w) : write_log(s, value[TEMPERATURE] != NULL, value[STAND] != NULL);
@@ -371,9 +371,9 @@ static int deliver(scene *s, wave *w, const char *const *value)
 static int check_files(const char *const *value)
 {
     const named_file input = {"--plan", design_file(value[PLAN])};
-    const named_file made = {"--truth", value[TRUTH]};
+    const named_file truth = {"--truth", value[TRUTH]};
 
-    return files_check(syntax.command, &input, 1, &made, 1);
+    return files_check(syntax.command, &input, 1, &truth, 1);
 }
 
 static int run(int argc, char **argv)
@@ -409,7 +409,7 @@ static int run(int argc, char **argv)
     if (failure == EXIT_DATA && route.count == 0) {
         message("%s", route.refusal);
     }
-    if (failure && !(failure == EXIT_DATA && route.count > 0)) { /* a poor set makes a log, too */
+    if (failure && !(failure == EXIT_DATA && route.count > 0)) { /* a poor set still makes a log */
         return failure;
     }
     scene_begin(&s, &model, &route, seed);

@@ -9,13 +9,13 @@
 #include "text/unit.h"
 
 #define TURN 6.283185307179586
-#define TURNING 1.2 /* rad/s about each axis, standard deviation; */
-#define STEADY 0.7  /* seconds that it lasts */
-#define TREMOR 3.0  /* Hz: as in scene.c */
-#define SHARED 0.5  /* seconds that samples err alike */
-#define WHITE 0.2   /* of the noise */
-#define PASSING 2.0 /* seconds that a magnet takes, */
-#define MAGNET 1.0  /* and its field, over the earth's */
+#define TURN_RATE 1.2      /* rad/s about each axis, standard deviation */
+#define TURN_MEMORY 0.7    /* its correlation time, seconds */
+#define TREMOR_RATE 3.0    /* Hz, as in scene.c */
+#define NOISE_MEMORY 0.5   /* correlation time of the noise, seconds */
+#define WHITE_NOISE 0.2    /* over the correlated noise */
+#define MAGNET_SECONDS 2.0 /* time that a magnet takes to pass by */
+#define MAGNET_FIELD 1.0   /* of that magnet, over the earth's */
 
 static void cross(const double a[3], const double b[3], double out[3])
 {
@@ -82,17 +82,17 @@ void wave_axes(const wave_model *m, double r[3][3])
 
 /* ---- motion ------------------------------------------------------------------------------------ */
 
-/* A first-order process of this memory, s. */
-static void drift_on(wave *w, double x[3], double memory, double sigma)
+/* One step of a first-order Gauss-Markov process with correlation time `memory`, s. */
+static void gauss_markov_step(wave *w, double x[3], double memory, double sigma)
 {
-    const double keep = exp(-1 / (memory * w->accelerometer->rate));
+    const double decay = exp(-1 / (memory * w->accelerometer->rate));
 
     for (unsigned i = 0; i < 3; i++) {
-        x[i] = keep * x[i] + sigma * sqrt(1 - keep * keep) * random_normal(&w->random);
+        x[i] = decay * x[i] + sigma * sqrt(1 - decay * decay) * random_normal(&w->random);
     }
 }
 
-/* Directions of the world go the other way round than the device. */
+/* In the axes of the device, directions of the world turn in the opposite sense. */
 static void turn(wave *w)
 {
     const double speed = length_of(w->rate);
@@ -127,8 +127,8 @@ void wave_begin(wave *w, const wave_model *model, const scene_model *acceleromet
     normalise(w->north);
     random_direction(&w->random, w->magnet);
     for (unsigned i = 0; i < 3; i++) {
-        w->rate[i] = TURNING * random_normal(&w->random);
-        w->wander[i] = model->noise * random_normal(&w->random);
+        w->rate[i] = TURN_RATE * random_normal(&w->random);
+        w->noise[i] = model->noise * random_normal(&w->random);
     }
 }
 
@@ -138,8 +138,8 @@ static void read_field(wave *w, double time, double out[3])
 {
     const wave_model *m = w->model;
     const double dip = m->field[1] * UNIT_DEGREE;
-    const double gone = (time - m->magnet) / PASSING;
-    const double near = gone > 0 && gone < 1 ? sin(TURN / 2 * gone) : 0;
+    const double progress = (time - m->magnet) / MAGNET_SECONDS;
+    const double nearness = progress > 0 && progress < 1 ? sin(TURN / 2 * progress) : 0;
     double response[3][3];
     double axes[3][3];
     double earth[3];
@@ -148,16 +148,16 @@ static void read_field(wave *w, double time, double out[3])
     set_response(m, response);
     wave_axes(m, axes);
     for (unsigned i = 0; i < 3; i++) {
-        earth[i] = m->field[0] *
-                   (cos(dip) * w->north[i] - sin(dip) * w->up[i] + near * MAGNET * w->magnet[i]);
+        earth[i] = m->field[0] * (cos(dip) * w->north[i] - sin(dip) * w->up[i] +
+                                  nearness * MAGNET_FIELD * w->magnet[i]);
     }
-    for (unsigned i = 0; i < 3; i++) { /* back to its own axes */
+    for (unsigned i = 0; i < 3; i++) { /* to the axes of the magnetometer */
         own[i] = axes[0][i] * earth[0] + axes[1][i] * earth[1] + axes[2][i] * earth[2];
     }
-    drift_on(w, w->wander, SHARED, m->noise);
+    gauss_markov_step(w, w->noise, NOISE_MEMORY, m->noise);
     rotate((const double(*)[3])response, own, out);
     for (unsigned i = 0; i < 3; i++) {
-        out[i] += m->hard[i] + w->wander[i] + WHITE * m->noise * random_normal(&w->random);
+        out[i] += m->hard[i] + w->noise[i] + WHITE_NOISE * m->noise * random_normal(&w->random);
     }
 }
 
@@ -165,19 +165,19 @@ int wave_next(wave *w, wave_sample *out)
 {
     static const double none[3] = {0, 0, 0};
     const scene_model *a = w->accelerometer;
-    double felt[3];
+    double acceleration[3];
 
     if ((double)w->index >= w->model->seconds * a->rate) {
         return 0;
     }
     out->time = (double)w->index / a->rate;
-    drift_on(w, w->rate, STEADY, TURNING);
+    gauss_markov_step(w, w->rate, TURN_MEMORY, TURN_RATE);
     turn(w);
-    drift_on(w, w->tremor, 1 / (TURN * TREMOR), a->tremor);
+    gauss_markov_step(w, w->tremor, 1 / (TURN * TREMOR_RATE), a->tremor);
     for (unsigned i = 0; i < 3; i++) {
-        felt[i] = w->up[i] + w->tremor[i];
+        acceleration[i] = w->up[i] + w->tremor[i];
     }
-    scene_read(a, &w->random, felt, none, out->raw);
+    scene_read(a, &w->random, acceleration, none, out->raw);
     read_field(w, out->time, out->field);
     w->index++;
     return 1;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * simulate/wave.h: a device with accelerometer and magnetometer that a hand turns to all sides, without a rest, sample
- * by sample.
+ * simulate/wave.h: a simulated device with accelerometer and magnetometer that is waved: turned to
+ * all sides without a rest, sample by sample.
  */
 #ifndef WAVE_H
 #define WAVE_H
@@ -10,17 +10,13 @@
 
 /* The magnetometer, and how it is handled. Magnetic fields in uT. */
 typedef struct {
-    double
-        field[2];   /* length of the earth's, and its dip, degrees: below the horizon if positive */
-    double hard[3]; /* hard iron: reading without a field */
-    double soft
-        [6]; /* soft iron, reading = (I + S) field: scale errors x y z, and angles xy xz zy, as dk and gamma */
-    double turn[3]; /* of its axes against the accelerometer's, as a rotation vector, degrees */
-    double
-        noise; /* standard deviation on each axis of what neighbouring samples share; samples have a fifth of that
-                        besides */
+    double field[2]; /* of the earth: length, and dip, degrees below the horizon */
+    double hard[3];  /* hard iron: reading at zero field */
+    double soft[6];  /* soft iron S, reading = (I + S) field: as dk x y z, gamma xy xz zy */
+    double turn[3];  /* of its axes relative to the accelerometer's: rotation vector, degrees */
+    double noise; /* on each axis, correlated, standard deviation; white noise is a fifth of it */
     double seconds;
-    double magnet; /* when a magnet passes by, s; NaN: never */
+    double magnet; /* time when a magnet begins to pass by, s; NaN: never */
 } wave_model;
 
 typedef struct {
@@ -29,30 +25,30 @@ typedef struct {
     double field[3];
 } wave_sample;
 
-/* The caller's, to be begun with wave_begin. */
+/* State of the simulation, set up by wave_begin. */
 typedef struct {
     const wave_model *model;
-    const scene_model *accelerometer; /* dwell, move and what goes with positions do not matter */
+    const scene_model *accelerometer; /* its members about positions and moves are not used */
     random_source random;
     uint64_t index; /* of the next sample */
-    double up[3];   /* in the axes of the accelerometer, */
+    double up[3];   /* in the axes of the accelerometer, as are the next two */
     double north[3];
-    double rate[3]; /* rad/s about these */
+    double rate[3]; /* rad/s */
     double tremor[3];
-    double wander[3]; /* of the field */
-    double magnet[3];
+    double noise[3];  /* correlated, of the field */
+    double magnet[3]; /* direction of its field */
 } wave;
 
-/* Begins with the first sample. Numbers are finite; rate and seconds are above 0. */
+/* Begins before the first sample. Numbers must be finite, rate and seconds above 0. */
 void wave_begin(wave *w, const wave_model *model, const scene_model *accelerometer, uint32_t seed);
 
 /* The next sample. Returns 0 after the last. */
 int wave_next(wave *w, wave_sample *out);
 
-/* The calibration that takes out hard and soft iron: uT to uT, in the magnetometer's axes. */
+/* The calibration that corrects hard and soft iron: uT to uT, in the magnetometer's axes. */
 invcal_calibration wave_truth(const wave_model *model);
 
-/* What turns these to the axes of the accelerometer. */
+/* The rotation from these to the axes of the accelerometer. */
 void wave_axes(const wave_model *model, double r[3][3]);
 
 #endif

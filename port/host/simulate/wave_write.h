@@ -9,7 +9,7 @@
 
 #include "simulate/wave.h"
 
-/* All samples from here on, with a header. Returns an exit code. */
+/* Prints all samples, with a header. Returns an exit code. */
 int wave_write_log(wave *w);
 
 void wave_write_truth(FILE *file, const wave *w);

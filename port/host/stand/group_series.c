@@ -9,13 +9,13 @@
 #include "maths/matrix.h"
 #include "text/number.h"
 
-#define SAME_ANGLE 0.5 /* degrees: a position of a group has its constant angle within this */
+#define SAME_ANGLE 0.5 /* degrees: tolerance of the constant angle of a group */
 
 enum { GROUPS = INVCAL_PLAN_GROUPS, NINE = INVCAL_PARAMETERS, TERMS = SERIES_TERMS };
 
-/* Which axis cosine and sine of a group stand on, and with which sign: the directions of series.h. */
+/* The axes of cosine and sine in each group, and their sign: the directions of series.h. */
 static const struct {
-    unsigned p, q; /* of the cosine, of the sine */
+    unsigned p, q; /* axis of the cosine, axis of the sine */
     double sign;   /* of both */
     unsigned gamma;
 } circle[GROUPS] = {
@@ -23,16 +23,16 @@ static const struct {
 
 /* ---- which group --------------------------------------------------------------------------------- */
 
-static int is_angle(double degrees, double wanted)
+static int is_near(double degrees, double wanted)
 {
     return fabs(angles_turn(wanted, degrees)) <= SAME_ANGLE;
 }
 
-/* Bit g: it may be one of group g. */
+/* Bit g: the position may belong to group g. */
 static unsigned groups_of(const mounting_position *p)
 {
-    return (unsigned)is_angle(p->beta, 0) << 1 | (unsigned)is_angle(p->alpha, -90) << 2 |
-           (unsigned)is_angle(p->beta, 90) << 3;
+    return (unsigned)is_near(p->beta, 0) << 1 | (unsigned)is_near(p->alpha, -90) << 2 |
+           (unsigned)is_near(p->beta, 90) << 3;
 }
 
 static unsigned only_group(unsigned bits)
@@ -45,10 +45,10 @@ void group_series_groups(const mounting_position *p, unsigned count, unsigned *g
     for (unsigned i = 0; i < count; i++) {
         group[i] = only_group(groups_of(&p[i]));
     }
-    for (unsigned i = 1; i < count; i++) { /* as the one before, */
+    for (unsigned i = 1; i < count; i++) { /* as the one before */
         group[i] = group[i] == 0 && groups_of(&p[i]) >> group[i - 1] & 1 ? group[i - 1] : group[i];
     }
-    for (unsigned i = count; i-- > 1;) { /* or as the one after */
+    for (unsigned i = count; i-- > 1;) { /* else as the one after */
         group[i - 1] =
             group[i - 1] == 0 && groups_of(&p[i - 1]) >> group[i] & 1 ? group[i] : group[i - 1];
     }
@@ -56,7 +56,7 @@ void group_series_groups(const mounting_position *p, unsigned count, unsigned *g
 
 /* ---- fifteen coefficients ------------------------------------------------------------------------ */
 
-/* A group's normal equations; row TERMS holds H5'J. */
+/* Normal equations of a group; row TERMS holds H5'J. */
 typedef struct {
     double sum[INVCAL_PACKED_SIZE(TERMS + 1)];
 } equations;
@@ -71,8 +71,8 @@ static void add_row(double *a, const double *row, unsigned n, double weight)
 }
 
 /* J1 of a reading. */
-static double composition(const mounting_position *p, const mounting *m,
-                          const invcal_calibration *nominal)
+static double vertical_composition(const mounting_position *p, const mounting *m,
+                                   const invcal_calibration *nominal)
 {
     double up[3];
     double u[3];
@@ -102,7 +102,7 @@ static void solve_group(const equations *e, unsigned g, group_series *out)
 
 /* ---- nine parameters ----------------------------------------------------------------------------- */
 
-/* The coefficients of a group by the nine parameters: its five rows. */
+/* Five rows: the coefficients of a group as functions of the nine parameters. */
 static void rows_of(unsigned g, double row[TERMS][NINE])
 {
     const unsigned p = INVCAL_DK_X + circle[g].p;
@@ -161,9 +161,10 @@ static int solve_nine(const equations e[GROUPS], double x[NINE], double root[NIN
 
 /* ---- closure ------------------------------------------------------------------------------------- */
 
-/* Parameter r by one group's coefficients, and its variance over the squared noise; 0 if it is not felt. */
-static int told_by(const group_series *s, unsigned g, unsigned r, const double *k, double *value,
-                   double *variance)
+/* Parameter r from the coefficients of one group, and its variance / noise^2. Returns 0 if the
+ * group does not depend on it. */
+static int parameter_of_group(const group_series *s, unsigned g, unsigned r, const double *k,
+                              double *value, double *variance)
 {
     const unsigned axis = r % 3;
     const int is_p = axis == circle[g].p;
@@ -184,7 +185,7 @@ static int told_by(const group_series *s, unsigned g, unsigned r, const double *
     return 1;
 }
 
-static void close_over(const equations e[GROUPS], group_series *out)
+static void find_closures(const equations e[GROUPS], group_series *out)
 {
     for (unsigned r = 0; r < GROUP_SERIES_CLOSURES; r++) {
         double square = 0;
@@ -194,20 +195,20 @@ static void close_over(const equations e[GROUPS], group_series *out)
             double value;
             double variance;
             memcpy(k, e[g].sum, sizeof k);
-            (void)matrix_invert_packed(k, TERMS); /* it is determined */
-            if (told_by(out, g, r, k, &value, &variance)) {
-                out->told[r][found++] = value;
+            (void)matrix_invert_packed(k, TERMS); /* regular: all groups are determined */
+            if (parameter_of_group(out, g, r, k, &value, &variance)) {
+                out->by_group[r][found++] = value;
                 square += variance;
             }
         }
-        out->closure[r] = out->told[r][1] - out->told[r][0];
+        out->closure[r] = out->by_group[r][1] - out->by_group[r][0];
         out->closure_root[r] = sqrt(square);
     }
 }
 
-/* ---- together ------------------------------------------------------------------------------------ */
+/* ---- statistics ---------------------------------------------------------------------------------- */
 
-/* What fifteen coefficients leave of J, and nine parameters. */
+/* Adds the squared residuals of J: of the fifteen coefficients, and of the nine parameters. */
 static void add_residuals(const double terms[TERMS], double j, unsigned g, const group_series *s,
                           double squares[2])
 {
@@ -226,8 +227,8 @@ static void add_residuals(const double terms[TERMS], double j, unsigned g, const
     squares[1] += by_nine * by_nine;
 }
 
-static void judge(const mounting_position *p, const unsigned *group, unsigned count,
-                  const mounting *m, const invcal_calibration *nominal, group_series *out)
+static void find_statistics(const mounting_position *p, const unsigned *group, unsigned count,
+                            const mounting *m, const invcal_calibration *nominal, group_series *out)
 {
     double squares[2] = {0, 0};
     double terms[TERMS];
@@ -235,7 +236,8 @@ static void judge(const mounting_position *p, const unsigned *group, unsigned co
     for (unsigned i = 0; i < count; i++) {
         if (group[i] > 0 && !p[i].is_left_out) {
             series_terms(group[i], p[i].eta, terms);
-            add_residuals(terms, composition(&p[i], m, nominal), group[i] - 1, out, squares);
+            add_residuals(terms, vertical_composition(&p[i], m, nominal), group[i] - 1, out,
+                          squares);
         }
     }
     out->dof = out->count[0] + out->count[1] + out->count[2] - GROUPS * TERMS;
@@ -259,18 +261,18 @@ void group_series_find(const mounting_position *p, const unsigned *group, unsign
     for (unsigned i = 0; i < count; i++) {
         if (group[i] > 0 && !p[i].is_left_out) {
             series_terms(group[i], p[i].eta, row);
-            row[TERMS] = composition(&p[i], m, nominal);
+            row[TERMS] = vertical_composition(&p[i], m, nominal);
             add_row(e[group[i] - 1].sum, row, TERMS + 1, 1);
         }
     }
-    out->is_closed_over = 1;
+    out->has_closures = 1;
     for (unsigned g = 0; g < GROUPS; g++) {
         solve_group(&e[g], g, out);
-        out->is_closed_over = out->is_closed_over && out->is_determined[g];
+        out->has_closures = out->has_closures && out->is_determined[g];
     }
-    out->is_closed_over = out->is_closed_over && solve_nine(e, out->x, out->x_root);
-    if (out->is_closed_over) {
-        close_over(e, out);
-        judge(p, group, count, m, nominal, out);
+    out->has_closures = out->has_closures && solve_nine(e, out->x, out->x_root);
+    if (out->has_closures) {
+        find_closures(e, out);
+        find_statistics(p, group, count, m, nominal, out);
     }
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "text/figure.h"
-#include "stand/tell.h"
+#include "stand/output.h"
 #include "text/number.h"
 
-/* Deviations from nominal, as far as that is stated. */
+/* Deviations from nominal, null where that is not stated. */
 static void write_deviations(json_writer *w, const char *name, const nominal_choice *nominal,
                              const double x[INVCAL_PARAMETERS])
 {
@@ -29,7 +29,7 @@ static void write_missets(json_writer *w, const stand *s)
             json_number(w, "other", s->position[m->other].number + 1.0);
         }
         json_number(w, "angle", FIGURE_DEGREES * m->angle);
-        if (m->kind == MISSET_BY && m->angle < STAND_SMALL) {
+        if (m->kind == MISSET_BY && m->angle < STAND_SMALL_ANGLE) {
             json_number(w, "alpha", FIGURE_DEGREES * m->alpha);
             json_number(w, "beta", FIGURE_DEGREES * m->beta);
         }
@@ -38,9 +38,9 @@ static void write_missets(json_writer *w, const stand *s)
     json_list_end(w);
 }
 
-/* A standard deviation over the noise, as such. */
-static const double *times(double noise, const double *root, unsigned n,
-                           double sigma[INVCAL_PARAMETERS])
+/* Standard deviations from those over the noise. */
+static const double *to_sigma(double noise, const double *root, unsigned n,
+                              double sigma[INVCAL_PARAMETERS])
 {
     for (unsigned i = 0; i < n; i++) {
         sigma[i] = noise * root[i];
@@ -53,9 +53,10 @@ static void write_closures(json_writer *w, const group_series *s, const nominal_
     double sigma[INVCAL_PARAMETERS];
 
     write_deviations(w, "series_parameters", nominal, s->x);
-    json_nine(w, "series_sigma", times(s->noise, s->x_root, INVCAL_PARAMETERS, sigma));
+    json_nine(w, "series_sigma", to_sigma(s->noise, s->x_root, INVCAL_PARAMETERS, sigma));
     json_numbers(w, "closure", s->closure, GROUP_SERIES_CLOSURES);
-    json_numbers(w, "closure_sigma", times(s->noise, s->closure_root, GROUP_SERIES_CLOSURES, sigma),
+    json_numbers(w, "closure_sigma",
+                 to_sigma(s->noise, s->closure_root, GROUP_SERIES_CLOSURES, sigma),
                  GROUP_SERIES_CLOSURES);
     json_number(w, "closure_f", s->f);
     json_number(w, "closure_dof", s->dof);
@@ -74,11 +75,11 @@ static void write_series(json_writer *w, const group_series *s, const nominal_ch
         json_object(w, NULL);
         json_number(w, "positions", s->count[g]);
         json_numbers(w, "coefficients", is_known ? s->coefficient[g] : unknown, SERIES_TERMS);
-        json_numbers(w, "sigma", times(s->noise, s->root[g], SERIES_TERMS, sigma), SERIES_TERMS);
+        json_numbers(w, "sigma", to_sigma(s->noise, s->root[g], SERIES_TERMS, sigma), SERIES_TERMS);
         json_object_end(w);
     }
     json_list_end(w);
-    if (s->is_closed_over) {
+    if (s->has_closures) {
         json_number(w, "series_interval95", stand_series_coverage(s));
         write_closures(w, s, nominal);
     }
@@ -94,8 +95,8 @@ void stand_json(json_writer *w, const stand *s, const nominal_choice *nominal)
     json_number(w, "positions", s->count);
     json_numbers(w, "sense", s->sense, 2);
     json_numbers(w, "zero", s->zero, 2);
-    json_text(w, "angles", stand_reading_name(s->reading));
-    if (s->reading == STAND_AS_STATED) {
+    json_text(w, "angles", stand_convention_name(s->convention));
+    if (s->convention == STAND_AS_STATED) {
         for (unsigned i = 0; i < 3; i++) {
             angle[i] = FIGURE_DEGREES * s->mounting.angle[i];
             sigma[i] = FIGURE_DEGREES * s->mounting.sigma[i];

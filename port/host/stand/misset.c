@@ -7,47 +7,46 @@
 #include "maths/f_tail.h"
 #include "text/number.h"
 
-#define CHANCE 0.01 /* that one of all positions stands out so far */
-#define FINEST 5e-6 /* rad, one arc second: what is less is no misset angle */
-#define ONE_IN 4u   /* positions, at most, are left out */
-#define TOGETHER                                                                                   \
-    1000u /* positions or more, of which several are left out at a time, one in so many */
-#define TRACED 1000u /* misset positions, of which is looked for where they belong */
-#define AT_ANOTHER                                                                                 \
-    0.15             /* of the way between two directions: the reading is that of the other one */
-#define SMALL 0.2    /* rad: an error that is resolved into alpha and beta */
-#define UPRIGHT 0.01 /* sine of alpha below which beta turns the unit about the vertical */
+#define SIGNIFICANCE 0.01   /* chance of such an outlier among all positions, by noise alone */
+#define ANGLE_MIN 5e-6      /* rad, one arc second: smaller errors are not reported */
+#define LEFT_OUT_PART 4u    /* at most one position in 4 is left out */
+#define BATCH_PART 1000u    /* of 1000 positions or more, one in 1000 is left out in each pass */
+#define TRACED_MAX 1000u    /* misset positions that are compared with all others */
+#define SAME_DIRECTION 0.15 /* of the distance to another position: the reading is that one's */
+#define DISTINCT 0.2        /* positions this far apart, as unit vectors, can be told apart */
+#define SIN_ALPHA_MIN 0.01  /* below it beta turns the unit about the vertical */
 
-/* What the scatter loses without a position: its own part, and what it draws the others along by. */
+/* Reduction of the sum of squares by removing a position: its own residual, and its pull on the
+ * others. */
 static double share_of(const mounting *m, const mounting_position *p)
 {
-    return mounting_off(m, p) / (1 - mounting_leverage(m, p->eta));
+    return mounting_squared_error(m, p) / (1 - mounting_leverage(m, p->eta));
 }
 
-/* The position that leaves least; count if there is none. */
-static unsigned worst_one(const mounting_position *p, unsigned count, const mounting *m)
+/* The position whose removal reduces the sum of squares most; count if there is none. */
+static unsigned find_worst(const mounting_position *p, unsigned count, const mounting *m)
 {
     unsigned worst = count;
-    double most = FINEST * FINEST;
+    double largest = ANGLE_MIN * ANGLE_MIN;
 
     for (unsigned i = 0; i < count; i++) {
         const double share = p[i].is_left_out ? 0 : share_of(m, &p[i]);
-        if (share > most) {
-            most = share;
+        if (share > largest) {
+            largest = share;
             worst = i;
         }
     }
     return worst;
 }
 
-/* Leaves out the position that stands out, and m is that without it; 0 if none does. */
+/* Leaves out the worst position, if it is an outlier, and updates m. Returns 0 if it is none. */
 static int leave_out(mounting_position *p, unsigned count, const invcal_calibration *nominal,
                      mounting *m, unsigned *which)
 {
     const double squares = m->scatter * m->scatter * m->dof;
     mounting without;
 
-    *which = worst_one(p, count, m);
+    *which = find_worst(p, count, m);
     if (*which == count || !(m->dof >= 4)) {
         return 0;
     }
@@ -55,7 +54,7 @@ static int leave_out(mounting_position *p, unsigned count, const invcal_calibrat
     if (mounting_fit(p, count, nominal, &without) == INVCAL_OK && without.dof > 0) {
         const double left = without.scatter * without.scatter * without.dof;
         const double kept = m->dof / 2 + 4; /* positions */
-        if (kept * f_tail(left / squares, 2, (unsigned)without.dof) < CHANCE) {
+        if (kept * f_tail(left / squares, 2, (unsigned)without.dof) < SIGNIFICANCE) {
             *m = without;
             return 1;
         }
@@ -64,21 +63,22 @@ static int leave_out(mounting_position *p, unsigned count, const invcal_calibrat
     return 0;
 }
 
-/* Of thousands of positions those go together that stand out at least half as far as the one that was
- * left out, `most`, and by themselves: one alone would take as long as all. Of fewer none does. Adds them
- * to the list. */
-static void leave_out_alike(mounting_position *p, unsigned count, const invcal_calibration *nominal,
-                            double most, mounting *m, misset *list, unsigned *found)
+/* Removing the outliers of thousands of positions one by one would take long: leaves out in the
+ * same pass those whose share is at least half the largest. None of fewer than BATCH_PART
+ * positions. */
+static void leave_out_similar(mounting_position *p, unsigned count,
+                              const invcal_calibration *nominal, double largest, mounting *m,
+                              misset *list, unsigned *found)
 {
     const double squares = m->scatter * m->scatter * m->dof;
     const double kept = m->dof / 2 + 4;
     const unsigned before = *found;
     mounting without;
 
-    for (unsigned i = 0; i < count && *found < before + count / TOGETHER; i++) {
+    for (unsigned i = 0; i < count && *found < before + count / BATCH_PART; i++) {
         const double share = p[i].is_left_out ? 0 : share_of(m, &p[i]);
-        if (share > most / 2 && *found < count / ONE_IN &&
-            kept * f_tail((squares - share) / squares, 2, (unsigned)m->dof) < CHANCE) {
+        if (share > largest / 2 && *found < count / LEFT_OUT_PART &&
+            kept * f_tail((squares - share) / squares, 2, (unsigned)m->dof) < SIGNIFICANCE) {
             p[i].is_left_out = 1;
             list[(*found)++].index = i;
         }
@@ -88,7 +88,7 @@ static void leave_out_alike(mounting_position *p, unsigned count, const invcal_c
     }
 }
 
-static double apart(const double a[3], const double b[3])
+static double distance_between(const double a[3], const double b[3])
 {
     return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
@@ -98,8 +98,9 @@ static unsigned find_other(const mounting_position *p, unsigned count, unsigned 
                            const double direction[3])
 {
     for (unsigned k = 0; k < count; k++) {
-        const double distance = apart(p[k].eta, p[i].eta);
-        if (distance > SMALL && apart(direction, p[k].eta) < AT_ANOTHER * distance) {
+        const double distance = distance_between(p[k].eta, p[i].eta);
+        if (distance > DISTINCT &&
+            distance_between(direction, p[k].eta) < SAME_DIRECTION * distance) {
             return k;
         }
     }
@@ -107,7 +108,7 @@ static unsigned find_other(const mounting_position *p, unsigned count, unsigned 
 }
 
 /* e = d eta/d alpha a + d eta/d beta b: the two are orthogonal, of length 1 and sin alpha. */
-static void find_angles(const mounting_position *p, const double direction[3], misset *out)
+static void resolve_angles(const mounting_position *p, const double direction[3], misset *out)
 {
     double by_alpha[3];
     double by_beta[3]; /* over sin alpha */
@@ -121,7 +122,7 @@ static void find_angles(const mounting_position *p, const double direction[3], m
         out->alpha += (direction[i] - p->eta[i]) * by_alpha[i];
         out->beta += (direction[i] - p->eta[i]) * by_beta[i] / sa;
     }
-    out->beta = fabs(sa) > UPRIGHT ? out->beta : NUMBER_UNKNOWN;
+    out->beta = fabs(sa) > SIN_ALPHA_MIN ? out->beta : NUMBER_UNKNOWN;
 }
 
 static void describe(const mounting_position *p, unsigned count, const mounting *m, misset *out)
@@ -129,14 +130,14 @@ static void describe(const mounting_position *p, unsigned count, const mounting 
     double direction[3];
 
     mounting_direction(m, p[out->index].raw, direction);
-    out->angle = 2 * asin(fmin(1, apart(direction, p[out->index].eta) / 2));
+    out->angle = 2 * asin(fmin(1, distance_between(direction, p[out->index].eta) / 2));
     out->other = find_other(p, count, out->index, direction);
     out->kind = out->other < count ? MISSET_REPEATED : MISSET_BY;
-    find_angles(&p[out->index], direction, out);
+    resolve_angles(&p[out->index], direction, out);
 }
 
-/* Two that are each where the other should be. */
-static void pair(misset *list, unsigned found)
+/* Each in the orientation of the other: swapped. */
+static void pair_swapped(misset *list, unsigned found)
 {
     for (unsigned i = 0; i < found; i++) {
         for (unsigned k = 0; k < found; k++) {
@@ -155,17 +156,17 @@ invcal_status misset_find(mounting_position *p, unsigned count, const invcal_cal
     unsigned which;
 
     *found = 0;
-    while (status == INVCAL_OK && *found < count / ONE_IN) {
+    while (status == INVCAL_OK && *found < count / LEFT_OUT_PART) {
         const mounting before = *m;
         if (!leave_out(p, count, nominal, m, &which)) {
             break;
         }
         list[(*found)++].index = which;
-        leave_out_alike(p, count, nominal, share_of(&before, &p[which]), m, list, found);
+        leave_out_similar(p, count, nominal, share_of(&before, &p[which]), m, list, found);
     }
     for (unsigned i = 0; i < *found; i++) {
-        describe(p, i < TRACED ? count : 0, m, &list[i]);
+        describe(p, i < TRACED_MAX ? count : 0, m, &list[i]);
     }
-    pair(list, *found < TRACED ? *found : TRACED);
+    pair_swapped(list, *found < TRACED_MAX ? *found : TRACED_MAX);
     return status;
 }

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * stand/misset.h: positions of a stand whose angles are not those stated: misset, swapped or repeated.
+ * stand/misset.h: positions of a stand whose angles are not those stated: misset, swapped or
+ * repeated.
  *
- * Lengths do not see it. The vertical composition sees it to the second order, |e|^2/2 + |X||e| at an error
- * of the direction of e; the full vector to the first. Each position is tried in turn: without the one that
- * leaves least, does the scatter of the others fall by more than chance lets it?
+ * The lengths of the readings do not depend on the angles. An error e of a direction changes the
+ * vertical composition by |e|^2/2 + |X||e|, which is of second order, and the full vector by e. So
+ * the position whose removal reduces the scatter of the full vector most is removed, as long as the
+ * reduction is significant.
  */
 #ifndef MISSET_H
 #define MISSET_H
@@ -12,26 +14,25 @@
 #include "stand/mounting.h"
 
 typedef enum {
-    MISSET_BY,      /* some angle */
-    MISSET_SWAPPED, /* it is where another one should be, and that one here */
-    MISSET_REPEATED /* it is where another one is */
+    MISSET_BY,      /* by some angle */
+    MISSET_SWAPPED, /* with another position */
+    MISSET_REPEATED /* in the orientation of another position */
 } misset_kind;
 
 typedef struct {
-    unsigned index; /* of the position in the list */
+    unsigned index; /* of the position */
     misset_kind kind;
-    unsigned other; /* its index, unless MISSET_BY */
-    double angle;   /* between what is stated and what was read, rad */
-    double
-        alpha; /* by how much the angles are too large, rad, where angle is small; of a beta that */
-    double beta; /* turns the unit about the vertical NaN */
+    unsigned other; /* index of the other position, unless MISSET_BY */
+    double angle;   /* between the stated direction and the reading, rad */
+    double alpha;   /* error of alpha, rad, if `angle` is small */
+    double beta;    /* error of beta; NaN where beta turns the unit about the vertical */
 } misset;
 
-/* Finds them, and leaves them out: more than one in four are not single ones any more.
+/* Finds misset positions, at most one in four, and sets their is_left_out.
  *
  * m     out: the mounting from the others.
- * list  out: room for `count`.
- * found out: how many.
+ * list  out: space for `count`.
+ * found out: their number.
  *
  * Returns as mounting_fit. */
 invcal_status misset_find(mounting_position *p, unsigned count, const invcal_calibration *nominal,

@@ -33,7 +33,7 @@ void mounting_direction(const mounting *m, const double raw[3], double direction
     }
 }
 
-double mounting_off(const mounting *m, const mounting_position *p)
+double mounting_squared_error(const mounting *m, const mounting_position *p)
 {
     double direction[3];
     double square = 0;
@@ -52,16 +52,16 @@ void mounting_turn(const mounting *m, const double eta[3], double out[3])
     }
 }
 
-/* What is left across the directions. Its expectation is 2 (n - 4) of the squared noise: all three axes have
- * the same leverages. */
-static void judge_scatter(const mounting_position *p, unsigned count, mounting *out)
+/* The sum of squares across the directions has the expectation 2 (n - 4) noise^2, as all three axes
+ * have the same leverages. */
+static void find_scatter(const mounting_position *p, unsigned count, mounting *out)
 {
     double squares = 0;
     unsigned kept = 0;
 
     for (unsigned i = 0; i < count; i++) {
         if (!p[i].is_left_out) {
-            squares += mounting_off(out, &p[i]);
+            squares += mounting_squared_error(out, &p[i]);
             kept++;
         }
     }
@@ -69,9 +69,9 @@ static void judge_scatter(const mounting_position *p, unsigned count, mounting *
     out->scatter = out->dof > 0 ? sqrt(squares / out->dof) : NUMBER_UNKNOWN;
 }
 
-/* A turn about axis a is half the difference of two elements of M, each of which has the variance of its
- * direction, in the frame of the unit. */
-static void judge_angles(mounting *out)
+/* A turn about axis a is half the difference of two elements of M, each of which has the variance
+ * of its direction, in the frame of the unit. */
+static void find_sigma(mounting *out)
 {
     double variance[3] = {0, 0, 0};
 
@@ -99,7 +99,7 @@ invcal_status mounting_fit(const mounting_position *p, unsigned count,
     for (unsigned i = 0; i < count; i++) {
         if (!p[i].is_left_out) {
             (void)invcal_full_vector_add(&full, nominal, p[i].raw,
-                                         p[i].eta); /* the lengths took it */
+                                         p[i].eta); /* cannot fail: it was in the fit of lengths */
         }
     }
     memcpy(out->k, full.sum, sizeof out->k);
@@ -112,7 +112,7 @@ invcal_status mounting_fit(const mounting_position *p, unsigned count,
         return INVCAL_UNDETERMINED;
     }
     rotation_vector((const double(*)[3])out->turn, out->angle);
-    judge_scatter(p, count, out);
-    judge_angles(out);
+    find_scatter(p, count, out);
+    find_sigma(out);
     return INVCAL_OK;
 }

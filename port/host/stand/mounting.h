@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * stand/mounting.h: how a unit sits on a stand: readings against known directions, by the full vector
- * (invcal/expert.h, "Known directions").
+ * stand/mounting.h: the rotation of a unit on a stand, from readings in known directions, by the
+ * full vector (invcal/expert.h, "Known directions").
  *
- * This is the one rotation that lengths never show. The stand's angles count to the first order here, so
- * the residuals between readings and directions show errors of the stand as well: see misset.h.
+ * Lengths never show this rotation. The full vector depends on the angles of the stand in first
+ * order, so its residuals also show errors of the stand: see misset.h.
  */
 #ifndef MOUNTING_H
 #define MOUNTING_H
@@ -14,43 +14,44 @@
 /* A position with a known direction. */
 typedef struct {
     unsigned number; /* in the file, from 0 */
-    double alpha;    /* angles as the paper counts them, degrees */
-    double beta;
+    double alpha;    /* outer angle as in the paper, degrees */
+    double beta;     /* inner angle */
     double eta[3];   /* up, in the frame of the stand */
     double raw[3];   /* input units */
-    int is_left_out; /* of all that follows: misset */
+    int is_left_out; /* misset: not used in fits */
 } mounting_position;
 
 typedef struct {
-    invcal_calibration stand; /* raw to over the field, in the frame of the stand */
-    double turn[3][3];        /* a direction of the stand's frame, in that of the unit */
-    double angle[3];          /* the same as a rotation vector, rad, */
-    double sigma[3];          /* and its standard deviations */
+    invcal_calibration stand; /* input units to multiples of the field, in the frame of the stand */
+    double turn[3][3];        /* rotation from the frame of the stand to that of the unit */
+    double angle[3];          /* the same as a rotation vector, rad */
+    double sigma[3];          /* standard deviations of `angle` */
     double scatter; /* of a direction about each of two axes across it, rad; NaN: no redundancy */
-    double dof;     /* behind it */
+    double dof;     /* degrees of freedom of `scatter` */
     double k[INVCAL_PACKED_SIZE(4)]; /* inverse of the system of (eta 1): see mounting_leverage */
 } mounting;
 
-/* Finds it, from the positions that are not left out.
+/* Finds the mounting from the positions that are not left out.
  *
- * nominal  raw to over the field.
+ * nominal  input units to multiples of the field.
  *
- * sigma is right to the size of the sensor's errors: 2 % of itself at 2 %.
+ * sigma has a relative error of the size of the sensor's errors: 2 % if these are 2 %.
  *
  * Returns as invcal_full_vector_solve. */
 invcal_status mounting_fit(const mounting_position *p, unsigned count,
                            const invcal_calibration *nominal, mounting *out);
 
-/* How much of its own error a position draws the fit along: 4 / n on average. */
+/* Leverage: the part of its own error by which a position pulls the fit; 4 / n on average. */
 double mounting_leverage(const mounting *m, const double eta[3]);
 
 /* The direction of a reading, in the frame of the stand, a unit vector. */
 void mounting_direction(const mounting *m, const double raw[3], double direction[3]);
 
-/* Squared distance of that from the direction stated; the angle in rad, if it is small. */
-double mounting_off(const mounting *m, const mounting_position *p);
+/* Squared distance between that and the stated direction; for small errors, the squared angle in
+ * rad. */
+double mounting_squared_error(const mounting *m, const mounting_position *p);
 
-/* A direction of the stand's frame in the frame of the unit. */
+/* Turns a direction from the frame of the stand to that of the unit. */
 void mounting_turn(const mounting *m, const double eta[3], double out[3]);
 
 #endif

@@ -1,36 +1,36 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
-#include "stand/tell.h"
+#include "stand/output.h"
 #include "text/figure.h"
 #include "text/tabular.h"
 #include "text/wrapped.h"
 
 #define LABEL 14u /* columns before a line's text */
 
-static void print_mounting(FILE *file, const mounting *m, told_unit unit)
+static void print_mounting(FILE *file, const mounting *m, display_unit unit)
 {
     char text[FIGURE_MAX];
 
     tabular_begin(file, "lrl");
     for (unsigned i = 0; i < 3; i++) {
         const double angle = unit.scale * m->angle[i];
-        const double one = unit.scale * m->sigma[i];
-        const int places = figure_places(angle, one);
+        const double sigma = unit.scale * m->sigma[i];
+        const int places = figure_places(angle, sigma);
         tabular_cell("mounting %c", "xyz"[i]);
         tabular_cell("%s", figure_fixed(angle, places, FIGURE_PLAIN, text));
-        tabular_cell("± %s", one >= 0 ? figure_fixed(one, places, FIGURE_PLAIN, text) : "?");
+        tabular_cell("± %s", sigma >= 0 ? figure_fixed(sigma, places, FIGURE_PLAIN, text) : "?");
         tabular_note("%s, of the unit on the stand", unit.unit);
         tabular_row();
     }
     tabular_end();
-    if (*stand_turned_far(m)) {
-        wrapped_line(file, 0, 0, stand_turned_far(m));
+    if (*stand_large_angle_text(m)) {
+        wrapped_line(file, 0, 0, stand_large_angle_text(m));
     }
 }
 
 static void print_vertical(FILE *file, const stand_vertical *v, const nominal_choice *nominal,
-                           const double x[INVCAL_PARAMETERS], const told_unit unit[3])
+                           const double x[INVCAL_PARAMETERS], const display_unit unit[3])
 {
     static const char *const names[] = {"offset x", "offset y", "offset z", "scale x", "scale y",
                                         "scale z",  "angle xy", "angle xz", "angle zy"};
@@ -44,13 +44,13 @@ static void print_vertical(FILE *file, const stand_vertical *v, const nominal_ch
     tabular_heading("|by J1|± sigma|by lengths|difference");
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         const double scale = unit[r / 3].scale;
-        const double one = scale * v->sigma[r];
-        const int places = figure_places(scale * v->x[r], one);
+        const double sigma = scale * v->sigma[r];
+        const int places = figure_places(scale * v->x[r], sigma);
         const int is_known = nominal_knows(nominal, r);
         tabular_cell("%s", names[r]);
         tabular_cell("%s",
                      is_known ? figure_fixed(scale * v->x[r], places, FIGURE_PLAIN, text) : "");
-        tabular_cell("± %s", one >= 0 ? figure_fixed(one, places, FIGURE_PLAIN, text) : "?");
+        tabular_cell("± %s", sigma >= 0 ? figure_fixed(sigma, places, FIGURE_PLAIN, text) : "?");
         tabular_cell("%s", is_known ? figure_fixed(scale * x[r], places, FIGURE_PLAIN, text) : "");
         tabular_cell("%s", figure_fixed(scale * (v->x[r] - x[r]), places, FIGURE_SIGNED, text));
         tabular_note("%s", unit[r / 3].unit);
@@ -67,11 +67,11 @@ static void print_missets(FILE *file, const stand *s)
         wrapped_line(file, 0, 0, stand_misset_text(s, &s->misset[i], text));
     }
     if (s->missets > 0) {
-        wrapped_line(file, 0, 0, STAND_MISSET_HARM);
+        wrapped_line(file, 0, 0, STAND_MISSET_NOTE);
     }
 }
 
-/* Which closure is worst, in sigma. */
+/* The closure that is the most sigma from zero. */
 static unsigned worst_closure(const group_series *s)
 {
     unsigned worst = 0;
@@ -115,7 +115,7 @@ static void print_series(FILE *file, const group_series *s, int has_nominal)
     if (has_nominal) {
         print_coefficients(file, s);
     }
-    if (s->is_closed_over) {
+    if (s->has_closures) {
         const unsigned r = worst_closure(s);
         const double sigma = s->noise * s->closure_root[r];
         char times[FIGURE_MAX] = "";
@@ -124,23 +124,23 @@ static void print_series(FILE *file, const group_series *s, int has_nominal)
         }
         wrapped_printf(file, LABEL, "closure       %s of groups %s is worst: %.2e%s%s",
                        invcal_parameter_name(r), groups[r % 3], s->closure[r], times,
-                       s->chance < STAND_UNLIKELY ? ": the groups contradict each other" : "");
+                       s->chance < STAND_SIGNIFICANCE ? ": the groups contradict each other" : "");
     }
 }
 
 void stand_print(FILE *file, const stand *s, const nominal_choice *nominal,
-                 const double x[INVCAL_PARAMETERS], const told_unit unit[3])
+                 const double x[INVCAL_PARAMETERS], const display_unit unit[3])
 {
     char text[STAND_TEXT_MAX];
 
     text[0] = '\0';
-    if (s->without > 0) {
-        snprintf(text, sizeof text, ", %u without, or with changing angles", s->without);
+    if (s->without_angles > 0) {
+        snprintf(text, sizeof text, ", %u without, or with changing angles", s->without_angles);
     }
     wrapped_printf(file, LABEL, "stand         %u positions with angles (%s)%s", s->count, s->from,
                    text);
-    if (s->reading != STAND_AS_STATED) {
-        snprintf(text, sizeof text, "Stand: %s", stand_advice(s->reading));
+    if (s->convention != STAND_AS_STATED) {
+        snprintf(text, sizeof text, "Stand: %s", stand_advice(s->convention));
         wrapped_line(file, 0, 0, text);
         fprintf(file, "\n");
         return;

@@ -11,30 +11,29 @@
 #include "cli/message.h"
 #include "text/number.h"
 
-#define COHERENT                                                                                   \
-    0.05 /* rad: readings and directions that are further apart do not belong together */
+#define SCATTER_MAX 0.05 /* rad: readings with more do not belong to these directions */
 
 enum { NINE = INVCAL_PARAMETERS };
 
 /* ---- which angles -------------------------------------------------------------------------------- */
 
-int stand_check(const stand_wish *wish, const positions *data)
+int stand_check(const stand_options *options, const positions *data)
 {
-    if (!wish->is_wanted) {
+    if (!options->is_wanted) {
         return EXIT_GOOD;
     }
-    if (!wish->plan && !data->has_angles) {
+    if (!options->plan && !data->has_angles) {
         message("%s: --stand needs columns alpha and beta: name them in a header, or state --plan "
                 "if the positions are those of a program, in its order",
                 data->name);
         return EXIT_FILE;
     }
-    if (wish->plan && wish->plan->count != data->count) {
-        const unsigned group = wish->plan->plan.per_group;
+    if (options->plan && options->plan->count != data->count) {
+        const unsigned group = options->plan->plan.per_group;
         message("%s: holds %u positions, but --plan %s has %u: add columns alpha and beta to find "
-                "the one that is missing or too many%s",
-                data->name, data->count, wish->plan->name, wish->plan->count,
-                group > 0 && data->count + group == wish->plan->count
+                "the one that is missing or extra%s",
+                data->name, data->count, options->plan->name, options->plan->count,
+                group > 0 && data->count + group == options->plan->count
                     ? "; was a whole group not visited?"
                     : "");
         return EXIT_FILE;
@@ -42,24 +41,24 @@ int stand_check(const stand_wish *wish, const positions *data)
     return EXIT_GOOD;
 }
 
-/* The angles of a position as the paper counts them. */
-static stand_angles stated_angles(const stand_wish *wish, const positions *data, unsigned i)
+/* The angles of a position in the convention of the paper. */
+static stand_angles stated_angles(const stand_options *options, const positions *data, unsigned i)
 {
-    if (wish->plan) {
-        return (stand_angles){wish->plan->position[i].alpha, wish->plan->position[i].beta};
+    if (options->plan) {
+        return (stand_angles){options->plan->position[i].alpha, options->plan->position[i].beta};
     }
-    return (stand_angles){wish->sense[0] * (data->origin[i].alpha - wish->zero[0]),
-                          wish->sense[1] * (data->origin[i].beta - wish->zero[1])};
+    return (stand_angles){options->sense[0] * (data->origin[i].alpha - options->zero[0]),
+                          options->sense[1] * (data->origin[i].beta - options->zero[1])};
 }
 
-static void collect(stand *s, const stand_wish *wish, const positions *data, const rejection *kept,
-                    const double *raw)
+static void collect(stand *s, const stand_options *options, const positions *data,
+                    const rejection *kept, const double *raw)
 {
     for (unsigned k = 0; k < kept->kept_count; k++) {
         const unsigned number = rejection_original(kept, k);
-        const stand_angles angle = stated_angles(wish, data, number);
+        const stand_angles angle = stated_angles(options, data, number);
         if (isnan(angle.alpha) || isnan(angle.beta)) {
-            s->without++;
+            s->without_angles++;
             continue;
         }
         mounting_position *p = &s->position[s->count++];
@@ -84,15 +83,15 @@ static unsigned missing_of(const unsigned *group, unsigned count)
     return complete == INVCAL_PLAN_GROUPS - 1 ? missing : 0;
 }
 
-unsigned stand_missing_group(const stand_wish *wish, const positions *data)
+unsigned stand_missing_group(const stand_options *options, const positions *data)
 {
     mounting_position *p = calloc((size_t)data->count + 1, sizeof *p);
     unsigned *group = calloc((size_t)data->count + 1, sizeof *group);
     unsigned missing = 0;
 
-    if (p && group && (wish->plan || data->has_angles)) {
+    if (p && group && (options->plan || data->has_angles)) {
         for (unsigned i = 0; i < data->count; i++) {
-            const stand_angles angle = stated_angles(wish, data, i);
+            const stand_angles angle = stated_angles(options, data, i);
             p[i].alpha = angle.alpha;
             p[i].beta = angle.beta;
         }
@@ -104,12 +103,13 @@ unsigned stand_missing_group(const stand_wish *wish, const positions *data)
     return missing;
 }
 
-/* ---- how they are to be read --------------------------------------------------------------------- */
+/* ---- their convention ---------------------------------------------------------------------------- */
 
-static void read_angles(stand *s, stand_reading reading)
+static void apply_convention(stand *s, stand_convention convention)
 {
-    const int is_swapped = reading == STAND_SWAPPED || reading == STAND_SWAPPED_REVERSED;
-    const int is_reversed = reading == STAND_BETA_REVERSED || reading == STAND_SWAPPED_REVERSED;
+    const int is_swapped = convention == STAND_SWAPPED || convention == STAND_SWAPPED_REVERSED;
+    const int is_reversed =
+        convention == STAND_BETA_REVERSED || convention == STAND_SWAPPED_REVERSED;
 
     for (unsigned i = 0; i < s->count; i++) {
         mounting_position *p = &s->position[i];
@@ -120,30 +120,31 @@ static void read_angles(stand *s, stand_reading reading)
     }
 }
 
-static invcal_status try_reading(stand *s, stand_reading reading, const invcal_calibration *nominal)
+static invcal_status try_convention(stand *s, stand_convention convention,
+                                    const invcal_calibration *nominal)
 {
-    read_angles(s, reading);
+    apply_convention(s, convention);
     const invcal_status status =
         misset_find(s->position, s->count, nominal, &s->mounting, s->misset, &s->missets);
-    return status == INVCAL_OK && !(s->mounting.scatter <= COHERENT) ? INVCAL_NOT_ELLIPSOID
-                                                                     : status;
+    return status == INVCAL_OK && !(s->mounting.scatter <= SCATTER_MAX) ? INVCAL_NOT_ELLIPSOID
+                                                                        : status;
 }
 
-/* As stated, if that will do; else the first way that does. */
-static void find_reading(stand *s, const invcal_calibration *nominal)
+/* As stated, if that fits; else the first convention that does. */
+static void find_convention(stand *s, const invcal_calibration *nominal)
 {
-    for (stand_reading r = STAND_AS_STATED; r < STAND_STRANGE; r++) {
-        const invcal_status status = try_reading(s, r, nominal);
-        s->reading = r;
+    for (stand_convention r = STAND_AS_STATED; r < STAND_STRANGE; r++) {
+        const invcal_status status = try_convention(s, r, nominal);
+        s->convention = r;
         if (status == INVCAL_OK) {
             return;
         }
         if (r == STAND_AS_STATED && (status == INVCAL_TOO_FEW || s->count < 6)) {
-            s->reading = STAND_FEW;
+            s->convention = STAND_FEW;
             return;
         }
     }
-    s->reading = STAND_STRANGE;
+    s->convention = STAND_STRANGE;
 }
 
 /* ---- the vertical composition -------------------------------------------------------------------- */
@@ -167,8 +168,7 @@ static double residual(const mounting_position *p, const mounting *m,
     return j;
 }
 
-/* By J1 on the directions in which up really was for the unit: the misset positions left out, the mounting
- * taken off. */
+/* By J1 on the true up directions of the unit: without misset positions, the mounting corrected. */
 static void find_vertical(stand *s, const invcal_calibration *nominal)
 {
     stand_vertical *v = &s->vertical;
@@ -202,7 +202,7 @@ static void find_vertical(stand *s, const invcal_calibration *nominal)
     }
 }
 
-/* ---- together ------------------------------------------------------------------------------------ */
+/* ---- all results --------------------------------------------------------------------------------- */
 
 static int find_series(stand *s, const invcal_calibration *nominal)
 {
@@ -217,20 +217,20 @@ static int find_series(stand *s, const invcal_calibration *nominal)
     return 1;
 }
 
-int stand_find(stand *s, const stand_wish *wish, const positions *data, const rejection *kept,
+int stand_find(stand *s, const stand_options *options, const positions *data, const rejection *kept,
                const double *raw, const invcal_calibration *nominal)
 {
-    *s = (stand){.from = wish->plan ? wish->plan->name : "columns"};
-    memcpy(s->sense, wish->sense, sizeof s->sense);
-    memcpy(s->zero, wish->zero, sizeof s->zero);
+    *s = (stand){.from = options->plan ? options->plan->name : "columns"};
+    memcpy(s->sense, options->sense, sizeof s->sense);
+    memcpy(s->zero, options->zero, sizeof s->zero);
     s->position = calloc((size_t)kept->kept_count + 1, sizeof *s->position);
     s->misset = calloc((size_t)kept->kept_count + 1, sizeof *s->misset);
     int is_done = s->position && s->misset;
     if (is_done) {
-        collect(s, wish, data, kept, raw);
-        find_reading(s, nominal);
+        collect(s, options, data, kept, raw);
+        find_convention(s, nominal);
     }
-    if (is_done && s->reading == STAND_AS_STATED) {
+    if (is_done && s->convention == STAND_AS_STATED) {
         find_vertical(s, nominal);
         is_done = find_series(s, nominal);
     }
@@ -261,7 +261,7 @@ void stand_free(stand *s)
     s->misset = NULL;
 }
 
-const char *stand_reading_name(stand_reading reading)
+const char *stand_convention_name(stand_convention convention)
 {
     static const char *const names[] = {"as stated",
                                         "beta reversed",
@@ -270,10 +270,10 @@ const char *stand_reading_name(stand_reading reading)
                                         "strange",
                                         "few"};
 
-    return names[reading];
+    return names[convention];
 }
 
-const char *stand_advice(stand_reading reading)
+const char *stand_advice(stand_convention convention)
 {
     static const char *const texts[] = {
         "",
@@ -286,5 +286,5 @@ const char *stand_advice(stand_reading reading)
         "reversed: check the zeros of the angles (--stand-zero) and the order of the positions.",
         "too few positions have angles to compare."};
 
-    return texts[reading];
+    return texts[convention];
 }

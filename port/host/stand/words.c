@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "text/figure.h"
-#include "stand/tell.h"
+#include "stand/output.h"
 
 double stand_coverage(double dof)
 {
@@ -12,14 +12,14 @@ double stand_coverage(double dof)
 double stand_series_coverage(const group_series *s)
 {
     return stand_coverage((double)s->dof +
-                          (double)GROUP_SERIES_CLOSURES); /* they show the noise, too */
+                          (double)GROUP_SERIES_CLOSURES); /* which also show the noise */
 }
 
-const char *stand_turned_far(const mounting *m)
+const char *stand_large_angle_text(const mounting *m)
 {
     const double *a = m->angle;
 
-    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2] > STAND_SMALL * STAND_SMALL
+    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2] > STAND_SMALL_ANGLE * STAND_SMALL_ANGLE
                ? "The unit appears to be mounted at a large angle. If it is not, check the sense "
                  "and the zero of the angles: --stand-sense, --stand-zero."
                : "";
@@ -37,9 +37,9 @@ const char *stand_misset_text(const stand *s, const misset *m, char text[STAND_T
         snprintf(text + used, left, "is swapped with position %u.", other);
     } else if (m->kind == MISSET_REPEATED) {
         snprintf(text + used, left, "reads like position %u: repeated, or not turned.", other);
-    } else if (m->angle < STAND_SMALL && isnan(m->beta)) {
+    } else if (m->angle < STAND_SMALL_ANGLE && isnan(m->beta)) {
         snprintf(text + used, left, "is off by %.3g mrad.", 1e3 * m->angle);
-    } else if (m->angle < STAND_SMALL) {
+    } else if (m->angle < STAND_SMALL_ANGLE) {
         snprintf(text + used, left, "is off by %.3g mrad: alpha by %+.3g, beta by %+.3g degrees.",
                  1e3 * m->angle, FIGURE_DEGREES * m->alpha, FIGURE_DEGREES * m->beta);
     } else {
@@ -48,17 +48,18 @@ const char *stand_misset_text(const stand *s, const misset *m, char text[STAND_T
     return text;
 }
 
-const char *stand_missing_text(const stand_wish *wish, unsigned group, char text[STAND_TEXT_MAX])
+const char *stand_missing_text(const stand_options *options, unsigned group,
+                               char text[STAND_TEXT_MAX])
 {
     static const char *const names[] = {"alpha", "beta"};
     const unsigned constant =
-        group != 2; /* the angle that stays: alpha in group 2, beta in 1 and 3 */
+        group != 2; /* index of the constant angle: alpha in group 2, beta in 1 and 3 */
     const double angle = group == 1 ? 0 : group == 2 ? -90 : 90;
 
     snprintf(text, STAND_TEXT_MAX,
              "group %u (%s %.6g, %s all round) was not visited, and no other group determines it: "
              "visit it at five positions or more, in equal steps",
-             group, names[constant], wish->zero[constant] + wish->sense[constant] * angle + 0.0,
-             names[!constant]);
+             group, names[constant],
+             options->zero[constant] + options->sense[constant] * angle + 0.0, names[!constant]);
     return text;
 }

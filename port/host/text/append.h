@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * text/append.h: a text that grows.
+ * text/append.h: appends to a text.
  */
 #ifndef APPEND_H
 #define APPEND_H
@@ -13,7 +13,7 @@
 #define APPEND_FORMAT
 #endif
 
-/* Appends to a text in `size` bytes; what is too long is cut off. */
+/* Appends to a text in a buffer of `size` bytes; the result is truncated to fit. */
 void append(char *text, size_t size, const char *format, ...) APPEND_FORMAT;
 
 #endif

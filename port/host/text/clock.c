@@ -4,8 +4,9 @@
 #include <ctype.h>
 #include <stddef.h>
 
-/* So many digits, from low to high, and the mark behind them ('\0': none). Returns what follows, or NULL. */
-static const char *read_digits(const char *s, unsigned digits, const long range[2], char mark,
+/* A number of so many digits, in a range, and the separator after it ('\0': none). Returns what
+ * follows, or NULL. */
+static const char *read_digits(const char *s, unsigned digits, const long range[2], char separator,
                                long *out)
 {
     *out = 0;
@@ -15,13 +16,14 @@ static const char *read_digits(const char *s, unsigned digits, const long range[
         }
         *out = 10 * *out + (*s - '0');
     }
-    if (*out < range[0] || *out > range[1] || (mark != '\0' && *s != mark)) {
+    if (*out < range[0] || *out > range[1] || (separator != '\0' && *s != separator)) {
         return NULL;
     }
-    return s + (mark != '\0');
+    return s + (separator != '\0');
 }
 
-/* Days since 1970-01-01 in the Gregorian calendar: years begin in March, so that the odd day comes last. */
+/* Days since 1970-01-01 in the Gregorian calendar. Years begin in March, so that a leap day comes
+ * last. */
 static long days_since_1970(long year, long month, long day)
 {
     const long y = month > 2 ? year : year - 1;
@@ -30,7 +32,7 @@ static long days_since_1970(long year, long month, long day)
     return 365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + day - 1 - 719468;
 }
 
-/* A date, if one is there. Returns what follows, or NULL. */
+/* An optional date. Returns what follows, or NULL. */
 static const char *read_date(const char *s, double *days)
 {
     static const long years[2] = {1, 9999};

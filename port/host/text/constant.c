@@ -8,14 +8,14 @@
 
 const char *constant_float(double x, char text[NUMBER_TEXT_MAX])
 {
-    const float wanted = (float)x;
+    const float value = (float)x;
     float back;
     int digits = 5;
 
     do {
-        snprintf(text, NUMBER_TEXT_MAX, "%.*g", ++digits, (double)wanted);
+        snprintf(text, NUMBER_TEXT_MAX, "%.*g", ++digits, (double)value);
         back = strtof(text, NULL);
-    } while (digits < 9 && (back < wanted || back > wanted));
+    } while (digits < 9 && (back < value || back > value));
     return text;
 }
 
@@ -27,7 +27,7 @@ const char *constant_literal(double x, int is_double, char text[NUMBER_TEXT_MAX]
         constant_float(x, text);
     }
     if (!strpbrk(text, ".e")) {
-        /* number_text needs 24 bytes at most, and has a point then */
+        /* number_text needs 24 bytes at most, then with a point */
         strcat(text, ".0"); /* NOLINT(clang-analyzer-security.insecureAPI.strcpy): there is room */
     }
     return text;
@@ -65,9 +65,9 @@ void constant_row(FILE *file, const double x[3], int is_double, const char *befo
     putc('}', file);
 }
 
-/* INVCAL_REAL gives each number the suffix of the build, so that all digits count in double, and none is a double in
- * float. A suffix needs a point or an exponent in front of it. The initialiser is positional for C++, which has no
- * designated one before 2020. */
+/* INVCAL_REAL adds the suffix of the build's type, so that a double build has all digits, and a
+ * float build no double constants. The suffix needs a point or an exponent before it. The
+ * initialiser is positional because C++ has no designated ones before 2020. */
 static void write_rows(FILE *file, const double (*matrix)[3])
 {
     putc('{', file);

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FIGURE_NOTHING 1e-9 /* less is rounding */
+#define FIGURE_ZERO 1e-9 /* less is rounding error */
 
 int figure_places(double value, double sigma)
 {
@@ -50,7 +50,7 @@ const char *figure_digits(double x, int digits, char text[FIGURE_MAX])
 {
     const double size = fabs(x);
 
-    if (!(size >= FIGURE_NOTHING)) {
+    if (!(size >= FIGURE_ZERO)) {
         snprintf(text, FIGURE_MAX, "0");
     } else if (size < 0.001 || size >= 1e6) {
         snprintf(text, FIGURE_MAX, "%.*g", digits, x);

@@ -8,7 +8,7 @@
 #include "text/number.h"
 #include "text/utf8.h"
 
-static const char *line_about; /* null: objects are laid out for people */
+static const char *line_about; /* null: objects are indented over several lines */
 
 static void write_text(FILE *file, const char *text)
 {
@@ -20,7 +20,8 @@ static void write_text(FILE *file, const char *text)
             fputs("\\ufffd", file);
         } else if (*byte < ' ' || *byte == 0x7f) {
             fprintf(file, "\\u%04x", (unsigned)*byte);
-        } else if (length == 2 && byte[0] == 0xC2 && byte[1] < 0xA0) { /* a terminal may obey it */
+        } else if (length == 2 && byte[0] == 0xC2 &&
+                   byte[1] < 0xA0) { /* C1: commands of a terminal */
             fprintf(file, "\\u%04x", (unsigned)byte[1]);
         } else {
             fputs(*text == '"' || *text == '\\' ? "\\" : "", file);
@@ -79,7 +80,7 @@ static void open_bracket(json_writer *w, int bracket)
 static void close_bracket(json_writer *w, int bracket)
 {
     w->depth--;
-    if (!w->is_first) { /* what is empty stays on its line */
+    if (!w->is_first) { /* an empty object or list stays on one line */
         new_line(w);
     }
     putc(bracket, w->file);

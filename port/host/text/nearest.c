@@ -4,15 +4,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#define WORD_MAX 24u /* longer than any name there is */
-#define FAR 1000u
+#define WORD_MAX 24u    /* longer than any name */
+#define UNLIMITED 1000u /* edits, before any name is offered */
 
-static unsigned least(unsigned a, unsigned b)
+static unsigned smaller(unsigned a, unsigned b)
 {
     return a < b ? a : b;
 }
 
-/* Damerau's distance of two words, without edits between exchanged letters. */
+/* The Damerau-Levenshtein distance of two words, without edits between transposed letters. */
 static unsigned distance(const char *a, size_t a_length, const char *b, size_t b_length)
 {
     unsigned d[WORD_MAX + 1][WORD_MAX + 1];
@@ -23,10 +23,10 @@ static unsigned distance(const char *a, size_t a_length, const char *b, size_t b
                 d[i][j] = i + j;
                 continue;
             }
-            d[i][j] = least(d[i - 1][j - 1] + (a[i - 1] != b[j - 1]),
-                            least(d[i - 1][j], d[i][j - 1]) + 1);
+            d[i][j] = smaller(d[i - 1][j - 1] + (a[i - 1] != b[j - 1]),
+                              smaller(d[i - 1][j], d[i][j - 1]) + 1);
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-                d[i][j] = least(d[i][j], d[i - 2][j - 2] + 1);
+                d[i][j] = smaller(d[i][j], d[i - 2][j - 2] + 1);
             }
         }
     }
@@ -39,7 +39,7 @@ nearest nearest_begin(const char *typed, size_t length)
         typed++;
         length--;
     }
-    return (nearest){typed, length, FAR, NULL};
+    return (nearest){typed, length, UNLIMITED, NULL};
 }
 
 void nearest_offer(nearest *n, const char *name)
@@ -50,10 +50,10 @@ void nearest_offer(nearest *n, const char *name)
     if (n->length == 0 || n->length > WORD_MAX || length > WORD_MAX) {
         return;
     }
-    const int goes_on = strncmp(letters, n->typed, n->length) == 0;
+    const int is_prefix = strncmp(letters, n->typed, n->length) == 0;
     const unsigned edits =
-        goes_on ? n->length < length : distance(n->typed, n->length, letters, length);
-    if (edits < n->edits && (goes_on || edits <= length / 3)) {
+        is_prefix ? n->length < length : distance(n->typed, n->length, letters, length);
+    if (edits < n->edits && (is_prefix || edits <= length / 3)) {
         n->edits = edits;
         n->name = name;
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * text/nearest.h: which word somebody may have meant.
+ * text/nearest.h: suggests the known word that is nearest to a mistyped one.
  */
 #ifndef NEAREST_H
 #define NEAREST_H
@@ -9,16 +9,16 @@
 
 typedef struct {
     const char *typed;
-    size_t length;    /* of it */
-    unsigned edits;   /* from it to the nearest so far */
-    const char *name; /* that; null: none is near */
+    size_t length;    /* of typed */
+    unsigned edits;   /* from typed to the nearest name so far */
+    const char *name; /* the nearest one; null: none is near */
 } nearest;
 
-/* A search for `length` characters of `typed`; dashes before it do not count. */
+/* Starts with the first `length` characters of `typed`, without leading dashes. */
 nearest nearest_begin(const char *typed, size_t length);
 
-/* One of the words that there are. Near is one that goes on as it was typed, or one that a third
- * as many edits lead to as it has letters: a letter more, less or another, or two exchanged. */
+/* Offers a known word. It is near if it begins with the typed text, or if the number of edits is at
+ * most a third of its length: a letter inserted, deleted, replaced, or two transposed. */
 void nearest_offer(nearest *n, const char *name);
 
 /* " (did you mean NAME?)", or nothing if none is near. Returns text. */

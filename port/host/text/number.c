@@ -55,7 +55,7 @@ static int is_not_finite(const char *text)
            strcasecmp(word, "infinity") == 0;
 }
 
-/* A number of another country: which kind of fault it is. */
+/* What is wrong: a number in another locale's notation, or none. */
 static number_status find_fault(const char *text)
 {
     const char *s = skip_sign(text);

@@ -7,26 +7,26 @@
 
 #include <math.h>
 
-/* Stands for a figure that nobody knows. */
+/* Stands for an unknown figure. */
 #define NUMBER_UNKNOWN ((double)NAN)
 
 typedef enum {
     NUMBER_OK,
     NUMBER_EMPTY,
-    NUMBER_NOT_DECIMAL, /* a word, a hexadecimal number, something after it */
-    NUMBER_COMMA,       /* digits with one comma between */
-    NUMBER_GROUPED,     /* thousands are separated: 1,234,567  1.234,5  1'234 */
+    NUMBER_NOT_DECIMAL, /* a word, a hexadecimal number, or a number followed by something */
+    NUMBER_COMMA,       /* a decimal comma */
+    NUMBER_GROUPED,     /* thousands separators: 1,234,567  1.234,5  1'234 */
     NUMBER_NOT_FINITE,  /* nan, inf, infinity */
-    NUMBER_TOO_LARGE    /* beyond a double; too small a number is rounded, which is no fault */
+    NUMBER_TOO_LARGE /* beyond a double; a number too small for one is rounded, and not an error */
 } number_status;
 
-/* Reads [+-]digits[.digits][e[+-]digits], the whole text, without blanks. */
+/* Parses a text [+-]digits[.digits][e[+-]digits] without blanks. */
 number_status number_parse(const char *text, double *out);
 
-/* What is wrong, to follow the text in a sentence: "is not a decimal number". */
+/* What is wrong, as the end of a sentence that begins with the text: "is not a decimal number". */
 const char *number_problem(number_status status);
 
-/* 1 if somebody meant a number, right or wrong: a digit comes first, or it is nan or inf. */
+/* 1 if the text is meant as a number, valid or not: it begins with a digit, or is nan or inf. */
 int number_is_meant(const char *text);
 
 /* The shortest text that reads back as the same number; x finite. Returns text. */

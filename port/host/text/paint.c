@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* See no-color.org. A terminal that does not name itself is not known to understand colours. */
+/* See no-color.org. Without TERM it is unknown whether the terminal supports colours. */
 static int is_wanted(FILE *file)
 {
     const char *no = getenv("NO_COLOR");

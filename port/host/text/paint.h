@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * text/paint.h: colour, only where a person sees it.
+ * text/paint.h: colours on a terminal.
  *
- * That is a terminal which is not dumb (TERM), unless NO_COLOR is set and not empty. An escape
- * sequence takes no column: paint whole words outside of padded fields.
+ * They are on if the stream is a terminal, TERM is set and not dumb, and NO_COLOR is unset or empty.
+ * printf counts an escape sequence as characters: keep it out of padded fields.
  */
 #ifndef PAINT_H
 #define PAINT_H
@@ -12,7 +12,7 @@
 
 typedef enum { PAINT_BOLD, PAINT_GREEN, PAINT_YELLOW, PAINT_RED } paint;
 
-/* What begins the paint on this stream, and what ends it; empty where there is to be none. */
+/* The escape sequences that begin and end a colour on this stream; empty if colours are off. */
 const char *paint_on(FILE *file, paint which);
 const char *paint_off(FILE *file);
 

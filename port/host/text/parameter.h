@@ -14,7 +14,7 @@ const char *parameter_words(unsigned parameter);
 /* "gyro scale x", "gyro angle xy", "offset x", ... of the 18 of both sensors. */
 const char *parameter_words_imu(unsigned parameter);
 
-/* Those whose bits are set: "gyro angle yz, offset z". Cut to fit into `size`. Returns text. */
+/* Those whose bits are set: "gyro angle yz, offset z". Truncated to `size`. Returns text. */
 #define PARAMETER_LIST_MAX 320
 const char *parameter_list_imu(uint32_t bits, char *text, size_t size);
 

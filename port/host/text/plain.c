@@ -6,7 +6,7 @@
 
 #include "text/utf8.h"
 
-/* The length of the character, 0 if it is a control character or none at all. */
+/* The length of the character; 0 if it is a control character or not valid UTF-8. */
 static unsigned harmless_length(const char *text)
 {
     const unsigned length = utf8_length(text);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * text/random.h: random numbers, the same everywhere for the same seed.
+ * text/random.h: random numbers, the same on all machines for the same seed.
  */
 #ifndef RANDOM_H
 #define RANDOM_H
@@ -13,13 +13,13 @@ typedef struct {
 
 random_source random_start(uint32_t seed);
 
-/* Evenly between two bounds. */
+/* Uniformly distributed between two bounds. */
 double random_uniform(random_source *source, double low, double high);
 
-/* Normally, of standard deviation 1. */
+/* Normally distributed with standard deviation 1. */
 double random_normal(random_source *source);
 
-/* A unit vector, every direction alike. */
+/* A unit vector, uniformly distributed over all directions. */
 void random_direction(random_source *source, double direction[3]);
 
 #endif

@@ -7,8 +7,8 @@
 #include "text/utf8.h"
 #include "text/wrapped.h"
 
-#define GAP 2u  /* blanks before a column to the right, and before a note */
-#define NEAR 1u /* and before one to the left */
+#define GAP 2u      /* blanks before a right-aligned column and before a note */
+#define GAP_LEFT 1u /* before a left-aligned column */
 
 typedef struct {
     char cell[TABULAR_COLUMNS][TABULAR_CELL];
@@ -24,8 +24,8 @@ static struct {
     unsigned rows; /* complete */
     unsigned at;   /* the next cell of the row that is being filled */
     row row[TABULAR_ROWS];
-    size_t width[TABULAR_COLUMNS]; /* once all rows are there: of the widest cell, */
-    size_t notes;                  /* and note, with its gap */
+    size_t width[TABULAR_COLUMNS]; /* of the widest cell; set by measure */
+    size_t notes;                  /* width of the widest note, with its gap; the same */
 } table;
 
 static row *open_row(void)
@@ -126,12 +126,12 @@ static void measure(void)
 
 static size_t gap(unsigned column)
 {
-    return column == 0 ? 0 : table.alignment[column] == 'l' ? NEAR : GAP;
+    return column == 0 ? 0 : table.alignment[column] == 'l' ? GAP_LEFT : GAP;
 }
 
-/* Where the part of the table ends that begins with column `from`: as many as fit next to the first
- * column, and at least one. */
-static unsigned part_end(unsigned from, size_t room)
+/* The end of the part of the table that begins with column `from`: as many columns as fit next to
+ * the first one, and at least one. */
+static unsigned part_end(unsigned from, size_t available)
 {
     size_t used = table.width[0];
     unsigned end = from;
@@ -139,7 +139,7 @@ static unsigned part_end(unsigned from, size_t room)
     for (unsigned c = from; c < table.columns; c++) {
         used += gap(c) + table.width[c];
         const int ends = c + 1 == table.columns || table.alignment[c + 1] != 'l';
-        if (ends && used > room && end > from) {
+        if (ends && used > available && end > from) {
             break;
         }
         end = ends ? c + 1 : end;
@@ -157,7 +157,7 @@ static int has_cell(const row *r, unsigned from, unsigned end)
     return 0;
 }
 
-/* One cell in its place; the blanks behind the last one are left out: `blanks` of them are due. */
+/* Prints a cell. `blanks` counts the blanks due before the next cell, so that none end a line. */
 static void print_cell(const row *r, unsigned column, size_t *blanks)
 {
     const char *text = r->cell[column];
@@ -187,8 +187,9 @@ static void print_row(const row *r, unsigned from, unsigned end, int has_note)
     fprintf(table.file, "%s\n", r->is_painted ? paint_off(table.file) : "");
 }
 
-/* The columns from ... end - 1 of all rows. A note above serves all rows that share it. */
-static void print_part(unsigned from, unsigned end, int notes_above, int notes_behind)
+/* The columns from ... end - 1 of all rows. A note is printed once above consecutive rows that
+ * share it. */
+static void print_part(unsigned from, unsigned end, int notes_above, int notes_beside)
 {
     const char *note = "";
 
@@ -201,30 +202,30 @@ static void print_part(unsigned from, unsigned end, int notes_above, int notes_b
             note = r->note;
             fprintf(table.file, "%s%s\n", *note != '\0' ? "in " : "", note);
         }
-        print_row(r, from, end, notes_behind);
+        print_row(r, from, end, notes_beside);
     }
 }
 
 void tabular_end(void)
 {
-    const size_t room = wrapped_width(table.file);
+    const size_t available = wrapped_width(table.file);
     unsigned from = 1;
 
     if (table.rows <= (is_heading(table.row) ? 1u : 0u)) {
         return;
     }
     measure();
-    size_t whole = table.width[0] + table.notes;
+    size_t total = table.width[0] + table.notes;
     for (unsigned c = 1; c < table.columns; c++) {
-        whole += gap(c) + table.width[c];
+        total += gap(c) + table.width[c];
     }
-    const int notes_behind = whole <= room;
+    const int notes_beside = total <= available;
     while (from < table.columns) {
-        const unsigned end = part_end(from, notes_behind ? room - table.notes : room);
+        const unsigned end = part_end(from, notes_beside ? available - table.notes : available);
         if (from > 1) {
             putc('\n', table.file);
         }
-        print_part(from, end, table.notes > 0 && !notes_behind && from == 1, notes_behind);
+        print_part(from, end, table.notes > 0 && !notes_beside && from == 1, notes_beside);
         from = end;
     }
 }

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * text/tabular.h: a table whose columns are as wide as what stands in them.
+ * text/tabular.h: prints a table whose columns are as wide as their widest cells.
  *
- * If it is wider than the stream shows (wrapped.h), the notes after its rows stand above them, and the
- * columns that find no room make a second table, with the first column again. One table at a time.
+ * If it is too wide for the stream (wrapped.h), the notes are printed above their rows instead of
+ * after them, and columns that do not fit form a second table, which repeats the first column. One
+ * table at a time.
  */
 #ifndef TABULAR_H
 #define TABULAR_H
@@ -18,26 +19,26 @@
 #define TABULAR_FORMAT
 #endif
 
-#define TABULAR_ROWS 128u /* after so many the heading comes again, and widths are found again */
+#define TABULAR_ROWS 128u /* after which heading and widths are renewed */
 #define TABULAR_COLUMNS 10u
-#define TABULAR_CELL 48u /* bytes of a cell or note; more are cut off */
+#define TABULAR_CELL 48u /* bytes of a cell or note; longer ones are truncated */
 
-/* Begins a table. Each letter is a column: r to the right, l to the left and directly after the one before,
- * which it stays with. */
+/* Begins a table. Each letter is a column: r is right-aligned; l is left-aligned, directly after
+ * the column before it, from which it is not separated. */
 void tabular_begin(FILE *file, const char *alignment);
 
-/* The next cell of the row, cut off where there is no room; and a note after it. */
+/* The next cell of the row; the note after the row. */
 void tabular_cell(const char *format, ...) TABULAR_FORMAT;
 void tabular_note(const char *format, ...) TABULAR_FORMAT;
 
-/* Ends the row. The first one in bold is the heading. */
+/* Ends the row. A first row in bold is the heading. */
 void tabular_row(void);
 void tabular_row_in(paint colour);
 
-/* That, of the names of the columns with a | between. */
+/* The heading: column names separated by |. */
 void tabular_heading(const char *names);
 
-/* Prints what has not been yet; nothing, if there is a heading only. */
+/* Prints the remaining rows; nothing if there is only a heading. */
 void tabular_end(void);
 
 #endif

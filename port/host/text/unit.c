@@ -6,17 +6,17 @@
 #include <string.h>
 #include <strings.h>
 
-#define NEAR 0.15   /* offsets and scale errors of a bad sensor */
-#define MOST 0.9    /* of the readings: some may be wrong */
-#define FAR_OFF 0.7 /* mean of unit vectors: positions differ more, unless zero is elsewhere */
+#define LENGTH_TOLERANCE 0.15 /* relative: offsets and scale errors of a bad sensor */
+#define SHARE_MIN 0.9         /* of the readings: some may be wrong */
+#define RESULTANT_MAX 0.7 /* length of the mean unit vector: a larger one means a large offset */
 #define TEXT_MAX 16
-#define LATIN1_SQUARE '\xb2' /* ISO 8859-1, as spreadsheets of Windows save it; */
+#define LATIN1_SQUARE '\xb2' /* ISO 8859-1, as spreadsheets save it on Windows */
 #define LATIN1_MICRO "\xb5"
 #define LATIN1_RATE "\xb0/s" /* °/s */
 
-/* What is left of a unit's spelling: "m / s^2", "m_s2", "(m/(s^2))" are all alike. False if it is
- * longer than any unit. */
-static int squash(const char *text, char out[TEXT_MAX])
+/* Removes the differences between spellings of a unit: "m / s^2", "m_s2", "(m/(s^2))" become the
+ * same. Returns 0 if the text is longer than any unit. */
+static int normalise(const char *text, char out[TEXT_MAX])
 {
     unsigned length = 0;
 
@@ -43,17 +43,17 @@ typedef struct {
     reading_unit unit;
 } spelling;
 
-/* Which of them a text is, in any case. */
+/* Finds a text among spellings, ignoring case. */
 static int is_spelled(const char *text, const spelling *spellings, unsigned count,
                       reading_unit *out)
 {
-    char squashed[TEXT_MAX];
+    char normalised[TEXT_MAX];
 
-    if (!squash(text, squashed)) {
+    if (!normalise(text, normalised)) {
         return 0;
     }
     for (unsigned i = 0; i < count; i++) {
-        if (strcasecmp(squashed, spellings[i].text) == 0) {
+        if (strcasecmp(normalised, spellings[i].text) == 0) {
             *out = spellings[i].unit;
             return 1;
         }
@@ -75,7 +75,7 @@ int unit_parse(const char *text, reading_unit *out)
 int unit_parse_magnetic(const char *text, reading_unit *out)
 {
     static const spelling spellings[] = {
-        {"ut", UNIT_MICROTESLA},     {"µt", UNIT_MICROTESLA}, /* both the mu */
+        {"ut", UNIT_MICROTESLA},     {"µt", UNIT_MICROTESLA}, /* U+00B5, then U+03BC */
         {"μt", UNIT_MICROTESLA},     {LATIN1_MICRO "t", UNIT_MICROTESLA},
         {"nt", UNIT_NANOTESLA},      {"g", UNIT_GAUSS},
         {"gauss", UNIT_GAUSS},       {"mg", UNIT_MILLIGAUSS},
@@ -86,27 +86,27 @@ int unit_parse_magnetic(const char *text, reading_unit *out)
     return is_spelled(text, spellings, sizeof spellings / sizeof spellings[0], out);
 }
 
-double unit_parse_turn(const char *text)
+double unit_parse_angular_rate(const char *text)
 {
     static const char *const radians[] = {"rad/s",   "rads",     "radps",     "rads-1",
                                           "rad/sec", "radian/s", "radians/s", NULL};
     static const char *const degrees[] = {"deg/s",   "dps",  "degps",     "degs-1",
                                           "deg/sec", "degs", "degrees/s", "degree/s",
                                           "°/s",     "°s-1", LATIN1_RATE, NULL};
-    char squashed[TEXT_MAX];
+    char normalised[TEXT_MAX];
 
-    if (!squash(text, squashed)) {
+    if (!normalise(text, normalised)) {
         return 0;
     }
-    for (unsigned part = 0; part < 2; part++) { /* whole ones, thousandths */
-        const char *name = squashed + part;
+    for (unsigned part = 0; part < 2; part++) { /* without a prefix, with milli */
+        const char *name = normalised + part;
         const double of = part ? 1e-3 : 1;
-        for (unsigned i = 0; radians[i] && (!part || squashed[0] == 'm'); i++) {
+        for (unsigned i = 0; radians[i] && (!part || normalised[0] == 'm'); i++) {
             if (strcasecmp(name, radians[i]) == 0) {
                 return of;
             }
         }
-        for (unsigned i = 0; degrees[i] && (!part || squashed[0] == 'm'); i++) {
+        for (unsigned i = 0; degrees[i] && (!part || normalised[0] == 'm'); i++) {
             if (strcasecmp(name, degrees[i]) == 0) {
                 return of * UNIT_DEGREE;
             }
@@ -115,30 +115,30 @@ double unit_parse_turn(const char *text)
     return 0;
 }
 
-/* Of rad/s, mrad/s, degrees/s and a thousandth of that; else of counts. */
-static const char *turn_among(double radians, const char *const names[5])
+/* Names are those of rad/s, mrad/s, degrees/s, millidegrees/s, and counts for any other unit. */
+static const char *choose_rate_name(double rad_per_s, const char *const names[5])
 {
-    const double degrees = radians / UNIT_DEGREE;
+    const double degrees = rad_per_s / UNIT_DEGREE;
 
-    return fabs(radians - 1) < 1e-6      ? names[0]
-           : fabs(radians - 1e-3) < 1e-9 ? names[1]
-           : fabs(degrees - 1) < 1e-6    ? names[2]
-           : fabs(degrees - 1e-3) < 1e-9 ? names[3]
-                                         : names[4];
+    return fabs(rad_per_s - 1) < 1e-6      ? names[0]
+           : fabs(rad_per_s - 1e-3) < 1e-9 ? names[1]
+           : fabs(degrees - 1) < 1e-6      ? names[2]
+           : fabs(degrees - 1e-3) < 1e-9   ? names[3]
+                                           : names[4];
 }
 
-const char *unit_turn_words(double radians)
+const char *unit_angular_rate_words(double rad_per_s)
 {
     static const char *const words[] = {"rad/s", "mrad/s", "°/s", "m°/s", "counts"};
 
-    return turn_among(radians, words);
+    return choose_rate_name(rad_per_s, words);
 }
 
-const char *unit_turn_name(double radians)
+const char *unit_angular_rate_name(double rad_per_s)
 {
     static const char *const names[] = {"rad/s", "mrad/s", "deg/s", "mdeg/s", "counts"};
 
-    return turn_among(radians, names);
+    return choose_rate_name(rad_per_s, names);
 }
 
 double unit_parse_time(const char *text)
@@ -151,7 +151,8 @@ double unit_parse_time(const char *text)
         {1e3, {"ms", "msec", "millis", "milliseconds"}},
         {1e6,
          /* NOLINTNEXTLINE(bugprone-suspicious-missing-comma): a macro and a text are one */
-         {"us", "µs", "μs", LATIN1_MICRO "s", "usec", "micros", "microseconds"}}, /* all the mu */
+         {"us", "µs", "μs", LATIN1_MICRO "s", "usec", "micros",
+          "microseconds"}}, /* U+00B5, U+03BC */
         {1e9, {"ns", "nsec", "nanos", "nanoseconds"}},
     };
 
@@ -168,9 +169,9 @@ double unit_parse_time(const char *text)
 static int ends_with(const char *text, const char *end)
 {
     const size_t length = strlen(text);
-    const size_t behind = strlen(end);
+    const size_t end_length = strlen(end);
 
-    return length >= behind && strcasecmp(text + length - behind, end) == 0;
+    return length >= end_length && strcasecmp(text + length - end_length, end) == 0;
 }
 
 temperature_unit unit_parse_temperature(const char *text)
@@ -205,8 +206,9 @@ double unit_field_si(double field)
                                           : 0;
 }
 
-/* What gravity reads. */
-static const double sizes[] = {[UNIT_G] = 1, [UNIT_MG] = 1000, [UNIT_MS2] = UNIT_STANDARD_GRAVITY};
+/* The length of gravity in each unit. */
+static const double gravity_reads[] = {
+    [UNIT_G] = 1, [UNIT_MG] = 1000, [UNIT_MS2] = UNIT_STANDARD_GRAVITY};
 
 reading_unit unit_by_size(const double *reading, unsigned count, double field)
 {
@@ -219,7 +221,7 @@ reading_unit unit_by_size(const double *reading, unsigned count, double field)
         const double *v = &reading[3 * (unsigned long)n];
         const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         for (unsigned u = UNIT_G; u <= UNIT_MS2; u++) {
-            like[u] += fabs(length / sizes[u] - 1) < NEAR;
+            like[u] += fabs(length / gravity_reads[u] - 1) < LENGTH_TOLERANCE;
         }
     }
     for (unsigned u = UNIT_G; u <= UNIT_MS2; u++) {
@@ -241,15 +243,15 @@ int unit_is_sure(reading_unit u, const double *reading, unsigned count)
     for (unsigned n = 0; n < count; n++) {
         const double *v = &reading[3 * (unsigned long)n];
         const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-        if (fabs(length / sizes[u] - 1) < NEAR) {
+        if (fabs(length / gravity_reads[u] - 1) < LENGTH_TOLERANCE) {
             like++;
             for (unsigned i = 0; i < 3; i++) {
                 sum[i] += v[i] / length;
             }
         }
     }
-    return like >= MOST * count &&
-           sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]) < FAR_OFF * like;
+    return like >= SHARE_MIN * count &&
+           sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]) < RESULTANT_MAX * like;
 }
 
 double unit_scale(reading_unit u, double field)

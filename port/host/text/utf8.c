@@ -8,7 +8,7 @@ static int continues(char c)
     return ((unsigned char)c & 0xC0u) == 0x80u;
 }
 
-/* The character at `text`, and in `size` how long it is: 0 if it is none. */
+/* The code point at `text`; *size is its length, 0 if it is invalid. */
 static unsigned long decode(const char *text, unsigned *size)
 {
     static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
@@ -40,8 +40,8 @@ unsigned utf8_length(const char *text)
     return length;
 }
 
-/* Combining marks and joiners of Unicode take no column; its blocks of wide characters (East Asian Width
- * W or F) two. */
+/* Combining marks and joiners take no column, blocks of wide characters (East Asian Width W or F)
+ * two. */
 static size_t columns_of(unsigned long code)
 {
     static const struct {
@@ -61,7 +61,7 @@ static size_t columns_of(unsigned long code)
     return 1;
 }
 
-/* The length of the escape sequence that sets a colour, or 0. */
+/* The length of an escape sequence that sets a colour, or 0. */
 static size_t colour_length(const char *text)
 {
     const size_t digits = text[0] == '\033' && text[1] == '[' ? strspn(text + 2, "0123456789;") : 0;

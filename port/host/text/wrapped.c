@@ -10,9 +10,9 @@
 
 #include "text/utf8.h"
 
-#define PIPED 80u
-#define WIDEST 100u /* of a text on a terminal that is wider: longer lines are hard to read */
-#define SENSIBLE 10000
+#define DEFAULT_WIDTH 80u
+#define TEXT_WIDTH_MAX 100u /* on wider terminals, too: longer lines are hard to read */
+#define COLUMNS_LIMIT 10000
 #define TEXT_MAX 8192
 
 static size_t terminal_width(FILE *file)
@@ -25,7 +25,7 @@ static size_t terminal_width(FILE *file)
     }
 #endif
     (void)file;
-    return PIPED;
+    return DEFAULT_WIDTH;
 }
 
 /* COLUMNS, or 0. */
@@ -35,7 +35,7 @@ static size_t stated_width(void)
     char *end = NULL;
     const long columns = stated ? strtol(stated, &end, 10) : 0;
 
-    return columns > 0 && columns < SENSIBLE && *end == '\0' ? (size_t)columns : 0;
+    return columns > 0 && columns < COLUMNS_LIMIT && *end == '\0' ? (size_t)columns : 0;
 }
 
 size_t wrapped_width(FILE *file)
@@ -43,18 +43,18 @@ size_t wrapped_width(FILE *file)
     const size_t stated = stated_width();
     const size_t width = stated > 0 ? stated : terminal_width(file);
 
-    return width < WRAPPED_LEAST ? WRAPPED_LEAST : width;
+    return width < WRAPPED_MIN ? WRAPPED_MIN : width;
 }
 
-/* Of texts. */
+/* The width of running text. */
 static size_t text_width(FILE *file)
 {
     const size_t width = wrapped_width(file);
 
-    return width > WIDEST && stated_width() == 0 ? WIDEST : width;
+    return width > TEXT_WIDTH_MAX && stated_width() == 0 ? TEXT_WIDTH_MAX : width;
 }
 
-/* The bytes up to the next blank; in a command, to the next that is not in quotes. */
+/* The bytes up to the next blank; in a command, up to the next unquoted one. */
 static size_t part_length(const char *text, int is_command)
 {
     size_t length = 0;
@@ -67,33 +67,33 @@ static size_t part_length(const char *text, int is_command)
     return length;
 }
 
-/* The bytes of the next word: an option has its value with it, ± and % their number, > its file; in a command what is in
- * quotes is a part of one. */
+/* The bytes up to the next blank where the line may be broken: not between an option and its value,
+ * ± or % and its number, > and its file, nor in a command within quotes. */
 static size_t word_length(const char *text, int is_command)
 {
     const size_t length = part_length(text, is_command);
     const char *value = text + length + 1;
-    const int is_first = strncmp(text, "--", 2) == 0 || strncmp(text, "[--", 3) == 0 ||
-                         strncmp(text, "± ", strlen("± ")) == 0 || strncmp(text, "> ", 2) == 0;
+    const int binds_next = strncmp(text, "--", 2) == 0 || strncmp(text, "[--", 3) == 0 ||
+                           strncmp(text, "± ", strlen("± ")) == 0 || strncmp(text, "> ", 2) == 0;
     const int has_value = text[length] == ' ' && *value != '\0' && strchr(" -|>&", *value) == NULL;
 
     const int is_percent = text[length] == ' ' && *value == '%';
 
-    return (is_first && has_value) || is_percent ? length + 1 + part_length(value, is_command)
-                                                 : length;
+    return (binds_next && has_value) || is_percent ? length + 1 + part_length(value, is_command)
+                                                   : length;
 }
 
-/* `joint` stands where a line is broken, in a command. */
-static size_t fill(FILE *file, size_t at, size_t indent, const char *text, const char *joint)
+/* `continuation`: printed at each line break; not empty for a command. */
+static size_t fill(FILE *file, size_t at, size_t indent, const char *text, const char *continuation)
 {
-    const size_t width = text_width(file) - strlen(joint);
+    const size_t width = text_width(file) - strlen(continuation);
 
     while (*text != '\0') {
         const size_t blanks = strspn(text, " ");
-        const size_t length = word_length(text + blanks, *joint != '\0');
+        const size_t length = word_length(text + blanks, *continuation != '\0');
         const size_t columns = utf8_columns_of(text + blanks, length);
         if (length > 0 && at > indent && at + blanks + columns > width) {
-            fprintf(file, "%s\n%*s", joint, (int)indent, "");
+            fprintf(file, "%s\n%*s", continuation, (int)indent, "");
             at = indent;
         } else {
             fprintf(file, "%*s", (int)blanks, "");

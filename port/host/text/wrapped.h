@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * text/wrapped.h: how wide a stream shows its lines, and texts broken between words to fit.
+ * text/wrapped.h: the line width of a stream, and texts wrapped to it.
  *
- * Columns are counted as a terminal shows them (utf8.h). A word that is longer than a line stays whole,
- * as a path must; U+00A0 joins two words, an option is not parted from its value, nor ± or %
- * from its number.
+ * Columns are counted as a terminal shows them (utf8.h). A word that is longer than a line, such as
+ * a path, is not broken; nor is a line after U+00A0, between an option and its value, or between a
+ * number and ± or %.
  */
 #ifndef WRAPPED_H
 #define WRAPPED_H
@@ -18,23 +18,23 @@
 #define WRAPPED_FORMAT
 #endif
 
-#define WRAPPED_LEAST 60u /* columns; fewer are not asked of any text */
+#define WRAPPED_MIN 60u /* columns, even if the terminal has fewer */
 
-/* COLUMNS if it is set to a number, else what the terminal has, else 80. */
+/* COLUMNS if it is set to a number, else the width of the terminal, else 80. */
 size_t wrapped_width(FILE *file);
 
-/* Prints a text without an end of the line. `at` columns of the first line are taken, further lines begin
- * behind `indent` blanks. Returns how many columns of the last line are taken. */
+/* Prints a text without an end of line. `at` columns of the first line are used already; the other
+ * lines are indented by `indent`. Returns the columns used of the last line. */
 size_t wrapped_words(FILE *file, size_t at, size_t indent, const char *text);
 
-/* The same with an end of the line. */
+/* The same with an end of line. */
 void wrapped_line(FILE *file, size_t at, size_t indent, const char *text);
 
-/* A paragraph, with an end of the line. */
+/* A paragraph, with an end of line. */
 void wrapped_printf(FILE *file, size_t indent, const char *format, ...) WRAPPED_FORMAT;
 
-/* A command for a shell, to be copied: whole on this line after a blank, or on the next after `indent`
- * blanks, or else with a backslash where it goes on. With an end of the line. */
+/* A shell command, to be copied: whole on this line after a blank, or on the next one, indented, or
+ * else continued with backslashes. With an end of line. */
 void wrapped_command(FILE *file, size_t at, size_t indent, const char *command);
 
 #endif

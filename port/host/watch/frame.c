@@ -239,7 +239,7 @@ static double bar_share(double x)
 
 /* A figure and its bar. interval  below 0: unknown; wanted  0: no limit. */
 static void draw_uncertainty(canvas *c, unsigned line, const char *what, double interval,
-                             double wanted, told_unit unit)
+                             double wanted, display_unit unit)
 {
     const int is_known = interval >= 0;
     const int colour =

@@ -146,7 +146,7 @@ static void judge(watch_gyro *w, const gyro_fit *g, unsigned rests)
     }
 }
 
-void watch_gyro_take(watch_gyro *w, const turns *t, const gyro_wish *options, unsigned rate,
+void watch_gyro_take(watch_gyro *w, const gyro_log *t, const gyro_options *options, unsigned rate,
                      const double *clip, const positions *p, const invcal_calibration *start,
                      const double up[3])
 {
@@ -157,7 +157,7 @@ void watch_gyro_take(watch_gyro *w, const turns *t, const gyro_wish *options, un
     w->refused[0] = '\0';
     w->is_good = 0;
     if (t->readings == 0 || p->count < RESTS_MIN ||
-        gyro_make(&g, t, options, rate, clip, p, &none, start) || !g.is_there) {
+        gyro_make(&g, t, options, rate, clip, p, &none, start) || !g.has_readings) {
         add_rest(w, up);
         return;
     }

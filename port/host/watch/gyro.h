@@ -27,7 +27,7 @@ typedef struct {
 /* A rest was taken: evaluates all, once there are enough rests; takes some milliseconds.
  *
  * up  unit vector that points up in the last rest. */
-void watch_gyro_take(watch_gyro *w, const turns *t, const gyro_wish *options, unsigned rate,
+void watch_gyro_take(watch_gyro *w, const gyro_log *t, const gyro_options *options, unsigned rate,
                      const double *clip, const positions *p, const invcal_calibration *start,
                      const double up[3]);
 

@@ -77,7 +77,7 @@ static const char *sigma_text(const watch_state *now, char text[SIGMA_MAX])
 
     text[0] = '\0';
     for (unsigned k = 0; k < WATCH_KINDS && watch_knows_sigma(now) && used < SIGMA_MAX; k++) {
-        const told_unit unit = watch_unit(now, k);
+        const display_unit unit = watch_unit(now, k);
         used += (size_t)snprintf(text + used, SIGMA_MAX - used, "%s%s ± %.2g %s",
                                  k == 0 ? "; 95 %: " : ", ", watch_kinds[k],
                                  unit.scale * watch_interval(now, k), unit.unit);

@@ -32,7 +32,7 @@ typedef struct {
     const live_options *options;
     rests_summary *summary;
     watch_view update;
-    turns *gyro; /* readings of the gyroscope; null: there is none, or it is ignored */
+    gyro_log *gyro; /* readings of the gyroscope; null: there is none, or it is ignored */
     zero_finder zero;
     invcal_calibration known; /* the calibration so far, or the nominal one */
     double reported_at;       /* seconds of the log at the last WATCH_TICK */
@@ -414,7 +414,7 @@ static int feed(state *s, const sample *latest)
     }
     s->summary->samples++;
     recording_sample(&live_recording, &live_log, latest);
-    if (s->gyro && turns_add(s->gyro, &live_log, latest)) {
+    if (s->gyro && gyro_log_add(s->gyro, &live_log, latest)) {
         return EXIT_FILE;
     }
     const invcal_event event = invcal_session_feed(&session, latest->raw);
@@ -451,7 +451,7 @@ static int run(state *s)
     return EXIT_GOOD;
 }
 
-int live_read(positions *p, const char *path, const live_options *options, turns *gyro,
+int live_read(positions *p, const char *path, const live_options *options, gyro_log *gyro,
               rests_summary *summary)
 {
     state s = {.p = p, .options = options, .summary = summary, .reported_at = -HUGE_VAL};
@@ -471,13 +471,13 @@ int live_read(positions *p, const char *path, const live_options *options, turns
                                .track = &live_recording,
                                .unit = live_log.unit};
     now = (watch_state){.out = options->out,
-                        .told = options->told,
+                        .units = options->units,
                         .name = live_log.table.name,
                         .phase = WATCH_MOVING,
                         .need = options->need};
     memcpy(now.target_sigma, options->target, sizeof now.target_sigma);
     if (!failure && gyro) {
-        turns_begin(gyro, &live_log);
+        gyro_log_begin(gyro, &live_log);
         s.gyro = live_log.has_gyro ? gyro : NULL;
     }
     failure = failure ? failure : begin_session(&s);
@@ -486,7 +486,7 @@ int live_read(positions *p, const char *path, const live_options *options, turns
     samples_close(&live_log);
     rests_end(p, &live_log, summary);
     if (s.gyro) {
-        turns_end(gyro);
+        gyro_log_end(gyro);
     }
     return failure;
 }

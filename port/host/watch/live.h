@@ -15,7 +15,7 @@
  * gyro  as in rests_read.
  *
  * Returns as rests_read; release the result as there. */
-int live_read(positions *p, const char *path, const live_options *options, turns *gyro,
+int live_read(positions *p, const char *path, const live_options *options, gyro_log *gyro,
               rests_summary *summary);
 
 #endif

@@ -12,7 +12,7 @@
 #include "fit/sensors.h"
 #include "invcal/allan.h"
 #include "text/unit.h"
-#include "cli/told.h"
+#include "cli/unit_style.h"
 
 typedef struct {
     double rate;        /* 0: see samples.h */
@@ -32,8 +32,8 @@ typedef struct {
     double mean_sigma;    /* required of a position mean, field units; 0: any */
     const invcal_noise *noise; /* of three axes, over the field, instead of the noise of the
                                   first rest; null: none. Needs mean_sigma */
-    told_style told;           /* the units of sigma */
-    gyro_wish gyro;
+    unit_style units;          /* the units of sigma */
+    gyro_options gyro;
     FILE *out;
 } live_options;
 

@@ -48,16 +48,17 @@ int watch_has_goal(const watch_state *now)
     return now->need > 0 || target[0] > 0 || target[1] > 0 || target[2] > 0;
 }
 
-told_unit watch_unit(const watch_state *now, unsigned kind)
+display_unit watch_unit(const watch_state *now, unsigned kind)
 {
-    const told_unit degrees = {FIGURE_DEGREES, "°"};
+    const display_unit degrees = {FIGURE_DEGREES, "°"};
 
     switch (kind) {
     case 0:
-        return now->is_magnetometer ? told_scale(now->told) : told_field(now->told, 1);
+        return now->is_magnetometer ? unit_style_scale(now->units)
+                                    : unit_style_field(now->units, 1);
     case 1:
-        return told_scale(now->told);
+        return unit_style_scale(now->units);
     default:
-        return now->told == TOLD_INS ? told_angle(now->told) : degrees;
+        return now->units == UNIT_STYLE_INS ? unit_style_angle(now->units) : degrees;
     }
 }

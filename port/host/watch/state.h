@@ -8,7 +8,7 @@
 
 #include <stdio.h>
 
-#include "cli/told.h"
+#include "cli/unit_style.h"
 #include "design/program.h"
 #include "read/columns.h"
 #include "watch/gyro.h"
@@ -38,7 +38,7 @@ typedef enum {
 
 typedef struct {
     FILE *out;
-    told_style told;
+    unit_style units;
     int is_magnetometer;   /* one is waved: positions are visited cells, and up is the field */
     const char *disturbed; /* by what: a clause; "": by nothing */
 
@@ -99,7 +99,7 @@ double watch_goal(const watch_state *now, unsigned kind);
 int watch_has_goal(const watch_state *now);
 
 /* The unit for output. */
-told_unit watch_unit(const watch_state *now, unsigned kind);
+display_unit watch_unit(const watch_state *now, unsigned kind);
 extern const char *const watch_kinds[WATCH_KINDS];
 
 /* The output. */

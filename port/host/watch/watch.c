@@ -7,19 +7,20 @@
 #include "calibrate/calibrate.h"
 #include "cli/command.h"
 #include "design/design.h"
-#include "read/chosen.h"
+#include "read/columns_option.h"
 #include "read/noise_file.h"
 #include "result/calibration_file.h"
 #include "watch/live.h"
 #include "watch/wave.h"
 
 /* The guidance goes to stdout, with JSON to stderr, and with --quiet to the null device, which is
- * returned to be closed. */
+ * returned to be
+ * closed. */
 static FILE *open_output(const request *r, live_options *options)
 {
-    FILE *null_device = r->value[ASK_QUIET] ? fopen("/dev/null", "w") : NULL;
+    FILE *null_device = r->value[OPT_QUIET] ? fopen("/dev/null", "w") : NULL;
 
-    options->out = null_device ? null_device : r->value[ASK_JSON] ? stderr : stdout;
+    options->out = null_device ? null_device : r->value[OPT_JSON] ? stderr : stdout;
     return null_device;
 }
 
@@ -33,7 +34,7 @@ static void close_output(FILE *null_device)
 /* For both kinds of sensors. */
 static live_options common_options(const request *r)
 {
-    live_options options = {.rate = r->rate, .field = r->settings.field, .told = r->told};
+    live_options options = {.rate = r->rate, .field = r->settings.field, .units = r->units};
 
     memcpy(options.target, r->target, sizeof options.target);
     options.need = r->need / r->settings.field;
@@ -42,30 +43,30 @@ static live_options common_options(const request *r)
 }
 
 /* The rests of a live stream. */
-static int read_live(const request *r, positions *data, rests_summary *log, turns *gyro)
+static int read_live(const request *r, positions *data, rests_summary *log, gyro_log *gyro)
 {
     invcal_calibration nominal;
     invcal_noise noise[3];
     live_options options = common_options(r);
 
     options.unit = r->unit;
-    options.clip = r->value[ASK_CLIP] ? r->clip : NULL;
+    options.clip = r->value[OPT_CLIP] ? r->clip : NULL;
     options.gyro = r->gyro;
     options.set = r->program;
-    if (r->value[ASK_NOMINAL]) {
-        const int failure = calibration_file_read(r->value[ASK_NOMINAL], &nominal);
+    if (r->value[OPT_NOMINAL]) {
+        const int failure = calibration_file_read(r->value[OPT_NOMINAL], &nominal);
         if (failure) {
             return failure;
         }
         options.nominal = &nominal;
     }
     options.sensor = r->sensor;
-    options.zero = r->value[ASK_ZERO] ? r->zero : NULL;
-    options.lsb = r->value[ASK_LSB] ? r->lsb : NULL;
+    options.zero = r->value[OPT_ZERO] ? r->zero : NULL;
+    options.lsb = r->value[OPT_LSB] ? r->lsb : NULL;
     options.stated = r->settings.noise;
     options.mean_sigma = r->mean_sigma;
-    if (r->value[ASK_ALLAN]) {
-        const int failure = noise_file_read(r->value[ASK_ALLAN], noise);
+    if (r->value[OPT_ALLAN]) {
+        const int failure = noise_file_read(r->value[OPT_ALLAN], noise);
         if (failure) {
             return failure;
         }
@@ -73,7 +74,7 @@ static int read_live(const request *r, positions *data, rests_summary *log, turn
     }
     FILE *null_device = open_output(r, &options);
     const int failure =
-        live_read(data, r->file, &options, r->value[ASK_ACCELEROMETER_ONLY] ? NULL : gyro, log);
+        live_read(data, r->file, &options, r->value[OPT_ACCELEROMETER_ONLY] ? NULL : gyro, log);
     close_output(null_device);
     return failure;
 }
@@ -81,11 +82,11 @@ static int read_live(const request *r, positions *data, rests_summary *log, turn
 /* A magnetometer that is waved. If its field is not stated, --need is in % of it, or in the unit of
  * the readings. */
 static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
-                      waved *log)
+                      magnetometer_log *log)
 {
     live_options options = common_options(r);
 
-    if (!r->value[ASK_GRAVITY] && r->value[ASK_NEED] && !strchr(r->value[ASK_NEED], '%')) {
+    if (!r->value[OPT_GRAVITY] && r->value[OPT_NEED] && !strchr(r->value[OPT_NEED], '%')) {
         options.field = 0;
     }
     FILE *null_device = open_output(r, &options);
@@ -161,7 +162,7 @@ static const char *const watch_help[] = {
     "  --with CAL.json     calibration of the accelerometer in LOG\n"
     "  --thermal 1|2       straight lines or parabolas over temperature\n"
     "  --slope D,K,G       standard deviations of the slopes to expect, per K\n",
-    CHOSEN_OPTION,
+    COLUMNS_OPTION_HELP,
     "  --rate HZ           samples per second; default: from column t, else 100\n"
     "  --clip LOW,HIGH     limits of the sensor's range, in input units\n"
     "  --keep-all          keep outliers: leave no position out\n"

@@ -94,7 +94,7 @@ static void judge(const state *s, const invcal_magnetometer *m)
 
 /* ---- the stream --------------------------------------------------------------------------------- */
 
-static void begin(state *s, const waved_moment *at)
+static void begin(state *s, const magnetometer_moment *at)
 {
     s->has_begun = 1;
     interrupt_stream(at->log->table.file);
@@ -105,7 +105,7 @@ static void begin(state *s, const waved_moment *at)
     s->update(&now, WATCH_BEGUN);
 }
 
-static void take(state *s, const waved_moment *at)
+static void take(state *s, const magnetometer_moment *at)
 {
     find_covered(at->magnetometer);
     judge(s, at->magnetometer);
@@ -116,7 +116,7 @@ static void take(state *s, const waved_moment *at)
 }
 
 /* A tenth of a second has passed. */
-static void tick(state *s, const waved_moment *at)
+static void tick(state *s, const magnetometer_moment *at)
 {
     const char *before = now.disturbed;
 
@@ -138,7 +138,7 @@ static void tick(state *s, const waved_moment *at)
     s->update(&now, WATCH_TICK);
 }
 
-static void on_sample(const waved_moment *at, void *argument)
+static void on_sample(const magnetometer_moment *at, void *argument)
 {
     state *const s = argument;
 
@@ -156,10 +156,10 @@ static void on_sample(const waved_moment *at, void *argument)
 }
 
 int wave_read(positions *p, const char *path, const invcal_calibration *nominal,
-              const live_options *options, waved *out)
+              const live_options *options, magnetometer_log *out)
 {
     state s = {.options = options, .reported_at = -HUGE_VAL};
-    const waved_wish how = {path, options->rate, nominal, 1, on_sample, &s};
+    const magnetometer_log_options how = {path, options->rate, nominal, 1, on_sample, &s};
 
     s.update = screen_is_possible(options->out) ? screen_update : lines_update;
     if (isatty(fileno(options->out))) {
@@ -168,14 +168,14 @@ int wave_read(positions *p, const char *path, const invcal_calibration *nominal,
     }
     interrupt_catch(path);
     now = (watch_state){.out = options->out,
-                        .told = options->told,
+                        .units = options->units,
                         .is_magnetometer = 1,
                         .disturbed = "",
                         .phase = WATCH_MOVING,
                         .status = INVCAL_TOO_FEW,
                         .need = options->need};
     memcpy(now.target_sigma, options->target, sizeof now.target_sigma);
-    const int failure = waved_read(p, &how, out);
+    const int failure = magnetometer_log_read(p, &how, out);
     interrupt_stream(NULL);
     if (s.has_begun) {
         now.phase = WATCH_ENDED;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The result of a magnetometer that was waved, in words.
+ * The result of a magnetometer that was waved, in words and as JSON.
  */
 #include <math.h>
 
@@ -11,9 +11,9 @@
 #include "text/plain.h"
 #include "text/wrapped.h"
 
-void calibrate_waved_print(FILE *file, const calibrate_result *result)
+void calibrate_magnetometer_print(FILE *file, const calibrate_result *result)
 {
-    const waved *m = result->magnetometer;
+    const magnetometer_log *m = result->magnetometer;
     char name[PLAIN_MAX];
 
     wrapped_printf(file, 0, "%s: %lu samples, %.6g s at %.4g samples per second%s",
@@ -33,7 +33,8 @@ void calibrate_waved_print(FILE *file, const calibrate_result *result)
     }
 }
 
-const char *calibrate_waved_fault(const calibrate_result *result, char text[CALIBRATE_LIMIT_MAX])
+const char *calibrate_magnetometer_fault(const calibrate_result *result,
+                                         char text[CALIBRATE_LIMIT_MAX])
 {
     const invcal_magnetometer_found *f = &result->magnetometer->found;
     char words[INVCAL_WORDS];
@@ -64,14 +65,14 @@ const char *calibrate_waved_fault(const calibrate_result *result, char text[CALI
     return text;
 }
 
-/* What limits a rotation, and what to do about it. */
+/* What limits the rotation, and what to do. */
 static const char *axes_advice(const calibrate_result *result)
 {
     const dip_frame *d = &result->dip;
 
     return d->answer == DIP_UNEVEN ? " the length of gravity varies: correct the accelerometer "
                                      "with its own calibration (--with CAL.json), and turn slowly."
-           : d->answer == DIP_OPEN
+           : d->answer == DIP_UNDETERMINED
                ? " the log does not determine them: turn about all axes, slowly."
            : d->is_corrected ? ""
                              : " The accelerometer is not corrected: use --with CAL.json.";
@@ -88,7 +89,7 @@ const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBR
     if (!result->magnetometer || d->answer == DIP_NO_ACCELEROMETER) {
         return text;
     }
-    if (d->answer != DIP_TOLD) {
+    if (d->answer != DIP_FOUND) {
         snprintf(text, CALIBRATE_AXES_MAX, "against the accelerometer's unknown:%s",
                  axes_advice(result));
         return text;
@@ -117,14 +118,14 @@ const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBR
 static void write_axes(json_writer *w, const dip_frame *d)
 {
     static const char *const answers[] = {
-        [DIP_TOLD] = "told", [DIP_UNEVEN] = "uneven lengths", [DIP_OPEN] = "undetermined"};
+        [DIP_FOUND] = "told", [DIP_UNEVEN] = "uneven lengths", [DIP_UNDETERMINED] = "undetermined"};
 
     json_object(w, "accelerometer");
     json_text(w, "answer", answers[d->answer]);
     json_text(w, "taken", d->is_corrected ? "calibrated" : "as it reads");
     json_number(w, "used", (double)d->used);
     json_number(w, "of", (double)d->of);
-    if (d->answer == DIP_TOLD) {
+    if (d->answer == DIP_FOUND) {
         json_matrix(w, "rotation", (const double(*)[3])d->rotation);
         json_vector(w, "angle", d->angle);
         json_vector(w, "sigma", d->sigma);
@@ -136,7 +137,7 @@ static void write_axes(json_writer *w, const dip_frame *d)
     json_object_end(w);
 }
 
-void calibrate_waved_json(json_writer *w, const calibrate_result *result)
+void calibrate_magnetometer_json(json_writer *w, const calibrate_result *result)
 {
     static const char *const names[] = {"none", "passing", "places", "step"};
     const invcal_magnetometer_found *f = &result->magnetometer->found;

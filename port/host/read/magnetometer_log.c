@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "read/waved.h"
+#include "read/magnetometer_log.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,25 +10,26 @@
 #include "cli/progress.h"
 #include "text/number.h"
 
-/* Returns 0 without memory. */
-static int add_instant(waved *out, const sample *s, const double field[3])
+/* Returns 0 if memory is short. */
+static int add_instant(magnetometer_log *out, const sample *s, const double field[3])
 {
-    if (out->instants == out->room) {
-        const unsigned long room = 2 * out->room + 1024;
-        waved_instant *larger = realloc(out->instant, room * sizeof *larger);
+    if (out->instants == out->capacity) {
+        const unsigned long capacity = 2 * out->capacity + 1024;
+        magnetometer_instant *larger = realloc(out->instant, capacity * sizeof *larger);
         if (!larger) {
             return 0;
         }
         out->instant = larger;
-        out->room = room;
+        out->capacity = capacity;
     }
-    waved_instant *at = &out->instant[out->instants++];
-    memcpy(at->up, s->aside, sizeof at->up);
+    magnetometer_instant *at = &out->instant[out->instants++];
+    memcpy(at->up, s->accelerometer, sizeof at->up);
     memcpy(at->field, field, sizeof at->field);
     return 1;
 }
 
-static int feed_all(invcal_magnetometer *m, samples *log, const waved_wish *wish, waved *out)
+static int feed_all(invcal_magnetometer *m, samples *log, const magnetometer_log_options *options,
+                    magnetometer_log *out)
 {
     sample s;
     int more;
@@ -37,16 +38,16 @@ static int feed_all(invcal_magnetometer *m, samples *log, const waved_wish *wish
         const double raw[3] = {s.raw[0] * log->unit, s.raw[1] * log->unit, s.raw[2] * log->unit};
         const invcal_event event = invcal_magnetometer_feed(m, raw);
         out->samples++;
-        if (wish->listen) {
-            const waved_moment at = {m, log, &s, raw, event};
-            wish->listen(&at, wish->who);
+        if (options->listen) {
+            const magnetometer_moment at = {m, log, &s, raw, event};
+            options->listen(&at, options->context);
         }
         if (event != INVCAL_REFUSED && !add_instant(out, &s, raw)) {
             message("%s: not enough memory for %lu samples", log->table.name, out->samples);
             more = -1;
             break;
         }
-        if (!wish->is_live) {
+        if (!options->is_live) {
             progress_show(log->table.file, log->table.line, 0);
         }
     }
@@ -55,7 +56,7 @@ static int feed_all(invcal_magnetometer *m, samples *log, const waved_wish *wish
     return more < 0 ? EXIT_FILE : EXIT_GOOD;
 }
 
-static int take_cells(const invcal_magnetometer *m, const waved *out, unsigned long line,
+static int take_cells(const invcal_magnetometer *m, const magnetometer_log *out, unsigned long line,
                       positions *p)
 {
     const position_origin origin = {line,           NUMBER_UNKNOWN, NUMBER_UNKNOWN, NUMBER_UNKNOWN,
@@ -71,7 +72,7 @@ static int take_cells(const invcal_magnetometer *m, const waved *out, unsigned l
     return failure;
 }
 
-static double find_sample_rms(const waved *log)
+static double find_sample_rms(const magnetometer_log *log)
 {
     double squares = 0;
 
@@ -84,16 +85,18 @@ static double find_sample_rms(const waved *log)
     return sqrt(squares / (double)log->instants);
 }
 
-static int read_log(samples *log, positions *p, const waved_wish *wish, waved *out)
+static int read_log(samples *log, positions *p, const magnetometer_log_options *options,
+                    magnetometer_log *out)
 {
     invcal_magnetometer m;
-    int failure = samples_open(log, wish->path, COLUMNS_MAGNETOMETER, wish->rate, wish->is_live);
+    int failure =
+        samples_open(log, options->path, COLUMNS_MAGNETOMETER, options->rate, options->is_live);
 
     *p = (positions){.name = log->table.name};
-    *out = (waved){
+    *out = (magnetometer_log){
         .rate = log->rate, .is_rate_known = log->is_rate_known, .status = INVCAL_BAD_NOMINAL};
-    if (!failure && invcal_magnetometer_init(&m, wish->nominal) == INVCAL_OK) {
-        failure = feed_all(&m, log, wish, out);
+    if (!failure && invcal_magnetometer_init(&m, options->nominal) == INVCAL_OK) {
+        failure = feed_all(&m, log, options, out);
         out->status = invcal_magnetometer_solve(&m, &out->calibration, &out->quality, &out->found);
         invcal_magnetometer_next(&m, out->next);
     }
@@ -108,21 +111,22 @@ static int read_log(samples *log, positions *p, const waved_wish *wish, waved *o
     return take_cells(&m, out, log->table.first_line, p);
 }
 
-int waved_read(positions *p, const waved_wish *wish, waved *out)
+int magnetometer_log_read(positions *p, const magnetometer_log_options *options,
+                          magnetometer_log *out)
 {
     samples *log = calloc(1, sizeof *log); /* too large for the stack */
 
-    *p = (positions){.name = wish->path};
+    *p = (positions){.name = options->path};
     if (!log) {
-        message("%s: not enough memory", wish->path);
+        message("%s: not enough memory", options->path);
         return EXIT_FILE;
     }
-    const int failure = read_log(log, p, wish, out);
+    const int failure = read_log(log, p, options, out);
     free(log);
     return failure;
 }
 
-void waved_free(waved *log)
+void magnetometer_log_free(magnetometer_log *log)
 {
     free(log->instant);
     log->instant = NULL;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define _POSIX_C_SOURCE 200809L
-#include "read/chosen.h"
+#include "read/columns_option.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,13 +11,13 @@
 #include "cli/message.h"
 #include "text/number.h"
 
-/* By --columns: for each meaning a name or a number; empty: it is found. */
+/* The name or number of each column that --columns states; empty: it does not. */
 static char chosen[COLUMN_COUNT][HEADING_NAME_MAX];
-static char stated[COLUMNS_CHOICE_MAX]; /* all of it; empty: nothing is stated */
-static int needed[COLUMN_COUNT];
+static char option_text[COLUMNS_OPTION_MAX]; /* the whole value; empty: not given */
+static int required[COLUMN_COUNT];
 
-/* The meaning with this name, or COLUMN_COUNT. */
-static column meaning_of(const char *name)
+/* The column with this name; COLUMN_COUNT: none. */
+static column column_of_name(const char *name)
 {
     static const struct {
         const char *name;
@@ -37,16 +37,16 @@ static column meaning_of(const char *name)
     return COLUMN_COUNT;
 }
 
-static int refuse_choice(const char *command, const char *what)
+static int refuse_option(const char *command, const char *what)
 {
     return message_usage(command,
                          "--columns %s: %s; give three, for x, y and z, such as 2,3,4 or ax,ay,az, "
                          "or name each: t=1,x=2,y=3,z=4,temperature=5",
-                         stated, what);
+                         option_text, what);
 }
 
-/* `ax`, the next of x, y and z; or `t=1`. */
-static int choose(const char *command, char *item, unsigned *unnamed)
+/* Parses an item: `ax`, the next of x, y and z; or `t=1`. */
+static int choose_column(const char *command, char *item, unsigned *unnamed)
 {
     char *equals = strchr(item, '=');
     column which = COLUMN_COUNT;
@@ -56,68 +56,70 @@ static int choose(const char *command, char *item, unsigned *unnamed)
         *unnamed += 1;
     } else {
         *equals = '\0';
-        which = meaning_of(item);
+        which = column_of_name(item);
         item = equals + 1;
     }
     if (which == COLUMN_COUNT) {
-        return refuse_choice(command, equals ? "unknown name before '='"
+        return refuse_option(command, equals ? "unknown name before '='"
                                              : "more than three without a name before '='");
     }
     if (*item == '\0' || *chosen[which] != '\0' || strlen(item) >= HEADING_NAME_MAX) {
-        return refuse_choice(command,
+        return refuse_option(command,
                              *item == '\0' ? "one is empty" : "one is given twice or too long");
     }
     memcpy(chosen[which], item, strlen(item) + 1);
     return EXIT_GOOD;
 }
 
-int chosen_read(const char *command, const char *text)
+int columns_option_parse(const char *command, const char *text)
 {
-    char copy[COLUMNS_CHOICE_MAX];
+    char copy[COLUMNS_OPTION_MAX];
     unsigned unnamed = 0;
     int failure = EXIT_GOOD;
 
     memset(chosen, 0, sizeof chosen);
-    memset(needed, 0, sizeof needed);
-    snprintf(stated, sizeof stated, "%s", text ? text : "");
-    snprintf(copy, sizeof copy, "%s", stated);
+    memset(required, 0, sizeof required);
+    snprintf(option_text, sizeof option_text, "%s", text ? text : "");
+    snprintf(copy, sizeof copy, "%s", option_text);
     if (text && strlen(text) >= sizeof copy) {
-        return refuse_choice(command, "is too long");
+        return refuse_option(command, "is too long");
     }
     for (char *item = text ? copy : NULL; item && !failure;) {
         char *comma = strchr(item, ',');
         if (comma) {
             *comma = '\0';
         }
-        failure = choose(command, item, &unnamed);
+        failure = choose_column(command, item, &unnamed);
         item = comma ? comma + 1 : NULL;
     }
-    const int one = *chosen[COLUMN_X] != '\0';
-    const int are_alike = (*chosen[COLUMN_Y] != '\0') == one && (*chosen[COLUMN_Z] != '\0') == one;
-    return failure || are_alike ? failure : refuse_choice(command, "x, y and z must all be given");
+    const int has_x = *chosen[COLUMN_X] != '\0';
+    const int is_complete =
+        (*chosen[COLUMN_Y] != '\0') == has_x && (*chosen[COLUMN_Z] != '\0') == has_x;
+    return failure || is_complete ? failure
+                                  : refuse_option(command, "x, y and z must all be given");
 }
 
-int chosen_is(column which)
+int columns_option_has(column which)
 {
     return *chosen[which] != '\0';
 }
 
-void chosen_need(column which)
+void columns_option_require(column which)
 {
-    needed[which] = 1;
+    required[which] = 1;
 }
 
-int chosen_is_needed(column which)
+int columns_option_requires(column which)
 {
-    return needed[which] || chosen_is(which);
+    return required[which] || columns_option_has(which);
 }
 
-const char *chosen_text(void)
+const char *columns_option_text(void)
 {
-    return stated;
+    return option_text;
 }
 
-static int say_no_column(const table *t, const heading *headings, column which)
+static int report_missing(const table *t, const heading *headings, column which)
 {
     char names[256] = "";
 
@@ -130,8 +132,8 @@ static int say_no_column(const table *t, const heading *headings, column which)
     return EXIT_FILE;
 }
 
-/* Which column it is: by its name, with or without its unit, else by its number. */
-int chosen_find(const table *t, const heading *headings, column which, int *index)
+/* By its name, with or without the unit, else by its number. */
+int columns_option_find(const table *t, const heading *headings, column which, int *index)
 {
     double number = 0;
 
@@ -149,19 +151,19 @@ int chosen_find(const table *t, const heading *headings, column which, int *inde
         number <= t->columns && !(fabs(number - floor(number)) > 0)) {
         *index = (int)number - 1;
     }
-    return *index < 0 ? say_no_column(t, headings, which) : EXIT_GOOD;
+    return *index < 0 ? report_missing(t, headings, which) : EXIT_GOOD;
 }
 
-int chosen_find_axes(const table *t, const heading *headings, int index[3])
+int columns_option_find_axes(const table *t, const heading *headings, int index[3])
 {
     int failure = EXIT_GOOD;
 
     for (unsigned i = 0; i < 3 && !failure; i++) {
-        failure = chosen_find(t, headings, (column)(COLUMN_X + i), &index[i]);
+        failure = columns_option_find(t, headings, (column)(COLUMN_X + i), &index[i]);
     }
     if (!failure && (index[0] == index[1] || index[1] == index[2] || index[0] == index[2])) {
         message("%s:%lu: --columns %s: x, y and z must be three different columns", t->name,
-                t->line, stated);
+                t->line, option_text);
         failure = EXIT_FILE;
     }
     return failure;

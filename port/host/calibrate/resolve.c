@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "calibrate/settle.h"
+#include "calibrate/resolve.h"
 
 #include <math.h>
 
@@ -9,22 +9,22 @@
 #include "result/calibration_file.h"
 #include "text/number.h"
 
-/* No calculation can be made with numbers so large or so small. */
+/* The numbers are too large or too small to calculate with. */
 static int refuse_nominal(const request *r, calibrate_result *result)
 {
     const fit_reason all = {0, (1u << INVCAL_PARAMETERS) - 1};
 
-    if (r->value[ASK_LSB]) {
-        return request_usage(r, ASK_LSB, "the scale is too small or too large");
+    if (r->value[OPT_LSB]) {
+        return request_usage(r, OPT_LSB, "the scale is too small or too large");
     }
     return calibrate_refuse(result, &r->stand, INVCAL_UNDETERMINED, &all);
 }
 
-void settle_unit(const request *r, positions *data)
+void resolve_unit(const request *r, positions *data)
 {
     recognition *seen = &data->seen;
 
-    if (r->value[ASK_UNIT]) {
+    if (r->value[OPT_UNIT]) {
         seen->unit = r->unit;
         seen->unit_from = UNIT_FROM_OPTION;
     } else if (seen->unit == UNIT_UNKNOWN && !seen->states_foreign_unit) {
@@ -37,7 +37,7 @@ void settle_unit(const request *r, positions *data)
     }
 }
 
-/* The scale of the unit, if the unit is stated, or sure by the size of the readings; else 0. */
+/* The scale of the unit, if it is stated or the size of the readings is conclusive; else 0. */
 static double scale_of_unit(const request *r, const positions *data)
 {
     const recognition *seen = &data->seen;
@@ -47,8 +47,8 @@ static double scale_of_unit(const request *r, const positions *data)
     return is_known ? unit_scale(seen->unit, r->settings.field) : 0;
 }
 
-/* Zero and scale where they are not given: by the unit, of the data sheet, or, to calculate with, from the
- * data's range. Returns 0 if there is no scale. */
+/* Zero and scale that are not stated: from the unit, the data sheet, or, as a starting point only,
+ * the range of the data. Returns 0 if there is no scale. */
 static int find_nominal(const request *r, const positions *data, nominal_choice *n, double zero[3],
                         double lsb[3])
 {
@@ -67,7 +67,7 @@ static int find_nominal(const request *r, const positions *data, nominal_choice 
     return 1;
 }
 
-/* Readings that the stated sensor does not give at the stated range. */
+/* Refuses readings that the stated sensor cannot have at the stated range. */
 static int check_sensor(const request *r, const positions *data, const nominal_choice *n)
 {
     const invcal_calibration *c = &n->calibration;
@@ -77,8 +77,8 @@ static int check_sensor(const request *r, const positions *data, const nominal_c
     if (n->lsb != NOMINAL_SENSOR) {
         return EXIT_GOOD;
     }
-    for (unsigned k = 0; k < data->count;
-         k++) { /* the geometric mean: single ones may be wrong by much */
+    /* the geometric mean, as single readings may be far off */
+    for (unsigned k = 0; k < data->count; k++) {
         double v[3];
         invcal_apply(c, &data->mean[3 * (size_t)k], v);
         sum += log(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / r->settings.field);
@@ -88,25 +88,25 @@ static int check_sensor(const request *r, const positions *data, const nominal_c
                : message_usage(r->syntax->command, "%s: %s", data->name, text);
 }
 
-int settle_nominal(const request *r, calibrate_result *result)
+int resolve_nominal(const request *r, calibrate_result *result)
 {
     const positions *data = result->data;
     nominal_choice *n = &result->nominal;
     double zero[3];
     double lsb[3];
 
-    if (r->value[ASK_NOMINAL]) {
+    if (r->value[OPT_NOMINAL]) {
         n->zero = n->lsb = NOMINAL_EARLIER;
-        return calibration_file_read(r->value[ASK_NOMINAL], &n->calibration);
+        return calibration_file_read(r->value[OPT_NOMINAL], &n->calibration);
     }
     n->sensor = r->sensor;
     const int has_scale = find_nominal(r, data, n, zero, lsb);
-    n->zero = r->value[ASK_ZERO] ? NOMINAL_GIVEN : n->zero;
-    n->lsb = r->value[ASK_LSB] ? NOMINAL_GIVEN : n->lsb;
+    n->zero = r->value[OPT_ZERO] ? NOMINAL_GIVEN : n->zero;
+    n->lsb = r->value[OPT_LSB] ? NOMINAL_GIVEN : n->lsb;
     if (!has_scale && n->lsb == NOMINAL_RANGE) {
         return refuse_nominal(r, result);
     }
-    return nominal_make(r->value[ASK_ZERO] ? r->zero : zero, r->value[ASK_LSB] ? r->lsb : lsb,
+    return nominal_make(r->value[OPT_ZERO] ? r->zero : zero, r->value[OPT_LSB] ? r->lsb : lsb,
                         r->settings.field, &n->calibration)
                ? check_sensor(r, data, n)
                : refuse_nominal(r, result);
@@ -128,13 +128,13 @@ static double mean_length(const positions *data, const invcal_calibration *nomin
     return sum;
 }
 
-/* As good as 1, zero and scale being nominal. */
+/* Near enough to 1 for a nominal zero and scale. */
 static int is_about_one(double x)
 {
     return x > 0.4 && x < 2.5;
 }
 
-int settle_scale(const request *r, const positions *data, const nominal_choice *nominal)
+int resolve_check_scale(const request *r, const positions *data, const nominal_choice *nominal)
 {
     const double field = r->settings.field;
     const double lsb = fabs(nominal->calibration.matrix[0][0]);
@@ -153,25 +153,25 @@ int settle_scale(const request *r, const positions *data, const nominal_choice *
                          meant / lsb);
 }
 
-int settle_magnetometer(const request *r, nominal_choice *n)
+int resolve_magnetometer(const request *r, nominal_choice *n)
 {
     invcal_calibration c = {.offset = {0}};
 
-    n->zero = r->value[ASK_ZERO] ? NOMINAL_GIVEN : NOMINAL_UNIT;
-    n->lsb = r->value[ASK_LSB] ? NOMINAL_GIVEN : NOMINAL_UNIT;
-    if (r->value[ASK_NOMINAL]) {
+    n->zero = r->value[OPT_ZERO] ? NOMINAL_GIVEN : NOMINAL_UNIT;
+    n->lsb = r->value[OPT_LSB] ? NOMINAL_GIVEN : NOMINAL_UNIT;
+    if (r->value[OPT_NOMINAL]) {
         n->zero = n->lsb = NOMINAL_EARLIER;
-        return calibration_file_read(r->value[ASK_NOMINAL], &n->calibration);
+        return calibration_file_read(r->value[OPT_NOMINAL], &n->calibration);
     }
     for (unsigned i = 0; i < 3; i++) {
-        c.offset[i] = r->value[ASK_ZERO] ? r->zero[i] : 0;
-        c.matrix[i][i] = r->value[ASK_LSB] ? r->lsb[i] : 1;
+        c.offset[i] = r->value[OPT_ZERO] ? r->zero[i] : 0;
+        c.matrix[i][i] = r->value[OPT_LSB] ? r->lsb[i] : 1;
     }
     n->calibration = c;
     return EXIT_GOOD;
 }
 
-void settle_limits(const request *r, calibrate_result *result)
+void resolve_limits(const request *r, calibrate_result *result)
 {
     double *limit = result->limit;
 
@@ -182,20 +182,20 @@ void settle_limits(const request *r, calibrate_result *result)
         sensors_limits(&r->sensor, r->settings.field, limit);
     }
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
-        limit[p] = r->value[ASK_TOLERANCE] ? r->tolerance[p / 3] : limit[p];
+        limit[p] = r->value[OPT_TOLERANCE] ? r->tolerance[p / 3] : limit[p];
         result->has_limits = result->has_limits || limit[p] > 0;
     }
 }
 
-int settle_noise(const request *r, const positions *data, calibrate_result *result)
+int resolve_noise(const request *r, const positions *data, calibrate_result *result)
 {
-    result->is_noise_given = r->value[ASK_NOISE] != NULL;
-    if (!r->value[ASK_NOISE] && data->has_noise) {
+    result->is_noise_given = r->value[OPT_NOISE] != NULL;
+    if (!r->value[OPT_NOISE] && data->has_noise) {
         result->settings.noise = positions_noise(data, &result->settings.nominal);
     }
     if (!(result->settings.noise < 1)) {
-        if (r->value[ASK_NOISE]) {
-            return request_usage(r, ASK_NOISE, "is larger than the field (--gravity)");
+        if (r->value[OPT_NOISE]) {
+            return request_usage(r, OPT_NOISE, "is larger than the field (--gravity)");
         }
         message("%s: the noise from its std columns is larger than the field (--gravity)",
                 data->name);
@@ -203,12 +203,12 @@ int settle_noise(const request *r, const positions *data, calibrate_result *resu
     }
     if (fit_has_prior(&result->settings) && !(result->settings.noise > 0)) {
         return request_usage(
-            r, r->value[ASK_SIX_FACES] ? ASK_SIX_FACES : ASK_PRIOR,
+            r, r->value[OPT_SIX_FACES] ? OPT_SIX_FACES : OPT_PRIOR,
             "needs the noise of a position mean: state --noise, or columns std and n");
     }
-    if (r->value[ASK_SLOPE] && !(result->settings.noise > 0)) {
+    if (r->value[OPT_SLOPE] && !(result->settings.noise > 0)) {
         return request_usage(
-            r, ASK_SLOPE,
+            r, OPT_SLOPE,
             "needs the noise of a position mean: state --noise, or columns std and n");
     }
     return EXIT_GOOD;
