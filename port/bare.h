@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * bare.h: what start-up does on every machine without an operating system.
+ * bare.h: the common part of start-up without an operating system.
  */
 #ifndef BARE_H
 #define BARE_H
@@ -8,7 +8,7 @@
 /* Fills .data, clears .bss, and runs main. Does not return. */
 void bare_start(void);
 
-/* A fault, or an interrupt that nobody has asked for: says so and ends the run. */
+/* A fault, or an unexpected interrupt: prints a message and ends the run. */
 void bare_fault(void);
 
 #endif

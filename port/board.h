@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What tests, benchmarks and the example firmware ask of a target. Each family has its board.c.
+ * What tests, benchmarks and the example firmware need from a target. Each family has its board.c.
  */
 #ifndef BOARD_H
 #define BOARD_H
@@ -10,13 +10,13 @@
 /* Before anything else; start-up calls it. */
 void board_begin(void);
 
-/* Prints one character: on a debugger's console, a UART. */
+/* Prints one character, on a debugger's console or a UART. */
 void board_put(int c);
 
 /* Ends the run: 0 for success. Does not return. */
 void board_exit(int code);
 
-/* Instructions executed so far, modulo 2^32; on AVR, where the simulator counts them, cycles. */
+/* Instructions executed so far, modulo 2^32; on AVR cycles. */
 uint32_t board_count(void);
 
 #endif

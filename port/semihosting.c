@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Text and the end of the run by semihosting.
+ * Output, and the end of the run, by semihosting.
  */
 #include "semihosting.h"
 

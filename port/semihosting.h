@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * semihosting.h: the emulator, or a debugger, does what the program asks for at a breakpoint.
+ * semihosting.h: at a breakpoint, the emulator or a debugger serves a request of the program.
  */
 #ifndef SEMIHOSTING_H
 #define SEMIHOSTING_H

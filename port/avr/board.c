@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * An AVR under simavr: text goes out by UART 0, timer 1 counts cycles.
+ * An AVR in simavr: UART 0 for text, timer 1 as a cycle counter.
  */
 #include "board.h"
 
@@ -10,9 +10,9 @@
 #include <avr/sleep.h>
 #include <string.h>
 
-/* The stack grows down towards the data, and nothing stops it. These bytes lie at their end, and
- * are looked at before the run is called a success. */
-enum { GUARD = 64, UNTOUCHED = 0xA5 };
+/* The stack grows down towards the data, unchecked. These bytes are at the end of the data: if they
+ * have changed at the end of the run, the stack has overflowed. */
+enum { GUARD = 64, GUARD_BYTE = 0xA5 };
 __attribute__((section(".noinit"))) static uint8_t guard[GUARD];
 
 static volatile uint16_t overflows;
@@ -24,7 +24,7 @@ ISR(TIMER1_OVF_vect)
 
 __attribute__((constructor)) void board_begin(void)
 {
-    memset(guard, UNTOUCHED, sizeof guard);
+    memset(guard, GUARD_BYTE, sizeof guard);
     UCSR0A = _BV(U2X0); /* with UBRR0 0 an eighth of the clock: 80 cycles for a character */
     UCSR0B = _BV(TXEN0);
     TCCR1B = _BV(CS10); /* every cycle */
@@ -39,34 +39,34 @@ void board_put(int c)
     UDR0 = (uint8_t)c;
 }
 
-static int is_guard_untouched(void)
+static int is_guard_intact(void)
 {
     for (unsigned i = 0; i < GUARD; i++) {
-        if (guard[i] != UNTOUCHED) {
+        if (guard[i] != GUARD_BYTE) {
             return 0;
         }
     }
     return 1;
 }
 
-/* From flash: nothing in RAM can be relied on. */
-static void complain(void)
+/* From flash, since RAM may be corrupted. */
+static void report_overflow(void)
 {
-    static const char met[] PROGMEM = "FAIL: the stack has met the data\n";
+    static const char message[] PROGMEM = "FAIL: the stack has met the data\n";
     char c;
 
-    for (const char *text = met; (c = (char)pgm_read_byte(text)) != '\0'; text++) {
+    for (const char *text = message; (c = (char)pgm_read_byte(text)) != '\0'; text++) {
         board_put(c);
     }
 }
 
-/* simavr ends when the processor sleeps with its interrupts off, and has no exit status: the
- * last line of the text shows a failure. */
+/* simavr ends when the processor sleeps with interrupts off. It has no exit status: the last line
+ * of the text shows a failure. */
 void board_exit(int code)
 {
     (void)code;
-    if (!is_guard_untouched()) {
-        complain();
+    if (!is_guard_intact()) {
+        report_overflow();
     }
     cli();
     sleep_enable();
@@ -75,7 +75,7 @@ void board_exit(int code)
     }
 }
 
-/* An overflow that is not yet counted shows in its flag; TCNT1 is then small. */
+/* An overflow that has not been counted yet is in the flag; TCNT1 is then small. */
 uint32_t board_count(void)
 {
     const uint8_t interrupts = SREG;
@@ -90,8 +90,8 @@ uint32_t board_count(void)
     return (uint32_t)high << 16 | low;
 }
 
-/* What avr-libc does behind main, with main's answer in the register of the first argument. */
-__attribute__((naked, used, section(".fini1"))) static void behind_main(void)
+/* avr-libc runs this after main, whose result is in the register of the first argument. */
+__attribute__((naked, used, section(".fini1"))) static void after_main(void)
 {
     __asm volatile("jmp board_exit");
 }

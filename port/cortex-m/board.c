@@ -14,7 +14,7 @@ void semihosting_call(uint32_t operation, uint32_t argument)
     __asm volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory", "cc");
 }
 
-/* Timer 0 of the MPS2 boards counts downwards, at 25 MHz unless target.mk says else. */
+/* Timer 0 of the MPS2 boards counts down, at 25 MHz unless target.mk defines TIMER_NS. */
 #ifndef TIMER_NS
 #define TIMER_NS 40
 #endif
@@ -36,7 +36,7 @@ uint32_t board_count(void)
     return (uint32_t)((uint64_t)ticks * TIMER_NS / 64);
 }
 
-/* Memory for malloc, which some tests use: what lies between .noinit and the stack. */
+/* Memory for malloc, which some tests use: from the end of .noinit to the stack. */
 void *_sbrk(int more); /* NOLINT(bugprone-reserved-identifier): newlib calls it so */
 void *_sbrk(int more)
 {

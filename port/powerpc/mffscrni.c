@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The sin and cos of glibc hold mffscrni, an instruction that a PowerPC before 2017 takes for mffs;
- * glibc relies on it. To qemu 7.2 it is illegal: when it is met, mffs is put in its place.
+ * The sin and cos of glibc use mffscrni, an instruction that a PowerPC before 2017 executes as
+ * mffs; glibc relies on that. In qemu 7.2 it is illegal: the handler replaces it by mffs.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <signal.h>
@@ -12,7 +12,7 @@
 
 #define MFFSCRNI UINT32_C(0xFC17048E)
 #define MFFS UINT32_C(0xFC00048E)
-#define REGISTER UINT32_C(0x03E00000) /* which one takes the result */
+#define REGISTER UINT32_C(0x03E00000) /* of the result */
 #define MODE UINT32_C(0x00001800)     /* of rounding; mffs ignores it, glibc then sets it itself */
 
 static void replace(int number, siginfo_t *info, void *context)
@@ -24,14 +24,14 @@ static void replace(int number, siginfo_t *info, void *context)
     (void)context;
     if ((*at & ~(REGISTER | MODE)) != MFFSCRNI ||
         mprotect(begin, page, PROT_READ | PROT_WRITE | PROT_EXEC) != 0) {
-        signal(number, SIG_DFL); /* met again, the instruction ends the program */
+        signal(number, SIG_DFL); /* executed again, the instruction ends the program */
         return;
     }
     *at = MFFS | (*at & REGISTER);
     __builtin___clear_cache((char *)at, (char *)(at + 1));
 }
 
-__attribute__((constructor)) static void watch(void)
+__attribute__((constructor)) static void install_handler(void)
 {
     const struct sigaction action = {.sa_sigaction = replace, .sa_flags = SA_SIGINFO};
 

@@ -6,8 +6,8 @@
 
 #include "semihosting.h"
 
-/* The two shifts, which do nothing, tell this breakpoint from others. All three must be of 32 bits,
- * in one page of memory. */
+/* The two shifts, which have no effect, distinguish this breakpoint from others. All three
+ * instructions must be of 32 bits, in one page of memory. */
 void semihosting_call(uint32_t operation, uint32_t argument)
 {
     register uint32_t a0 __asm("a0") = operation;
@@ -29,7 +29,7 @@ void board_begin(void)
 {
 }
 
-/* Every RISC-V counts its instructions; qemu counts them exactly under -icount. */
+/* minstret counts instructions; in qemu exactly, with -icount. */
 uint32_t board_count(void)
 {
     uint32_t count;

@@ -6,6 +6,6 @@ LINK      = -nostartfiles -T port/riscv/sections.ld -L $(TARGET) -lm
 BOARD    := port/bare.c port/semihosting.c port/riscv/start.c port/riscv/board.c
 RUN      := qemu-system-riscv32 -M virt -bios none -nographic -monitor none -serial none \
             -semihosting-config enable=on,target=native -kernel
-# minstret then counts ns: one for an instruction.
+# minstret then counts ns, one per instruction.
 COUNTING := -icount shift=0
 UNIT     := instructions

@@ -4,7 +4,7 @@
  */
 #include "bare.h"
 
-/* The first instructions. There is no stack yet, so this is no C function. */
+/* The first instructions, in assembly, since there is no stack yet. */
 __asm(".pushsection .text.start, \"ax\"\n"
       ".option arch, +zicsr\n"
       ".global start\n"

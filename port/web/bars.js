@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The uncertainty of each kind of parameter, against the target.
-import { $, put } from "./dom.js";
+import { $, setText } from "./dom.js";
 import { figure } from "./words.js";
 
 export const KINDS = [
@@ -21,12 +21,12 @@ const bars = [...KINDS, { name: "gyro" }].map(({ name }) => {
     return bar;
 });
 
-// Logarithmic: a tenth of the bar is the goal, all of it a hundred times that. An unknown value has no bar.
+// Logarithmic: the goal is at a tenth of the bar, a hundred times the goal at its end. Unknown values have no bar.
 function show(bar, ratio, text) {
     const width = Math.max(2, Math.min(100, 10 + 45 * Math.log10(ratio)));
     bar.querySelector("u").style.width = `${Number.isFinite(width) ? width : 0}%`;
     bar.classList.toggle("ok", ratio <= 1);
-    put(bar.lastChild, text);
+    setText(bar.lastChild, text);
 }
 
 function showKind(bar, { unit, scale }, sigma, goal) {
@@ -34,8 +34,8 @@ function showKind(bar, { unit, scale }, sigma, goal) {
         show(bar, NaN, "not yet known");
         return;
     }
-    const wanted = goal < Infinity ? ` (goal ${Number((goal * scale).toPrecision(3))})` : "";
-    show(bar, sigma / goal, `± ${figure(sigma * scale)}${unit}${sigma <= goal ? " ✓" : wanted}`);
+    const goalText = goal < Infinity ? ` (goal ${Number((goal * scale).toPrecision(3))})` : "";
+    show(bar, sigma / goal, `± ${figure(sigma * scale)}${unit}${sigma <= goal ? " ✓" : goalText}`);
 }
 
 function showGyro(bar, session) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// node port/web/build.mjs BUILD: puts page, style, scripts and both programs into BUILD/invcal.html. npm's packages
-// are in BUILD/web/npm, the programs in BUILD/web.
+// node port/web/build.mjs BUILD VERSION: puts page, style, scripts and both programs into BUILD/invcal.html. The npm
+// packages are in BUILD/web/npm, the programs in BUILD/web.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -12,12 +12,12 @@ const here = fileURLToPath(new URL(".", import.meta.url));
 const npm = `${build}/web/npm/node_modules`;
 const text = (name) => readFileSync(name, "utf8");
 
-// One script of its modules.
+// Bundles a script with its modules.
 function bundle(name, format) {
     return execFileSync(`${npm}/.bin/esbuild`, [here + name, "--bundle", "--minify", "--charset=utf8", "--target=es2022", `--format=${format}`], { env: { ...process.env, NODE_PATH: npm }, encoding: "utf8" }).trim();
 }
 
-// Inside a script element nothing may end it.
+// The code must not end its script element.
 const script = (code) => code.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
 const program = (name) => gzipSync(readFileSync(`${build}/web/${name}.wasm`), { level: 9 }).toString("base64");
 const escaped = (t) => t.replaceAll("&", "&amp;").replaceAll("<", "&lt;");

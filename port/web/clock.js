@@ -3,7 +3,7 @@
 export const now = () => performance.now() / 1000;
 export const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
-// Waits until something is true, at most this many seconds; returns whether it is.
+// Waits until isTrue() is, at most this many seconds; returns whether it is.
 export async function until(isTrue, seconds) {
     const end = now() + seconds;
     while (!isTrue() && now() < end) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What stands in the page as text: both programs, and the worker's script. build.mjs puts it there.
+// Both programs, and the worker's script, which build.mjs has put into the page as text.
 
-// base64 of gzip -> bytes, without asking the network for anything.
+// base64 of gzip -> bytes, without a network request.
 async function inlined(id) {
     const packed = Uint8Array.from(atob(document.getElementById(id).textContent), (c) => c.charCodeAt(0));
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));

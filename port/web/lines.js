@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Lines that boards print, as samples. Understood are
+// Parses lines that boards print:
 //
 //     x,y,z                        separated by commas, semicolons, blanks or tabs,
-//     t,x,y,z   x,y,z,gx,gy,gz     with time before, a gyro behind, then a magnetometer,
+//     t,x,y,z   x,y,z,gx,gy,gz     with time first, then a gyro, then a magnetometer,
 //     ax:1 ay:2 az:3               with names, as for Arduino's plotter,
-//     Raw:ax,ay,az,gx,gy,gz,mx,my,mz    what MotionCal and Adafruit's sketches print.
+//     Raw:ax,ay,az,gx,gy,gz,mx,my,mz    as printed by MotionCal and Adafruit's sketches.
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
-const LONGEST = 512; // characters; what is longer is no line of numbers
-const AGREED = 3; // lines
+const MAX_LENGTH = 512; // characters of a line
+const AGREEING_LINES = 3; // with the same number of columns
 
-// How many columns there are -> where time (-1: there is none), the accelerometer, the gyro (-1) stand.
+// Number of columns -> first column of time, accelerometer, gyro; -1: none.
 const LAYOUT = { 3: [-1, 0, -1], 4: [0, 1, -1], 5: [0, 1, -1], 6: [-1, 0, 3], 7: [0, 1, 4], 9: [-1, 0, 3], 10: [0, 1, 4] };
 
-// A line -> { columns, raw, time, acc, gyro }; "other" if it is not meant to be a sample; null if it is broken.
+// A line -> { columns, raw, time, acc, gyro }; "other" if it is not a sample; null if it is malformed.
 function parseLine(line) {
     let text = line.trim();
     if (text === "" || /^(#|%|\/\/|Uni:|Ori:|Cal)/.test(text)) {
@@ -41,24 +41,24 @@ function parseLine(line) {
     };
 }
 
-// A stream of text in pieces, taken apart. What the first lines agree upon, all have to have: a line that was torn
+// Splits a stream of text into samples. The first lines determine the number of columns, since a line that was torn
 // in two may look like a sample of fewer columns.
 export class Lines {
     constructor({ isTorn = false, onSample, onText = () => {} }) {
         this.rest = "";
-        this.isTorn = isTorn; // the first line began before we listened
+        this.isTorn = isTorn; // the beginning of the next line is lost
         this.onSample = onSample;
         this.onText = onText;
         this.skipped = 0;
         this.taken = 0;
         this.layout = null; // columns
-        this.waiting = []; // samples of which the columns are not agreed upon
+        this.waiting = []; // samples before the number of columns is known
     }
 
     push(text) {
         const lines = (this.rest + text).split(/\r\n|\n|\r/);
         this.rest = lines.pop();
-        if (this.rest.length > LONGEST) {
+        if (this.rest.length > MAX_LENGTH) {
             this.rest = "";
             this.isTorn = true;
             this.skipped++;
@@ -76,7 +76,7 @@ export class Lines {
         this.skipped += this.waiting.splice(0).length;
     }
 
-    // The stream was interrupted: what comes next begins in the middle of a line.
+    // The stream was interrupted: it continues in the middle of a line.
     tear() {
         this.rest = "";
         this.isTorn = true;
@@ -91,7 +91,7 @@ export class Lines {
             this.onText(line.trim());
             return;
         }
-        const sample = line.length > LONGEST ? null : parseLine(line);
+        const sample = line.length > MAX_LENGTH ? null : parseLine(line);
         if (sample === "other") {
             return;
         }
@@ -109,10 +109,10 @@ export class Lines {
         this.onSample(sample);
     }
 
-    // The columns are those that three lines have first; what came before waits for that.
+    // The first number of columns that three lines have; until then, samples wait.
     agree(sample) {
         this.waiting.push(sample);
-        if (this.waiting.filter(({ columns }) => columns === sample.columns).length < AGREED) {
+        if (this.waiting.filter(({ columns }) => columns === sample.columns).length < AGREEING_LINES) {
             return;
         }
         this.layout = sample.columns;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The library as the page calls it: one session. Results stand in `out`, texts in `text`.
+ * The library for the page: one session. Numbers are returned in `out`, texts in `text`.
  */
 #include <math.h>
 #include <string.h>
@@ -95,11 +95,11 @@ void EXPORT(position)(unsigned i)
     invcal_apply(&session.nominal, session.mean[i], out);
 }
 
-/* ---- what is known so far --------------------------------------------------------------------- */
+/* ---- the result so far ------------------------------------------------------------------------ */
 
-/* For each of n directions, x y z in the buffer: the standard deviation of a calibrated length there, over that of a
- * position; it takes the place of x. With a ridge, as the guidance has one, so that it is known from the first
- * position on. */
+/* For each of n directions, x y z in the buffer: replaces x by the standard deviation of a
+ * calibrated length there, over that of a position. With a ridge, like that of the guidance, so
+ * that it is finite from the first position on. */
 void EXPORT(uncertainty)(unsigned n)
 {
     invcal_sums sums;
@@ -126,8 +126,9 @@ void EXPORT(uncertainty)(unsigned n)
     }
 }
 
-/* Offset (3), matrix (9), sigma (9), coverage, verdict, left out, rms, systematic, axis, weak, good; in units of
- * readings that are `unit` counts each. The record is that for a board that prints such readings. */
+/* Offset (3), matrix (9), sigma (9), coverage, verdict, left out, rms, systematic, axis, weak,
+ * good; for readings whose unit is `unit` counts. The record is for a board that prints such
+ * readings. */
 int EXPORT(solve)(double unit)
 {
     invcal_calibration c;

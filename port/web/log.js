@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// All samples of a live calibration, for the tool to read in the end: an hour of 1,000 a second takes 170 MB.
+// All samples of a live calibration, for the report at the end: an hour at 1,000 per second takes 170 MB.
 
 const COLUMNS = 6; // accelerometer, gyro
 
@@ -10,7 +10,7 @@ export class Log {
         this.rows = 0;
         this.gaps = 0;
         this.hasGyro = false;
-        this.isLost = false; // the last row is a gap
+        this.endsWithGap = false; // the last row is a gap
     }
 
     row(values) {
@@ -24,33 +24,33 @@ export class Log {
     }
 
     add({ acc, gyro }) {
-        this.isLost = false;
+        this.endsWithGap = false;
         this.hasGyro ||= Boolean(gyro);
         this.row([...acc, ...(gyro ?? [0, 0, 0])]);
     }
 
-    // Samples were lost: a row of no numbers.
+    // Samples were lost: a row of NaN.
     gap() {
-        if (!this.isLost) {
-            this.isLost = true;
+        if (!this.endsWithGap) {
+            this.endsWithGap = true;
             this.gaps++;
             this.row(new Array(COLUMNS).fill(NaN));
         }
     }
 
-    // As a file of t, x, y, z and, if there is one, the gyro. A gap is a second.
+    // A file of t, x, y, z and, if there is one, the gyro. A gap is one second.
     csv(rate) {
         const columns = this.hasGyro ? 6 : 3;
         const parts = [this.hasGyro ? "t,x,y,z,gx,gy,gz\n" : "t,x,y,z\n"];
         let text = "";
-        let lost = 0;
+        let gaps = 0;
         for (let i = 0, n = 0; i < this.rows; i++) {
             const row = this.values.subarray(COLUMNS * i, COLUMNS * i + columns);
             if (Number.isNaN(row[0])) {
-                lost++;
+                gaps++;
                 continue;
             }
-            text += `${(n++ / rate + lost).toFixed(5)},${row.join(",")}\n`;
+            text += `${(n++ / rate + gaps).toFixed(5)},${row.join(",")}\n`;
             if (text.length > 1 << 20) {
                 parts.push(text);
                 text = "";

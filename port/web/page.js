@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The page: buttons to sources, a session to pictures and words.
+// The page: connects its buttons with sources of samples, and a session with pictures and texts.
 import { liveInstance } from "./inlined.js";
-import { $, put } from "./dom.js";
+import { $, setText } from "./dom.js";
 import { Session } from "./session.js";
 import { Sphere, DIRECTIONS } from "./sphere.js";
 import { KINDS, showBars } from "./bars.js";
@@ -12,7 +12,7 @@ import { Board, choosePort } from "./serial.js";
 import { phone } from "./phone.js";
 import { replay } from "./replay.js";
 import { simulator } from "./simulator.js";
-import { constant, recordLine } from "./take.js";
+import { constant, recordLine } from "./formats.js";
 import { showLog } from "./report.js";
 import { save } from "./save.js";
 import { sound } from "./sound.js";
@@ -21,70 +21,70 @@ const sphere = new Sphere($("sphere"));
 const live = await liveInstance();
 const now = { session: null, source: null, isRunning: false };
 
-const notice = (text) => put($("notice"), text);
-const say = (text) => put($("said"), text); // to a screen reader
+const notice = (text) => setText($("notice"), text);
+const announce = (text) => setText($("said"), text); // to a screen reader
 
 // ---- what is shown -----------------------------------------------------------------------------------
 
-const IDLE = { up: [0.35, 0.45, 0.82], next: null, positions: [], gains: null, progress: 0, isReady: false };
+const IDLE = { up: [0.35, 0.45, 0.82], next: null, positions: [], sigmas: null, progress: 0, isReady: false };
 
 function scene(session) {
-    const { up, next, positions, gains } = session;
-    return { up, next: words.isLed(now) ? next : null, positions, gains, progress: session.progress(), isReady: session.isReady() };
+    const { up, next, positions, sigmas } = session;
+    return { up, next: words.isGuiding(now) ? next : null, positions, sigmas, progress: session.progress(), isReady: session.isReady() };
 }
 
-// Each picture.
+// Each frame.
 function show() {
     requestAnimationFrame(show);
     const { progress, isReady, ...rest } = now.session?.unit ? scene(now.session) : IDLE;
     sphere.draw({ progress, isReady, ...rest });
-    put($("say"), words.instruction(now));
-    put($("where"), words.where(now));
-    put($("facts"), words.facts(now));
+    setText($("say"), words.instruction(now));
+    setText($("where"), words.where(now));
+    setText($("facts"), words.facts(now));
     $("hold").firstChild.style.width = `${progress}%`;
     $("hold").setAttribute("aria-valuenow", progress);
     $("hold").classList.toggle("ready", isReady);
 }
 
-// What a position changes.
-function showKnown() {
+// After each position.
+function showResult() {
     const { session, source } = now;
     const [kind, head, text] = words.verdict(now);
     showBars(session);
     $("verdict").className = kind;
-    put($("verdict").firstChild, head);
-    put($("verdict").lastChild, text);
-    put($("refused"), words.refused(now));
+    setText($("verdict").firstChild, head);
+    setText($("verdict").lastChild, text);
+    setText($("refused"), words.refused(now));
     $("take").hidden = session?.result?.status !== 0;
     if (!$("take").hidden) {
-        put($("constant"), constant(session));
+        setText($("constant"), constant(session));
         $("send").disabled = !source?.send;
     }
 }
 
 // ---- what happens ------------------------------------------------------------------------------------
 
-const SAID = {
+const ANNOUNCEMENTS = {
     taken: ({ positions }) => `Position ${positions.length} taken. ${words.verdict(now)[1]}. ${words.instruction(now)}`,
     ready: () => words.instruction(now),
     refused: (session) => `Not taken: ${session.refused.at(-1)}. ${words.turnTo(session)}`,
 };
 
-function happened(name, session) {
-    if (!SAID[name]) {
+function handleEvent(name, session) {
+    if (!ANNOUNCEMENTS[name]) {
         return;
     }
-    say(SAID[name](session));
-    const mayStop = name === "taken" && session.result.mayStop && !session.isTold;
-    session.isTold ||= mayStop;
+    announce(ANNOUNCEMENTS[name](session));
+    const mayStop = name === "taken" && session.result.mayStop && !session.isAnnounced;
+    session.isAnnounced ||= mayStop;
     if ($("sound").checked && (mayStop || name !== "taken")) {
         sound(mayStop ? "stop" : name);
     }
     if (name === "taken") {
-        session.gains = session.uncertainty(DIRECTIONS);
+        session.sigmas = session.uncertainty(DIRECTIONS);
     }
     if (name !== "ready") {
-        showKnown();
+        showResult();
     }
 }
 
@@ -95,36 +95,36 @@ const positive = (id) => {
     return value > 0 ? value : null;
 };
 
-// As the settings say; `own` are the options that a source knows better.
+// From the settings; a source may override them by its `own`.
 function options(own) {
     const target = KINDS.map(({ scale }, i) => (positive(`target${i}`) ?? Infinity) / scale);
     return { rate: positive("rate"), unit: $("unit").value, gyro: $("gyro").value, target, ...own };
 }
 
-// The source stays: what it skipped is still shown, and a board can be sent to.
+// Keeps the source, to show what it skipped, and to send to the board.
 async function stop() {
     now.isRunning = false;
     document.querySelectorAll("#sources [aria-pressed]").forEach((button) => button.setAttribute("aria-pressed", "false"));
     $("stop").disabled = true;
     await now.source?.stop();
-    showKnown();
+    showResult();
 }
 
-// Begins again with a source. If that fails, the former one is still there.
+// Starts a session with a source. If that fails, the previous one stays.
 async function start(button, begin, own = {}) {
     await stop();
     const before = { ...now };
-    const session = new Session(live, options(own), (name) => happened(name, session));
+    const session = new Session(live, options(own), (name) => handleEvent(name, session));
     const isCurrent = () => now.session === session && now.isRunning;
     notice("");
-    put($("sent"), "");
+    setText($("sent"), "");
     Object.assign(now, { session, source: null, isRunning: true });
     document.body.classList.remove("log-only");
     button?.setAttribute("aria-pressed", "true");
     $("stop").disabled = false;
-    showKnown();
+    showResult();
     try {
-        const source = await begin(makeSink(session, { isCurrent, tell: notice, stop }), session);
+        const source = await begin(makeSink(session, { isCurrent, notify: notice, stop }), session);
         if (isCurrent()) {
             now.source = source;
         } else {
@@ -148,24 +148,24 @@ $("serial").onclick = async () => {
 $("phone").onclick = () => start($("phone"), phone, { unit: "m/s²", gyro: "°/s", rounds: true });
 $("simulator").onclick = () => {
     const speed = Math.min(200, Number($("speed").value));
-    start($("simulator"), (sink, session) => simulator(sink, { speed, wanted: () => session.next ?? [1, 0, 0] }), { unit: "16384", gyro: "16", rate: 100 });
+    start($("simulator"), (sink, session) => simulator(sink, { speed, nextDirection: () => session.next ?? [1, 0, 0] }), { unit: "16384", gyro: "16", rate: 100 });
 };
 $("stop").onclick = () => {
     now.session?.finish();
     stop();
-    say(words.instruction(now));
+    announce(words.instruction(now));
 };
 
 // ---- logs ------------------------------------------------------------------------------------------
 
-async function take(files) {
+async function openFiles(files) {
     if (files.length > 0) {
         document.body.classList.toggle("log-only", !now.session);
         await showLog([...files]);
     }
 }
 $("choose").onclick = () => $("file").click();
-$("file").onchange = () => take($("file").files);
+$("file").onchange = () => openFiles($("file").files);
 addEventListener("dragover", (event) => {
     event.preventDefault();
     document.body.classList.add("dropping");
@@ -174,7 +174,7 @@ addEventListener("dragleave", () => document.body.classList.remove("dropping"));
 addEventListener("drop", (event) => {
     event.preventDefault();
     document.body.classList.remove("dropping");
-    take(event.dataTransfer.files);
+    openFiles(event.dataTransfer.files);
 });
 addEventListener("replay", ({ detail: file }) => {
     const rate = positive("rate") ?? 100;
@@ -182,9 +182,9 @@ addEventListener("replay", ({ detail: file }) => {
     $("live").scrollIntoView();
 });
 
-// ---- what is taken away ------------------------------------------------------------------------------
+// ---- output ------------------------------------------------------------------------------------------
 
-const sent = (text) => put($("sent"), text);
+const sent = (text) => setText($("sent"), text);
 
 $("copy").onclick = async () => {
     await navigator.clipboard.writeText($("constant").textContent).then(() => sent("Copied."), () => sent("The browser does not allow copying. Select the text, and copy it yourself."));
@@ -198,12 +198,12 @@ $("send").onclick = async () => {
     } catch (error) {
         sent(`Not sent. ${error.message}`);
     }
-    showKnown();
+    showResult();
 };
 $("log").onclick = () => save("live.csv", now.session.csv());
 $("make").onclick = () => showLog([new File([now.session.csv()], "live.csv")], now.session.toolOptions());
 
-showKnown();
+showResult();
 show();
-window.invcal = { live, Session, sphere, session: () => now.session }; // for the tests, and the curious
+window.invcal = { live, Session, sphere, session: () => now.session }; // for the tests
 document.documentElement.dataset.ready = "1";

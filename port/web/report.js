@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
 //
-// A log, by the tool itself: table, report, CAL.json, exports. Each has the bytes that the native tool writes.
-import { run, typed, words } from "./tool.js";
+// Runs the tool on a log: table, report, CAL.json, exports, with the same bytes as from the native tool.
+import { run, commandLine, splitArguments } from "./tool.js";
 import { $ } from "./dom.js";
 import { save } from "./save.js";
 
-const LARGEST = 2 ** 31 - 1; // bytes: what a 32-bit file position holds
+const LARGEST = 2 ** 31 - 1; // bytes: the largest 32-bit file position
 
 let files = [];
-let made = null; // CAL.json and report.html
+let outputs = null; // CAL.json and report.html
 let running = null;
 
 const operand = () => files[0].name.replace(/^-+/, "./$&");
-const args = () => ["calibrate", operand(), ...words($("options").value), "--out", "CAL.json", "--report", "report.html"];
+const args = () => ["calibrate", operand(), ...splitArguments($("options").value), "--out", "CAL.json", "--report", "report.html"];
 
 function showCommand() {
-    $("command").textContent = files.length > 0 ? typed(args()) : "";
+    $("command").textContent = files.length > 0 ? commandLine(args()) : "";
 }
 
-function trouble(text) {
+function showError(text) {
     $("trouble").textContent = text;
     $("trouble").hidden = text === "";
 }
 
-// The log is the first file; others, such as an earlier calibration, options may name.
+// The log is the first file; options may name the others, such as an earlier calibration.
 export async function showLog(given, options = null) {
     files = given.map((file) => ({ name: file.name, blob: file }));
     $("name").textContent = files[0].name;
@@ -36,11 +36,11 @@ export async function showLog(given, options = null) {
 async function calibrate() {
     running?.cancel();
     showCommand();
-    made = null;
+    outputs = null;
     $("made").hidden = true;
-    trouble("");
+    showError("");
     if (files[0].blob.size > LARGEST) {
-        trouble(`${files[0].name} is larger than 2 GB, too large for a page. Use the command line:\n${typed(args())}`);
+        showError(`${files[0].name} is larger than 2 GB, too large for a page. Use the command line:\n${commandLine(args())}`);
         return;
     }
     $("progress").hidden = false;
@@ -50,17 +50,17 @@ async function calibrate() {
     running = mine;
     try {
         const { code, stdout, stderr, files: written } = await mine;
-        trouble(stderr.trim());
+        showError(stderr.trim());
         if (written.has("CAL.json")) {
-            made = written;
+            outputs = written;
             $("made").hidden = false;
             $("table").textContent = stdout;
             $("page").src = URL.createObjectURL(new Blob([written.get("report.html")], { type: "text/html" }));
         } else if (code === 0 || !stderr) {
-            trouble(`The program ended with exit code ${code} and gave no result.`);
+            showError(`The program ended with exit code ${code} and gave no result.`);
         }
     } catch (error) {
-        trouble(error.message === "cancelled" ? "Cancelled." : `${error.message}. Use the command line:\n${typed(args())}`);
+        showError(error.message === "cancelled" ? "Cancelled." : `${error.message}. Use the command line:\n${commandLine(args())}`);
     } finally {
         if (running === mine) {
             $("progress").hidden = true;
@@ -69,10 +69,10 @@ async function calibrate() {
     }
 }
 
-async function exported() {
+async function exportFile() {
     const format = $("format").value;
-    const given = ["export", "CAL.json", "--format", format, ...words($("export-options").value)];
-    const { code, stdout, stderr } = await run(given, [{ name: "CAL.json", blob: new Blob([made.get("CAL.json")]) }]);
+    const exportArgs = ["export", "CAL.json", "--format", format, ...splitArguments($("export-options").value)];
+    const { code, stdout, stderr } = await run(exportArgs, [{ name: "CAL.json", blob: new Blob([outputs.get("CAL.json")]) }]);
     $("exported").textContent = stderr.trim() || "Saved.";
     if (code === 0) {
         const ending = { c: "h", "c-arrays": "h", fusion: "h", imu_tk: "calib", ros: "yaml", px4: "params", ardupilot: "param" };
@@ -86,7 +86,7 @@ $("options").onkeydown = (event) => event.key === "Enter" && calibrate();
 $("run").onclick = calibrate;
 $("cancel").onclick = () => running?.cancel();
 $("replay").onclick = () => dispatchEvent(new CustomEvent("replay", { detail: files[0].blob }));
-$("export").onclick = exported;
+$("export").onclick = exportFile;
 document.querySelectorAll("[data-save]").forEach((button) => {
-    button.onclick = () => save(button.dataset.save, made.get(button.dataset.save));
+    button.onclick = () => save(button.dataset.save, outputs.get(button.dataset.save));
 });

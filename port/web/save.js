@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// Gives the person a file.
+// Saves a file as a download.
 export function save(name, content) {
     const link = document.createElement("a");
     link.href = URL.createObjectURL(content instanceof Blob ? content : new Blob([content]));

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
 //
-// A board on a serial port, as a source of samples (sink.js). It resumes when the board is plugged in again.
+// A board on a serial port, as a source of samples (sink.js), which resumes when the board is plugged in again.
 import { Lines } from "./lines.js";
 import { now, until } from "./clock.js";
 
-const PATIENCE = 3; // seconds without a line
-const GARBAGE = 20; // lines, none of which can be read
-const WAKE = 10; // seconds that a board may take to start, once its port is opened
-const ANSWER = 5; // seconds until it answers
+const SILENCE = 3; // seconds without a line
+const UNREADABLE = 20; // lines in a row that cannot be read
+const START_TIME = 10; // seconds until a board prints, after its port was opened
+const ANSWER_TIME = 5; // seconds until it answers
 
-const NONE = "This browser cannot open serial ports. Use Chrome, Edge, Opera or a recent Firefox on a computer, or save what the board prints to a file and drop it here.";
+const UNSUPPORTED = "This browser cannot open serial ports. Use Chrome, Edge, Opera or a recent Firefox on a computer, or save what the board prints to a file and drop it here.";
 const NOT_SECURE = "Browsers open serial ports only for pages from https or from a file. Save this page, and open the saved file.";
-const WHY = {
+const ERRORS = {
     NotFoundError: "No port was chosen. If your board is not in the list, check its cable (some only charge) and its driver.",
     SecurityError: "The browser does not let this page use serial ports. Allow them in the browser's settings for this page.",
     NetworkError: "The port cannot be opened. Close other programs that use it, such as a serial monitor. On Linux your account may need permission: sudo usermod -aG dialout $USER, then log in again.",
     InvalidStateError: "The port is open already. Press Stop, wait a moment, and try again.",
 };
 
-// What an error means to the user.
-const explained = (error) => new Error(WHY[error.name] ?? error.message);
+// An error in words that help the user.
+const explained = (error) => new Error(ERRORS[error.name] ?? error.message);
 
 // The port that the user chooses. Browsers show the dialog only after a click.
 export async function choosePort() {
     if (!navigator.serial) {
-        throw new Error(isSecureContext ? NONE : NOT_SECURE);
+        throw new Error(isSecureContext ? UNSUPPORTED : NOT_SECURE);
     }
     return navigator.serial.requestPort().catch((error) => {
         throw explained(error);
@@ -43,16 +43,16 @@ export class Board {
             onSample: (sample) => sink.sample(sample, now()),
         });
         this.isOpen = false;
-        this.lost = this.lost.bind(this);
-        this.back = this.back.bind(this);
+        this.onDisconnect = this.onDisconnect.bind(this);
+        this.onConnect = this.onConnect.bind(this);
     }
 
     async start() {
         await this.open();
-        navigator.serial.addEventListener("disconnect", this.lost);
-        navigator.serial.addEventListener("connect", this.back);
-        this.heard = { taken: 0, skipped: 0, at: now() };
-        this.watching = setInterval(() => this.watch(), 500);
+        navigator.serial.addEventListener("disconnect", this.onDisconnect);
+        navigator.serial.addEventListener("connect", this.onConnect);
+        this.progress = { taken: 0, skipped: 0, at: now() };
+        this.timer = setInterval(() => this.checkLines(), 500);
         return this;
     }
 
@@ -63,9 +63,9 @@ export class Board {
     }
 
     async end() {
-        clearInterval(this.watching);
-        navigator.serial.removeEventListener("disconnect", this.lost);
-        navigator.serial.removeEventListener("connect", this.back);
+        clearInterval(this.timer);
+        navigator.serial.removeEventListener("disconnect", this.onDisconnect);
+        navigator.serial.removeEventListener("connect", this.onConnect);
         await this.close();
     }
 
@@ -86,7 +86,7 @@ export class Board {
         await this.port.close().catch(() => {});
     }
 
-    // After a framing or an overrun error there is another stream, and samples are lost.
+    // A framing or overrun error ends the stream: another one follows, and samples are lost.
     async read() {
         const decoder = new TextDecoder();
         while (this.port.readable && this.isOpen) {
@@ -113,59 +113,59 @@ export class Board {
         }
     }
 
-    lost({ target }) {
+    onDisconnect({ target }) {
         if (target === this.port) {
             this.isGone = true;
             this.sink.gap();
-            this.tell("The board is unplugged. Plug it in again: the positions taken are kept.");
+            this.notify("The board is unplugged. Plug it in again: the positions taken are kept.");
         }
     }
 
-    async back({ target }) {
+    async onConnect({ target }) {
         if (target !== this.port) {
             return;
         }
         await this.close(); // it may be closed already
         try {
             await this.open();
-            this.tell("The board is back: go on.");
+            this.notify("The board is back: go on.");
         } catch (error) {
-            this.tell(`The board is back. ${error.message}`);
+            this.notify(`The board is back. ${error.message}`);
         }
     }
 
-    // Says why no line can be read, and clears that once lines come.
-    watch() {
+    // Says why no line can be read; clears that message when lines arrive.
+    checkLines() {
         const { taken, skipped } = this.lines;
-        if (taken > this.heard.taken) {
-            this.heard = { taken, skipped, at: now() };
-            this.tell("");
+        if (taken > this.progress.taken) {
+            this.progress = { taken, skipped, at: now() };
+            this.notify("");
             return;
         }
-        const unread = skipped - this.heard.skipped;
-        if (unread >= GARBAGE) {
-            this.tell(`Lines arrive, but none of them can be read. Is ${this.baudRate} baud right (Settings)? Does the board print x,y,z?`);
-        } else if (!this.isGone && now() - this.heard.at > PATIENCE) {
-            this.tell(taken > 0 ? "The board has stopped printing readings. Reset it." : "Nothing arrives from the board. Is this its port, and does its program print readings?");
+        const unread = skipped - this.progress.skipped;
+        if (unread >= UNREADABLE) {
+            this.notify(`Lines arrive, but none of them can be read. Is ${this.baudRate} baud right (Settings)? Does the board print x,y,z?`);
+        } else if (!this.isGone && now() - this.progress.at > SILENCE) {
+            this.notify(taken > 0 ? "The board has stopped printing readings. Reset it." : "Nothing arrives from the board. Is this its port, and does its program print readings?");
         }
     }
 
-    // Only if it is new: others may have shown a text in between.
-    tell(text) {
-        if (text !== (this.told ?? "")) {
-            this.told = text;
-            this.sink.tell(text);
+    // Only if it is new, since others may have shown a message in between.
+    notify(text) {
+        if (text !== (this.notice ?? "")) {
+            this.notice = text;
+            this.sink.notify(text);
         }
     }
 
-    // Sends a line, and returns the board's answer, or null. Opens a port that was stopped: the board may restart
-    // then, and hears nothing until it prints.
+    // Sends a line, and returns the board's answer, or null. Opens the port again if it was stopped: that may reset
+    // the board, which receives nothing until it prints.
     async send(text) {
         const wasOpen = Boolean(this.port.writable);
         if (!wasOpen) {
             await this.open();
             const { taken } = this.lines;
-            await until(() => this.lines.taken > taken, WAKE);
+            await until(() => this.lines.taken > taken, START_TIME);
         }
         this.reply = null;
         const writer = this.port.writable.getWriter();
@@ -174,7 +174,7 @@ export class Board {
         } finally {
             writer.releaseLock();
         }
-        await until(() => this.reply !== null, ANSWER);
+        await until(() => this.reply !== null, ANSWER_TIME);
         if (!wasOpen) {
             await this.close();
         }

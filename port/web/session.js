@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// A live calibration: samples in, what is known so far out. It begins by a second of listening, in which rate and
-// unit of the readings show.
+// A live calibration: takes samples, and gives the result so far. The first second of samples shows the rate and the
+// unit of the readings.
 import { Log } from "./log.js";
 import { statedUnit, stepOf, toolOptions, unitOf } from "./units.js";
 
 const EVENTS = ["", "moving", "settling", "ready", "taken", "refused"];
-const LISTEN = 1; // seconds
+const DETECTION_TIME = 1; // seconds
 
 const length = (v) => Math.hypot(...v);
 
-// Degrees a second that a reading of a gyro is, if its unit is known.
+// Degrees per second per unit.
 const GYRO_UNITS = { "°/s": 1, "rad/s": 180 / Math.PI };
 
-// The mean of a gyro in the rests: its bias. Each rest is one reading of it.
+// The bias of a gyro: the mean of its means in the rests.
 class GyroBias {
-    constructor(late) {
-        this.late = late; // samples at the end of a rest that may be motion already
+    constructor(discard) {
+        this.discard = discard; // samples at the end of a rest, which may be motion already
         this.rests = [];
         this.clear();
     }
@@ -24,13 +24,13 @@ class GyroBias {
     clear() {
         this.sum = [0, 0, 0];
         this.n = 0;
-        this.held = [];
+        this.recent = [];
     }
 
     add(rate) {
-        this.held.push(rate);
-        if (this.held.length > this.late) {
-            this.held.shift().forEach((v, i) => (this.sum[i] += v));
+        this.recent.push(rate);
+        if (this.recent.length > this.discard) {
+            this.recent.shift().forEach((v, i) => (this.sum[i] += v));
             this.n++;
         }
     }
@@ -42,7 +42,7 @@ class GyroBias {
         this.clear();
     }
 
-    // { mean, sigma } by the scatter between rests, sigma of the worst axis; null before the third.
+    // { mean, sigma }, sigma from the scatter between rests, for the worst axis; null before the third rest.
     result() {
         const n = this.rests.length;
         if (n < 3) {
@@ -55,28 +55,29 @@ class GyroBias {
 }
 
 export class Session {
-    // live: the instance. options: { rate, unit, target: [over field, 1, rad], rounds: the source may round }
+    // live: the WebAssembly instance. options: { rate, unit, gyro, target: [over the field, 1, rad], rounds: the
+    // source may round }
     constructor(live, options, onEvent) {
         this.live = live;
         this.options = options;
         this.onEvent = onEvent;
-        this.first = []; // samples until it begins
+        this.pending = []; // samples before rate and unit are known
         this.log = new Log();
         this.unit = null;
         this.samples = 0;
         this.up = [0, 0, 1];
         this.positions = [];
-        this.gains = null; // sigma of a length in each direction of the picture; the page asks for it
+        this.sigmas = null; // of a length in each direction of the picture; set by the page
         this.refused = [];
         this.state = "listening";
         this.gyro = new GyroBias(0);
-        this.gyroUnit = null; // degrees a second, if that is known
+        this.gyroUnit = null; // degrees per second, if known
         this.result = null;
         this.step = 0;
         this.began = null;
     }
 
-    // A sample, and when it came, seconds.
+    // A sample, and its time of arrival, seconds.
     add(sample, seconds) {
         this.began ??= seconds;
         this.seconds = seconds;
@@ -84,22 +85,22 @@ export class Session {
             this.feed(sample);
             return;
         }
-        this.first.push(sample);
+        this.pending.push(sample);
         const passed = seconds - this.began;
-        const isEnough = this.options.rate ? this.first.length >= this.options.rate * LISTEN : passed >= LISTEN;
-        if (isEnough && this.first.length >= 8) {
-            this.begin(this.options.rate || (this.first.length - 1) / passed);
+        const isLongEnough = this.options.rate ? this.pending.length >= this.options.rate * DETECTION_TIME : passed >= DETECTION_TIME;
+        if (isLongEnough && this.pending.length >= 8) {
+            this.begin(this.options.rate || (this.pending.length - 1) / passed);
         }
     }
 
     begin(rate) {
-        const isWhole = this.first.every(({ acc }) => acc.every(Number.isInteger));
-        const lengths = this.first.map(({ acc }) => length(acc));
-        const stated = this.options.unit || (this.first[0].raw ? "8192" : "");
+        const isWhole = this.pending.every(({ acc }) => acc.every(Number.isInteger));
+        const lengths = this.pending.map(({ acc }) => length(acc));
+        const stated = this.options.unit || (this.pending[0].raw ? "8192" : "");
         this.unit = stated ? statedUnit(stated, isWhole) : unitOf(lengths, isWhole);
         this.rate = rate;
         this.gyro = new GyroBias(Math.ceil(rate / 4));
-        const gyro = this.first[0].raw ? "16" : this.options.gyro;
+        const gyro = this.pending[0].raw ? "16" : this.options.gyro;
         this.gyroUnit = gyro ? (GYRO_UNITS[gyro] ?? 1 / Number(gyro)) : null;
         const status = this.live.begin(this.unit.counts, Math.round(rate));
         if (status !== 0) {
@@ -107,11 +108,11 @@ export class Session {
             throw new Error(`${this.text(this.live.status_text(status))}: ${rate.toFixed(1)} readings per second, 1 g = ${(this.unit.counts / this.unit.factor).toPrecision(3)}`);
         }
         if (this.options.rounds) {
-            this.step = stepOf(this.first);
+            this.step = stepOf(this.pending);
         }
         this.state = "moving";
         this.guide();
-        for (const sample of this.first.splice(0)) {
+        for (const sample of this.pending.splice(0)) {
             this.feed(sample);
         }
     }
@@ -126,14 +127,14 @@ export class Session {
         this.log.add(sample);
         const event = this.live.feed(Math.round(x * factor), Math.round(y * factor), Math.round(z * factor));
         if (event !== 0) {
-            this.happened(EVENTS[event]);
+            this.handleEvent(EVENTS[event]);
         }
         if (sample.gyro && (this.state === "settling" || this.state === "ready")) {
             this.gyro.add(sample.gyro);
         }
     }
 
-    happened(name) {
+    handleEvent(name) {
         const before = this.state;
         this.state = name;
         if (name === "settling" && before !== "ready" && this.live.progress() < 20) {
@@ -169,7 +170,7 @@ export class Session {
         this.next = this.numbers(3);
     }
 
-    // Sigmas are those that cover 95 %.
+    // sigma is multiplied by the coverage factor for 95 %.
     solve() {
         const status = this.live.solve(this.unit.factor);
         if (status !== 0) {
@@ -205,10 +206,10 @@ export class Session {
         }
     }
 
-    // The stream ends: a rest that goes on counts.
+    // The stream ends: the current rest counts.
     finish() {
         if (this.unit) {
-            this.happened(EVENTS[this.live.finish()]);
+            this.handleEvent(EVENTS[this.live.finish()]);
         }
         this.state = "ended";
     }
@@ -217,12 +218,12 @@ export class Session {
         return this.unit && (this.state === "settling" || this.state === "ready") ? this.live.progress() : 0;
     }
 
-    // May it be moved on? The event is told once, and the rest goes on.
+    // True from the event "ready" until the end of the rest.
     isReady() {
         return this.progress() === 100;
     }
 
-    // sigma of a length in each direction, over that of a position.
+    // Sigma of a length in each direction, over that of a position.
     uncertainty(directions) {
         const buffer = new Float64Array(this.live.memory.buffer, this.live.direction_buffer(), 3 * directions.length);
         directions.forEach((d, i) => buffer.set(d, 3 * i));
@@ -234,7 +235,7 @@ export class Session {
         return this.log.csv(this.rate);
     }
 
-    // What the tool has to be told of it.
+    // Options of the tool for its log.
     toolOptions() {
         return toolOptions(this.unit);
     }

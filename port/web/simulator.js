@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// A simulated sensor in a hand that follows the instructions, as a source of samples (sink.js).
+// A simulated sensor that is turned as instructed, as a source of samples (sink.js).
 import { now } from "./clock.js";
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const unit = (v) => v.map((x) => x / Math.hypot(...v));
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-// xorshift32: the same hand each time.
+// xorshift32: reproducible.
 function random(seed) {
     let state = seed;
     const uniform = () => {
@@ -39,19 +39,19 @@ const REST = 3; // seconds
 const TURN = 1.5;
 
 class Hand {
-    constructor(sink, wanted, seed) {
+    constructor(sink, nextDirection, seed) {
         this.sink = sink;
-        this.wanted = wanted;
-        this.chance = random(seed);
+        this.nextDirection = nextDirection;
+        this.random = random(seed);
         this.from = this.to = this.last = [0, 0, 1];
         this.phase = 0; // seconds in this rest and the turn after it
         this.n = 0; // samples
     }
 
     read(up, isTurning) {
-        const { normal } = this.chance;
+        const { normal } = this.random;
         const acc = TRUTH.matrix.map((row, i) => Math.round(16384 * dot(row, up) + TRUTH.offset[i] + normal() * (isTurning ? 150 : 12)));
-        // The shortest turn from the last sample's way up to this: w = du/dt x u, 1/16 degree a second.
+        // The shortest turn from the up direction of the last sample to this one: w = du/dt x u, 1/16 degree per second.
         const turn = cross(up, this.last).map((x) => (x * RATE * 16 * 180) / Math.PI);
         const gyro = TRUTH.gyroMatrix.map((row, i) => Math.round(dot(row, turn) + TRUTH.gyro[i] + normal() * 2));
         this.last = up;
@@ -70,26 +70,26 @@ class Hand {
             return;
         }
         if (this.from === this.to) {
-            this.to = unit(this.wanted().map((v) => v + 0.06 * this.chance.normal())); // some degrees off
+            this.to = unit(this.nextDirection().map((v) => v + 0.06 * this.random.normal())); // some degrees off
         }
         this.read(this.between((this.phase - REST) / TURN), true);
     }
 
     between(share) {
         const { from, to } = this;
-        const way = share * share * (3 - 2 * share);
-        const aside = dot(from, to) < -0.9 ? Math.sin(Math.PI * way) : 0; // not through the middle
-        return unit(from.map((v, i) => v * (1 - way) + to[i] * way + aside * [from[1], -from[0], 0.5][i]));
+        const smooth = share * share * (3 - 2 * share);
+        const detour = dot(from, to) < -0.9 ? Math.sin(Math.PI * smooth) : 0; // nearly opposite directions have no shortest path
+        return unit(from.map((v, i) => v * (1 - smooth) + to[i] * smooth + detour * [from[1], -from[0], 0.5][i]));
     }
 }
 
-// wanted: returns the requested direction.
-export function simulator(sink, { speed, wanted, seed = 1 }) {
-    const hand = new Hand(sink, wanted, seed);
-    let told = now();
+// nextDirection: returns the requested direction.
+export function simulator(sink, { speed, nextDirection, seed = 1 }) {
+    const hand = new Hand(sink, nextDirection, seed);
+    let last = now();
     const timer = setInterval(() => {
-        const passed = Math.min(0.1, now() - told);
-        told = now();
+        const passed = Math.min(0.1, now() - last);
+        last = now();
         for (let i = 0; i < passed * speed * RATE; i++) {
             hand.step();
         }

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Where samples go. A source (serial.js, phone.js, replay.js, simulator.js) is given a sink,
+// Receives samples. A source (serial.js, phone.js, replay.js, simulator.js) gets a sink,
 //
-//     sink.sample(sample, seconds)   one sample (lines.js), and when it came
+//     sink.sample(sample, seconds)   one sample (lines.js), and its time of arrival
 //     sink.gap()                     samples were lost
-//     sink.tell(text)                a message for the user
-//     sink.end(lines)                there are no more
+//     sink.notify(text)              a message for the user
+//     sink.end(lines)                there are no more samples
 //
 // and returns { stop, ... } or a promise of it.
 import { many } from "./words.js";
 
-// isCurrent: does the session still run? tell, stop: what the page does.
-export function makeSink(session, { isCurrent, tell, stop }) {
+// isCurrent: whether the session is still running. notify, stop: functions of the page.
+export function makeSink(session, { isCurrent, notify, stop }) {
     return {
         sample(sample, seconds) {
             if (!isCurrent()) {
@@ -20,20 +20,20 @@ export function makeSink(session, { isCurrent, tell, stop }) {
             try {
                 session.add(sample, seconds);
             } catch (error) {
-                tell(`${error.message}. State them under Settings.`);
+                notify(`${error.message}. State them under Settings.`);
                 stop();
             }
         },
         gap: () => session.gap(),
-        tell: (text) => isCurrent() && tell(text),
+        notify: (text) => isCurrent() && notify(text),
         end(lines) {
-            const before = session.first.length;
+            const before = session.pending.length;
             session.finish();
             stop();
             if (before > 0) {
-                tell(`${many(before, "reading")} only: a calibration needs at least one second of them to begin with.`);
+                notify(`${many(before, "reading")} only: a calibration needs at least one second of them to begin with.`);
             } else if (lines?.taken === 0) {
-                tell("No line of this log looks like x,y,z or t,x,y,z. The report below may understand other formats.");
+                notify("No line of this log looks like x,y,z or t,x,y,z. The report below may understand other formats.");
             }
         },
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A tone for each turn of things: the user looks at the sensor, not at the screen.
+// A tone for each important event, since the user looks at the sensor, not at the screen.
 
 const TONES = { ready: [880], refused: [220], stop: [660, 880, 1100] }; // Hz
 const LENGTH = 0.12; // seconds

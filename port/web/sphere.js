@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The picture: a sphere of directions in the frame of the case. Its middle is the direction that points up now, so
-// that it turns as the sensor is turned.
+// The picture: a sphere of directions in the frame of the case. Its centre is the direction that points up now, so
+// it turns with the sensor.
 
 const SPOTS = 400;
-const REACH = 0.43; // radius over the canvas
+const REACH = 0.43; // radius over the size of the canvas
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = (v) => v.map((x) => x / (Math.hypot(...v) || 1));
@@ -30,26 +30,26 @@ export class Sphere {
         this.canvas = canvas;
         this.right = [1, 0, 0];
         this.frames = 0;
-        this.recolour();
-        matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.recolour());
+        this.updateColours();
+        matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.updateColours());
     }
 
-    recolour() {
+    updateColours() {
         const style = getComputedStyle(document.documentElement);
         const colour = (name) => style.getPropertyValue(`--${name}`).trim();
         this.colours = Object.fromEntries(["ink", "soft", "card", "paper", "accent", "good", "known", "open"].map((n) => [n, colour(n)]));
-        this.old = null;
+        this.lastKey = null;
     }
 
-    // now: { up, next, positions, gains, progress, isReady }
+    // now: { up, next, positions, sigmas, progress, isReady }
     draw(now) {
-        this.dots = Math.min(2, devicePixelRatio);
-        const size = Math.min(640, Math.round(this.canvas.clientWidth * this.dots));
+        this.pixelRatio = Math.min(2, devicePixelRatio);
+        const size = Math.min(640, Math.round(this.canvas.clientWidth * this.pixelRatio));
         const key = JSON.stringify([size, now.up.map((v) => Math.round(v * 500)), now.next, now.positions.length, now.progress, now.isReady]);
-        if (key === this.old || size === 0) {
+        if (key === this.lastKey || size === 0) {
             return;
         }
-        this.old = key;
+        this.lastKey = key;
         this.frames++;
         if (this.canvas.width !== size) {
             this.canvas.width = this.canvas.height = size;
@@ -57,17 +57,17 @@ export class Sphere {
         this.g = this.canvas.getContext("2d");
         this.size = size;
         this.radius = size * REACH;
-        this.look(unit(now.up));
-        this.ball(now);
-        this.taken(now.positions);
-        this.faces();
-        this.target(now);
-        this.here();
-        this.hold(now);
+        this.setCamera(unit(now.up));
+        this.drawDots(now);
+        this.drawPositions(now.positions);
+        this.drawFaces();
+        this.drawTarget(now);
+        this.drawCrosshair();
+        this.drawProgress(now);
     }
 
-    // The camera: up in the middle, and as little turned against the last picture as can be.
-    look(up) {
+    // Centres `up`, with the least rotation since the last frame.
+    setCamera(up) {
         let right = this.right.map((v, i) => v - dot(this.right, up) * up[i]);
         if (Math.hypot(...right) < 0.1) {
             right = cross(up, Math.abs(up[0]) < 0.7 ? [1, 0, 0] : [0, 1, 0]);
@@ -76,20 +76,20 @@ export class Sphere {
         this.axes = [this.right, cross(up, this.right), up];
     }
 
-    // On the canvas, and how far in front.
-    place(d) {
+    // Position on the canvas, and distance in front of it.
+    project(d) {
         const [x, y, z] = this.axes.map((a) => dot(a, d));
         return [this.size / 2 + this.radius * x, this.size / 2 - this.radius * y, z];
     }
 
-    disc(x, y, r, fill) {
+    drawDisc(x, y, r, fill) {
         this.g.beginPath();
         this.g.arc(x, y, r, 0, 2 * Math.PI);
         this.g.fillStyle = fill;
         this.g.fill();
     }
 
-    ring(x, y, r, width, colour, share = 1) {
+    drawRing(x, y, r, width, colour, share = 1) {
         this.g.beginPath();
         this.g.arc(x, y, r, -Math.PI / 2, -Math.PI / 2 + 2 * Math.PI * share);
         this.g.lineWidth = width;
@@ -97,7 +97,7 @@ export class Sphere {
         this.g.stroke();
     }
 
-    word(text, x, y, size, colour) {
+    drawText(text, x, y, size, colour) {
         this.g.font = `600 ${size}px system-ui, sans-serif`;
         this.g.textAlign = "center";
         this.g.textBaseline = "middle";
@@ -105,17 +105,17 @@ export class Sphere {
         this.g.fillText(text, x, y);
     }
 
-    // What is uncertain has large spots of the colour "open", what is known small ones of "known".
-    ball({ gains }) {
+    // Uncertain directions have large dots of the colour "open", the others small ones of "known".
+    drawDots({ sigmas }) {
         const { g, size, radius, colours } = this;
         g.clearRect(0, 0, size, size);
-        this.disc(size / 2, size / 2, radius * 1.04, colours.card);
+        this.drawDisc(size / 2, size / 2, radius * 1.04, colours.card);
         DIRECTIONS.forEach((d, i) => {
-            const [x, y, z] = this.place(d);
+            const [x, y, z] = this.project(d);
             if (z < 0.03) {
                 return;
             }
-            const open = gains ? Math.max(0, Math.min(1, Math.log10(gains[i] / 0.6) / 2)) : 1;
+            const open = sigmas ? Math.max(0, Math.min(1, Math.log10(sigmas[i] / 0.6) / 2)) : 1;
             g.globalAlpha = 0.25 + 0.6 * z;
             g.beginPath();
             const r = radius * (0.018 + 0.047 * open);
@@ -126,39 +126,39 @@ export class Sphere {
         g.globalAlpha = 1;
     }
 
-    faces() {
+    drawFaces() {
         for (const [name, d] of FACES) {
-            const [x, y, z] = this.place(d);
+            const [x, y, z] = this.project(d);
             if (z > 0.05) {
-                this.word(name, x, y - this.size * 0.05, Math.max(this.size * 0.034, 12 * this.dots), this.colours.ink);
+                this.drawText(name, x, y - this.size * 0.05, Math.max(this.size * 0.034, 12 * this.pixelRatio), this.colours.ink);
             }
         }
     }
 
-    taken(positions) {
+    drawPositions(positions) {
         positions.forEach((p, i) => {
-            const [x, y, z] = this.place(unit(p));
+            const [x, y, z] = this.project(unit(p));
             if (z > 0) {
-                const r = Math.max(this.size * 0.019, 8 * this.dots);
-                this.disc(x, y, r + 2, this.colours.paper);
-                this.disc(x, y, r, this.colours.accent);
-                this.word(String(i + 1), x, y, 1.2 * r, this.colours.paper);
+                const r = Math.max(this.size * 0.019, 8 * this.pixelRatio);
+                this.drawDisc(x, y, r + 2, this.colours.paper);
+                this.drawDisc(x, y, r, this.colours.accent);
+                this.drawText(String(i + 1), x, y, 1.2 * r, this.colours.paper);
             }
         });
     }
 
-    // A ring where to turn to, and an arrow that leads there.
-    target({ up, next }) {
+    // A ring at the next direction, and an arrow to it.
+    drawTarget({ up, next }) {
         if (!next) {
             return;
         }
         const { g, size, radius, colours } = this;
-        const [x, y, z] = this.place(next);
+        const [x, y, z] = this.project(next);
         const middle = size / 2;
         const far = Math.hypot(x - middle, y - middle) || 1;
         const [ex, ey] = far > 1 ? [(x - middle) / far, (y - middle) / far] : [1, 0];
         if (z > 0) {
-            this.ring(x, y, size * 0.04, size * 0.009, colours.good);
+            this.drawRing(x, y, size * 0.04, size * 0.009, colours.good);
         }
         if (between(up, next) < 14) {
             return;
@@ -179,10 +179,10 @@ export class Sphere {
     }
 
     // The direction that points up now.
-    here() {
+    drawCrosshair() {
         const { g, size, colours } = this;
         const c = size / 2;
-        this.ring(c, c, size * 0.022, size * 0.007, colours.ink);
+        this.drawRing(c, c, size * 0.022, size * 0.007, colours.ink);
         g.beginPath();
         for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
             g.moveTo(c + dx * size * 0.015, c + dy * size * 0.015);
@@ -191,9 +191,9 @@ export class Sphere {
         g.stroke();
     }
 
-    hold({ progress, isReady }) {
+    drawProgress({ progress, isReady }) {
         if (progress > 0) {
-            this.ring(this.size / 2, this.size / 2, this.radius * 1.09, this.size * 0.022, isReady ? this.colours.good : this.colours.accent, progress / 100);
+            this.drawRing(this.size / 2, this.size / 2, this.radius * 1.09, this.size * 0.022, isReady ? this.colours.good : this.colours.accent, progress / 100);
         }
     }
 }

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// The tool, as the page calls it.
+// Runs the tool in a worker.
 import { toolModule, workerUrl } from "./inlined.js";
 
-// The words of a command line, as a shell takes them apart.
-export function words(line) {
+// Splits a command line as a shell does.
+export function splitArguments(line) {
     return [...line.matchAll(/(?:[^\s"']+|"[^"]*"|'[^']*')+/g)].map(([word]) => word.replace(/["']/g, ""));
 }
 
-// As one would type it.
-export function typed(args) {
+// A command line to type, with quotes where needed.
+export function commandLine(args) {
     const quoted = (word) => (/^[\w.,:+\-/=@%]+$/.test(word) ? word : `'${word.replace(/'/g, "'\\''")}'`);
     return ["invcal", ...args].map(quoted).join(" ");
 }
 
-// Runs it. `files` are { name, blob }. The promise's `cancel` ends it. Returns { code, stdout, stderr, files }, the
-// texts as strings, the files as a Map from name to bytes.
+// `files` are { name, blob }. The promise has a method `cancel`. It resolves to { code, stdout, stderr, files }, stdout
+// and stderr as strings, files as a Map from name to bytes.
 export function run(args, files = [], progress = () => {}) {
     let worker;
     let cancel;

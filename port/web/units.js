@@ -4,14 +4,15 @@
 
 const G = 9.80665;
 
-// Possible units of readings: the length of 1 g. Values that are not whole counts are multiplied, so that no digit is lost.
+// Units of readings, by the length of 1 g. Values that are not whole counts are multiplied by `factor`, so no digit is
+// lost.
 const UNITS = {
     g: { length: 1, factor: 65536, tool: ["--unit", "g"] },
     mg: { length: 1000, factor: 64, tool: ["--unit", "mg"] },
     "m/s²": { length: G, factor: 8192, tool: ["--unit", "m/s2"] },
 };
 
-// Counts per g of data sheets.
+// Counts per g in data sheets.
 const COUNTS = [16384, 8192, 4096, 2048, 1024, 512, 256, 128, 64];
 
 const near = (a, b) => Math.abs(a / b - 1) < 0.12;
@@ -39,7 +40,7 @@ export function statedUnit(unit, isWhole = true) {
     return { name: `${counts} counts/g`, counts: counts * factor, factor };
 }
 
-// The smallest change between readings, 0 if there is none: what a browser rounds to.
+// The smallest change between readings, the step that a browser rounds to; 0 if there is none.
 export function stepOf(rows) {
     let step = Infinity;
     for (let i = 1; i < rows.length; i++) {

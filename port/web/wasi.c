@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The tool in a browser: what wasi-libc has not. Its files lie in the memory of the page: they have no
- * permissions, no symbolic links, and one folder. There is no terminal, either, so watch has nothing to read
- * from: the page leads through a live calibration itself (live.c).
+ * The tool in a browser: POSIX functions that wasi-libc lacks. Its files are in the memory of the
+ * page, without permissions or symbolic links, in one folder. There is no terminal, so watch is
+ * refused: the page has its own live calibration (live.c).
  */
 #include <stdio.h>
 #include <string.h>
@@ -34,11 +34,11 @@ static int refuse(void)
     return message_usage("watch", "there is no terminal in a browser: calibrate live on the page");
 }
 
-int live_read(positions *p, const char *path, const live_wish *wish, gyro_log *gyro,
+int live_read(positions *p, const char *path, const live_options *options, gyro_log *gyro,
               rests_summary *summary)
 {
     (void)path;
-    (void)wish;
+    (void)options;
     (void)gyro;
     *p = (positions){0};
     memset(summary, 0, sizeof *summary);
@@ -46,11 +46,11 @@ int live_read(positions *p, const char *path, const live_wish *wish, gyro_log *g
 }
 
 int wave_read(positions *p, const char *path, const invcal_calibration *nominal,
-              const live_wish *wish, magnetometer_log *out)
+              const live_options *options, magnetometer_log *out)
 {
     (void)path;
     (void)nominal;
-    (void)wish;
+    (void)options;
     *p = (positions){0};
     memset(out, 0, sizeof *out);
     return refuse();

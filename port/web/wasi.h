@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the tool takes from POSIX, and wasi-libc does not declare; included before everything else.
+ * POSIX functions that the tool uses and wasi-libc does not declare; included before everything
+ * else.
  */
 #ifndef WASI_H
 #define WASI_H

@@ -33,14 +33,14 @@ export function instruction({ session, isRunning }) {
 }
 
 // Returns whether there is somewhere to turn to.
-export const isLed = ({ session, isRunning }) => isRunning && session.unit && !session.result?.mayStop;
+export const isGuiding = ({ session, isRunning }) => isRunning && session.unit && !session.result?.mayStop;
 
 export function where(now) {
     const { session } = now;
     if (!session) {
         return "A board on a serial port, this phone, or a log file, which you may also drop here. Nothing at hand? Try the simulator.";
     }
-    if (!isLed(now) || (session.state === "settling" && !session.isReady())) {
+    if (!isGuiding(now) || (session.state === "settling" && !session.isReady())) {
         return "";
     }
     return `${Math.round(between(session.up, session.next))}° to go`;

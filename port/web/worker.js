@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// The tool in a worker: one message starts it, and what comes back is what it printed and the files it wrote.
+// The tool in a worker: one message starts it, and the answer is its output and the files that it wrote.
 import { WASI, File, OpenFile, ConsoleStdout, PreopenDirectory, Inode, Fd, wasi } from "@bjorn3/browser_wasi_shim";
 
-const CHUNK = 1 << 20; // bytes that are fetched of a log at a time
+const CHUNK = 1 << 20; // bytes of a log that are read at a time
 
-// A log is read where it lies: 100 MB of it are never in memory.
+// A log is read in chunks: it may be larger than memory.
 class OpenBlob extends Fd {
-    constructor(inode, told) {
+    constructor(inode, onProgress) {
         super();
         this.inode = inode;
-        this.told = told;
+        this.onProgress = onProgress;
         this.at = 0;
         this.begin = 0;
         this.chunk = new Uint8Array(0);
@@ -29,7 +29,7 @@ class OpenBlob extends Fd {
             const part = this.inode.blob.slice(this.at, this.at + CHUNK);
             this.chunk = new Uint8Array(new FileReaderSync().readAsArrayBuffer(part));
             this.begin = this.at;
-            this.told(this.at / this.inode.blob.size);
+            this.onProgress(this.at / this.inode.blob.size);
         }
         const from = this.at - this.begin;
         const data = this.chunk.slice(from, from + size);
@@ -51,8 +51,8 @@ class OpenBlob extends Fd {
     }
 }
 
-// What is printed: a pipe and no terminal, or the tool would draw its progress.
-class Printed extends ConsoleStdout {
+// Standard output and error: pipes, since on a terminal the tool would draw its progress.
+class PipedOutput extends ConsoleStdout {
     fd_fdstat_get() {
         const stat = super.fd_fdstat_get();
         stat.fdstat.fs_filetype = wasi.FILETYPE_SOCKET_STREAM;
@@ -61,14 +61,14 @@ class Printed extends ConsoleStdout {
 }
 
 class BlobFile extends Inode {
-    constructor(blob, told) {
+    constructor(blob, onProgress) {
         super();
         this.blob = blob;
-        this.told = told;
+        this.onProgress = onProgress;
     }
 
     path_open() {
-        return { ret: 0, fd_obj: new OpenBlob(this, this.told) };
+        return { ret: 0, fd_obj: new OpenBlob(this, this.onProgress) };
     }
 
     stat() {
@@ -76,7 +76,7 @@ class BlobFile extends Inode {
     }
 }
 
-// The tool asks before it begins whether it may write there; in a page it may.
+// The tool first checks whether it may write here; in a page it may.
 class Folder extends PreopenDirectory {
     fd_fdstat_get() {
         const stat = super.fd_fdstat_get();
@@ -88,11 +88,11 @@ class Folder extends PreopenDirectory {
 // { module, args, files: [{ name, blob }] } -> { code, stdout, stderr, files: [{ name, bytes }] }
 onmessage = ({ data: { module, args, files } }) => {
     const printed = [[], []];
-    const keep = (which) => new Printed((bytes) => printed[which].push(bytes.slice()));
-    const told = (share) => postMessage({ progress: share });
-    const given = files.map(({ name, blob }) => [name, new BlobFile(blob, told)]);
-    const folder = new Folder(".", new Map(given));
-    const shim = new WASI(["invcal", ...args], [], [new OpenFile(new File([])), keep(0), keep(1), folder], { debug: false });
+    const capture = (which) => new PipedOutput((bytes) => printed[which].push(bytes.slice()));
+    const onProgress = (share) => postMessage({ progress: share });
+    const inputs = files.map(({ name, blob }) => [name, new BlobFile(blob, onProgress)]);
+    const folder = new Folder(".", new Map(inputs));
+    const shim = new WASI(["invcal", ...args], [], [new OpenFile(new File([])), capture(0), capture(1), folder], { debug: false });
     let code = 0;
 
     try {

@@ -6,9 +6,9 @@
 #include <sys/ioctl.h>
 #include <windows.h>
 
-/* Before main: files and streams as they are, without carriage returns; UTF-8 and escape sequences on
- * the console, which has a name then. */
-__attribute__((constructor)) static void begin(void)
+/* Before main: binary files and streams; UTF-8 and escape sequences on the console, and TERM for
+ * it. */
+__attribute__((constructor)) static void init(void)
 {
     const HANDLE console = GetStdHandle(STD_OUTPUT_HANDLE);
     DWORD mode;
@@ -29,15 +29,15 @@ __attribute__((constructor)) static void begin(void)
 
 static void identify(HANDLE file, struct posix_stat *status)
 {
-    BY_HANDLE_FILE_INFORMATION about;
+    BY_HANDLE_FILE_INFORMATION info;
 
-    if (GetFileInformationByHandle(file, &about)) {
-        status->st_dev = about.dwVolumeSerialNumber;
-        status->st_ino = (unsigned long long)about.nFileIndexHigh << 32 | about.nFileIndexLow;
+    if (GetFileInformationByHandle(file, &info)) {
+        status->st_dev = info.dwVolumeSerialNumber;
+        status->st_ino = (unsigned long long)info.nFileIndexHigh << 32 | info.nFileIndexLow;
     }
 }
 
-static void take(const struct _stat64 *from, struct posix_stat *to)
+static void copy_status(const struct _stat64 *from, struct posix_stat *to)
 {
     *to = (struct posix_stat){.st_mode = from->st_mode, .st_size = from->st_size};
 }
@@ -49,8 +49,8 @@ int posix_stat(const char *path, struct posix_stat *status)
     if (_stat64(path, &found) != 0) {
         return -1;
     }
-    take(&found, status);
-    /* A folder is opened like a file with this flag. */
+    copy_status(&found, status);
+    /* With this flag, a folder can be opened, too. */
     const HANDLE file = CreateFileA(path, 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
                                     NULL, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, NULL);
     if (file != INVALID_HANDLE_VALUE) {
@@ -67,7 +67,7 @@ int posix_fstat(int file, struct posix_stat *status)
     if (_fstat64(file, &found) != 0) {
         return -1;
     }
-    take(&found, status);
+    copy_status(&found, status);
     identify((HANDLE)_get_osfhandle(file), status);
     return 0;
 }
@@ -82,7 +82,7 @@ int posix_open(const char *path, int flags, ...)
     return _open(strcmp(path, "/dev/null") == 0 ? "NUL" : path, flags | _O_BINARY, mode);
 }
 
-/* Over a file that is there, too. */
+/* Replaces an existing file. */
 int posix_rename(const char *from, const char *to)
 {
     if (MoveFileExA(from, to, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH)) {
@@ -92,7 +92,8 @@ int posix_rename(const char *from, const char *to)
     return -1;
 }
 
-/* That of the C library would be in the root of the drive. T: kept in memory; D: gone when it is closed. */
+/* That of the C library would be in the root of the drive. T: in memory if possible; D: deleted
+ * when closed. */
 FILE *posix_tmpfile(void)
 {
     char folder[MAX_PATH + 1];
@@ -125,7 +126,7 @@ char *strndup(const char *text, size_t length)
     return copy;
 }
 
-/* signal resets a handler before it calls it. */
+/* signal resets the handler before it calls it, as SA_RESETHAND does. */
 int sigaction(int number, const struct sigaction *action, struct sigaction *old)
 {
     (void)old;
@@ -134,13 +135,13 @@ int sigaction(int number, const struct sigaction *action, struct sigaction *old)
 
 int ioctl(int file, int request, struct winsize *size)
 {
-    CONSOLE_SCREEN_BUFFER_INFO about;
+    CONSOLE_SCREEN_BUFFER_INFO info;
 
     (void)request;
-    if (!GetConsoleScreenBufferInfo((HANDLE)_get_osfhandle(file), &about)) {
+    if (!GetConsoleScreenBufferInfo((HANDLE)_get_osfhandle(file), &info)) {
         return -1;
     }
-    size->ws_row = (unsigned short)(about.srWindow.Bottom - about.srWindow.Top + 1);
-    size->ws_col = (unsigned short)(about.srWindow.Right - about.srWindow.Left + 1);
+    size->ws_row = (unsigned short)(info.srWindow.Bottom - info.srWindow.Top + 1);
+    size->ws_col = (unsigned short)(info.srWindow.Right - info.srWindow.Left + 1);
     return 0;
 }

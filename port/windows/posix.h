@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the tool takes from POSIX, and MinGW-w64 does not have or does otherwise; included before everything else.
+ * POSIX functions that the tool uses and MinGW-w64 lacks or implements differently; included before
+ * everything else.
  */
 #ifndef WINDOWS_POSIX_H
 #define WINDOWS_POSIX_H
 
-#define tell io_tell /* a name that POSIX leaves to programs */
+#define tell io_tell /* not reserved in POSIX */
 #include <fcntl.h>
 #include <io.h>
 #undef tell
@@ -16,7 +17,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* A file is known by its volume and number, for which the st_ino of Windows is too small. */
+/* A file is identified by its volume and number, for which the st_ino of Windows is too small. */
 struct posix_stat {
     unsigned long long st_dev, st_ino;
     unsigned short st_mode;
@@ -34,18 +35,18 @@ FILE *posix_tmpfile(void);
 #define rename posix_rename
 #define tmpfile posix_tmpfile
 
-/* Symbolic links are followed by the system, unseen. */
+/* The system follows symbolic links. */
 #define S_ISLNK(mode) ((void)(mode), 0)
 #define readlink(path, target, size) ((ssize_t)(0 * ((path) - (target)) - 1))
 #define realpath(path, resolved) _fullpath(resolved, path, 0)
 
-/* A file has no mode, a folder no right to be entered. */
+/* Files have no mode, and folders no search permission. */
 #define fchmod(file, mode) (0 * ((file) + (mode)))
 #undef X_OK
 #define X_OK 0
 #define fsync _commit
 
-/* Streams are not locked: there are no threads. */
+/* There are no threads, so streams need no locks. */
 #define getc_unlocked _getc_nolock
 
 char *strndup(const char *text, size_t length);
@@ -54,7 +55,7 @@ char *strndup(const char *text, size_t length);
 #define F_GETFD 1
 int fcntl(int file, int command);
 
-/* A write to a pipe that nobody reads fails: there is no signal that ends us. */
+/* A write to a closed pipe fails, without a signal. */
 #define SIGPIPE 13
 
 #define SA_RESETHAND 1

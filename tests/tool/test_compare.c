@@ -92,7 +92,7 @@ static void nine_are_lengths_and_angles_of_the_axes(void)
     set_axes(length, gamma, g);
     for (int k = 0; k < 5; k++) { /* however the result is turned */
         const invcal_calibration c = calibration_of(g, 0.1 * k);
-        compare_nine(&file, &c, &before);
+        compare_parameters(&file, &c, &before);
         expect_nine(length, gamma);
     }
 }
@@ -108,7 +108,7 @@ static void the_frame_does_not_matter(void)
     invcal_calibration c = calibration_of(g, 0.3);
     invcal_make_triangular(&c, &nominal);
     TEST_ASSERT_EQUAL_DOUBLE(0, c.matrix[1][0]);
-    compare_nine(&file, &c, &before);
+    compare_parameters(&file, &c, &before);
     expect_nine(length, gamma);
 }
 
@@ -121,10 +121,10 @@ static void an_axis_may_be_turned_round(void)
 
     set_axes(length, gamma, g);
     invcal_calibration c = calibration_of(g, 0);
-    compare_nine(&file, &c, &before);
+    compare_parameters(&file, &c, &before);
     expect_nine(length, seen);
     strcpy(file.frame, "stand"); /* where its sign means nothing */
-    compare_nine(&file, &c, &before);
+    compare_parameters(&file, &c, &before);
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1200, before.x[INVCAL_DK_Y]);
     TEST_ASSERT_DOUBLE_WITHIN(1e-13, -0.01, before.x[INVCAL_GAMMA_XY]);
 }
@@ -141,7 +141,7 @@ static void drifts_are_deviations_from_the_older(void)
     for (unsigned k = 0; k < 2; k++) {
         set_axes(length[k], gamma[k], g);
         c[k] = calibration_of(g, 0);
-        compare_nine(&file, &c[k], k ? &now : &before);
+        compare_parameters(&file, &c[k], k ? &now : &before);
     }
     c[1].offset[0] += 9.80665;
     now.x[INVCAL_DELTA_X] += 9.80665;
@@ -174,12 +174,12 @@ static void sigma_are_those_of_the_parameters(void)
     file.interval = invcal_coverage(13);
     set_axes(length, gamma, g);
     const invcal_calibration c = calibration_of(g, 0);
-    compare_nine(&file, &c, &now);
+    compare_parameters(&file, &c, &now);
     TEST_ASSERT_EQUAL_UINT(13, now.dof);
     for (unsigned i = 0; i < 3; i++) {
         TEST_ASSERT_EQUAL_DOUBLE(0.5, now.sigma[INVCAL_DELTA_X + i]);
         TEST_ASSERT_DOUBLE_WITHIN(1e-12, 1, now.sigma[INVCAL_DK_X + i]);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0.1, now.of_field[i]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0.1, now.field_sigma[i]);
     }
     TEST_ASSERT_DOUBLE_WITHIN(1e-15, 2e-3 * 1.025, now.sigma[INVCAL_GAMMA_XY]);
     TEST_ASSERT_DOUBLE_WITHIN(1e-15, 2e-3 * 0.9, now.sigma[INVCAL_GAMMA_XZ]);
@@ -210,7 +210,7 @@ static void chance_is_that_of_students_table(void)
         now.sigma[INVCAL_GAMMA_XY] = sqrt(row[k].v2);
         now.x[INVCAL_GAMMA_XY] = before.x[INVCAL_GAMMA_XY] + row[k].t * sqrt(row[k].v1 + row[k].v2);
         const compare_drift d = compare_drift_of(&before, &now, 1);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-9, row[k].t, d.times[INVCAL_GAMMA_XY]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-9, row[k].t, d.in_sigma[INVCAL_GAMMA_XY]);
         TEST_ASSERT_DOUBLE_WITHIN(2e-6 * row[k].chance + 1e-8, row[k].chance,
                                   d.chance[INVCAL_GAMMA_XY]);
     }
@@ -285,11 +285,11 @@ static void rosners_example_has_three(void)
                                  3.21,  3.26, 3.30, 3.59, 3.68, 4.30, 4.64, 5.34, 5.42, 6.01};
     unsigned who[54];
 
-    TEST_ASSERT_EQUAL_UINT(3, compare_outside(x, 54, 0.05, who));
+    TEST_ASSERT_EQUAL_UINT(3, compare_outliers(x, 54, 0.05, who));
     TEST_ASSERT_EQUAL_UINT(53, who[0]);
     TEST_ASSERT_EQUAL_UINT(52, who[1]);
     TEST_ASSERT_EQUAL_UINT(51, who[2]);
-    TEST_ASSERT_EQUAL_UINT(0, compare_outside(x, 54, 0.01, who));
+    TEST_ASSERT_EQUAL_UINT(0, compare_outliers(x, 54, 0.01, who));
 }
 
 static void equal_values_have_no_outlier(void)
@@ -297,11 +297,11 @@ static void equal_values_have_no_outlier(void)
     double x[20] = {0};
     unsigned who[20];
 
-    TEST_ASSERT_EQUAL_UINT(0, compare_outside(x, 20, 0.05, who));
+    TEST_ASSERT_EQUAL_UINT(0, compare_outliers(x, 20, 0.05, who));
     x[7] = 1e-9;
-    TEST_ASSERT_EQUAL_UINT(1, compare_outside(x, 20, 0.05, who));
+    TEST_ASSERT_EQUAL_UINT(1, compare_outliers(x, 20, 0.05, who));
     TEST_ASSERT_EQUAL_UINT(7, who[0]);
-    TEST_ASSERT_EQUAL_UINT(0, compare_outside(x, 2, 0.05, who));
+    TEST_ASSERT_EQUAL_UINT(0, compare_outliers(x, 2, 0.05, who));
 }
 
 static void devices_are_seldom_outliers_by_chance(void)
@@ -317,7 +317,7 @@ static void devices_are_seldom_outliers_by_chance(void)
             for (unsigned i = 0; i < sizes[k]; i++) {
                 x[i] = 33000 + random_normal(&random);
             }
-            alarms += compare_outside(x, sizes[k], 0.05, who) > 0;
+            alarms += compare_outliers(x, sizes[k], 0.05, who) > 0;
         }
         TEST_ASSERT_UINT_WITHIN(50, 200, alarms);
     }
@@ -354,9 +354,9 @@ static void median_and_spread_are_closed_forms(void)
         TEST_ASSERT_DOUBLE_WITHIN(1e-9, sqrt(35), fleet.fleet.deviation[p]);
     }
     for (unsigned k = 0; k < FLEET; k++) {
-        TEST_ASSERT_EQUAL_UINT(0, fleet.fleet.outside[k]);
+        TEST_ASSERT_EQUAL_UINT(0, fleet.fleet.outliers[k]);
     }
-    free(fleet.fleet.outside);
+    free(fleet.fleet.outliers);
 }
 
 static void one_that_is_off_is_an_outlier(void)
@@ -371,11 +371,11 @@ static void one_that_is_off_is_an_outlier(void)
         TEST_ASSERT_EQUAL_UINT(k == 13  ? 1u << INVCAL_DK_Y
                                : k == 4 ? 1u << INVCAL_GAMMA_ZY
                                         : 0,
-                               fleet.fleet.outside[k]);
+                               fleet.fleet.outliers[k]);
     }
     TEST_ASSERT_EQUAL_UINT(13, fleet.fleet.farthest[INVCAL_DK_Y]);
     TEST_ASSERT_EQUAL_UINT(9, fleet.fleet.farthest[INVCAL_DELTA_X]);
-    free(fleet.fleet.outside);
+    free(fleet.fleet.outliers);
 }
 
 int main(void)

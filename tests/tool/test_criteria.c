@@ -45,7 +45,7 @@ static criteria judge(const invcal_sums *design)
 {
     criteria c;
 
-    TEST_ASSERT_TRUE(criteria_judge(design, &c));
+    TEST_ASSERT_TRUE(criteria_evaluate(design, &c));
     return c;
 }
 
@@ -97,7 +97,7 @@ static void assert_undetermined(const invcal_sums *design)
 
     memset(&c, 7, sizeof c);
     before = c;
-    TEST_ASSERT_FALSE(criteria_judge(design, &c));
+    TEST_ASSERT_FALSE(criteria_evaluate(design, &c));
     TEST_ASSERT_EQUAL_MEMORY(&before, &c, sizeof before);
     TEST_ASSERT_EQUAL_MEMORY(&design_before, design, sizeof design_before);
 }
@@ -351,7 +351,7 @@ static void no_random_set_passes_the_bound(void)
             random_direction(&random, v);
             criteria_add(&design, v);
         }
-        if (criteria_judge(&design, &c)) { /* nine may be singular */
+        if (criteria_evaluate(&design, &c)) { /* nine may be singular */
             const double margin = bound_of_log_det(count) - c.log_det;
             TEST_ASSERT_TRUE(margin > 0);
             nearest = fmin(nearest, margin);

@@ -39,7 +39,7 @@ static void a_round_trip_shows_a_drift_as_well_as_possible(void)
         memcpy(v[i], expected_plan18[i + 3], sizeof v[i]);
         memcpy(v[23 - i], v[i], sizeof v[i]);
     }
-    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1, order_hides_drift((const double(*)[3])v, NULL, 24));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1, order_drift_factor((const double(*)[3])v, NULL, 24));
 }
 
 /* Nine equations have a solution in nine parameters, whatever drifts. */
@@ -48,13 +48,13 @@ static void nine_positions_hide_a_drift(void)
     double v[9][3];
 
     optimal_directions(9, 0, v);
-    TEST_ASSERT_TRUE(isinf(order_hides_drift((const double(*)[3])v, NULL, 9)));
+    TEST_ASSERT_TRUE(isinf(order_drift_factor((const double(*)[3])v, NULL, 9)));
 }
 
 /* The figure for the program as the paper prints it: 1.39. */
 static void the_program_of_the_paper_shows_it_to_1_39(void)
 {
-    TEST_ASSERT_DOUBLE_WITHIN(0.005, 1.39, order_hides_drift(expected_plan18, NULL, 18));
+    TEST_ASSERT_DOUBLE_WITHIN(0.005, 1.39, order_drift_factor(expected_plan18, NULL, 18));
 }
 
 static void order_as(const double (*given)[3], unsigned count, double most)
@@ -74,7 +74,7 @@ static void order_as(const double (*given)[3], unsigned count, double most)
     }
     TEST_ASSERT_EQUAL_UINT(count, seen);
     TEST_ASSERT_EQUAL_MEMORY(given[0], v[0], sizeof v[0]);
-    TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(most, order_hides_drift((const double(*)[3])v, NULL, count));
+    TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(most, order_drift_factor((const double(*)[3])v, NULL, count));
     TEST_ASSERT_LESS_OR_EQUAL_DOUBLE(1.2, way_of((const double(*)[3])v, count)); /* 69 degrees */
 }
 

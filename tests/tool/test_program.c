@@ -37,11 +37,11 @@ static void each_position_is_found_by_its_direction_even_seven_degrees_off(void)
         for (unsigned i = 0; i < set.count; i++) {
             const double *v = set.position[i].vertical;
             const double up[3] = {2 * (v[0] + 0.07), 2 * (v[1] - 0.07), 2 * (v[2] + 0.07)};
-            TEST_ASSERT_EQUAL_UINT(i, followed.asked);
+            TEST_ASSERT_EQUAL_UINT(i, followed.next);
             TEST_ASSERT_EQUAL_UINT(i, program_find(&followed, up));
             program_visit(&followed, i, up);
         }
-        TEST_ASSERT_EQUAL_UINT(set.count, followed.asked);
+        TEST_ASSERT_EQUAL_UINT(set.count, followed.next);
     }
 }
 
@@ -60,8 +60,8 @@ static void what_is_near_no_position_is_nowhere(void)
     const double broken[3] = {(double)NAN, 0, 1};
 
     begin("per-group:6"); /* on three great circles: corners are 35 degrees away */
-    TEST_ASSERT_EQUAL_UINT(PROGRAM_NOWHERE, program_find(&followed, corner));
-    TEST_ASSERT_EQUAL_UINT(PROGRAM_NOWHERE, program_find(&followed, broken));
+    TEST_ASSERT_EQUAL_UINT(PROGRAM_NO_POSITION, program_find(&followed, corner));
+    TEST_ASSERT_EQUAL_UINT(PROGRAM_NO_POSITION, program_find(&followed, broken));
     (void)program_find(&followed, nothing); /* no direction: any answer, but no harm */
 }
 
@@ -87,12 +87,12 @@ static void a_position_that_follows_in_the_same_direction_is_not_needed(void)
     program_visit(&followed, 7, down);
     TEST_ASSERT_EQUAL_UINT(1, followed.visited[8]);
     TEST_ASSERT_EQUAL_UINT(0, followed.visited[9]);
-    TEST_ASSERT_EQUAL_INT(0, followed.is_again);
+    TEST_ASSERT_EQUAL_INT(0, followed.is_repeat);
     TEST_ASSERT_EQUAL_UINT(8, program_find(&followed, down)); /* if the user goes there anyway */
     program_visit(&followed, 8, down);
-    TEST_ASSERT_EQUAL_INT(1, followed.is_again);
+    TEST_ASSERT_EQUAL_INT(1, followed.is_repeat);
     program_visit(&followed, 8, down);
-    TEST_ASSERT_EQUAL_INT(0, followed.is_again);
+    TEST_ASSERT_EQUAL_INT(0, followed.is_repeat);
 }
 
 static void what_was_visited_out_of_turn_is_not_asked_for_again(void)
@@ -101,9 +101,9 @@ static void what_was_visited_out_of_turn_is_not_asked_for_again(void)
 
     begin("per-group:6");
     program_visit(&followed, 1, set.position[1].vertical);
-    TEST_ASSERT_EQUAL_UINT(0, followed.asked);
+    TEST_ASSERT_EQUAL_UINT(0, followed.next);
     program_visit(&followed, 0, set.position[0].vertical);
-    TEST_ASSERT_EQUAL_UINT(2, followed.asked);
+    TEST_ASSERT_EQUAL_UINT(2, followed.next);
     TEST_ASSERT_EQUAL_STRING("3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18",
                              program_missing_text(&followed, text));
     begin("per-group:1000");

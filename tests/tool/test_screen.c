@@ -29,7 +29,7 @@ static unsigned lines;
 void setUp(void)
 {
     file = tmpfile();
-    now = (watch_state){.talk = file,
+    now = (watch_state){.out = file,
                         .name = "board.csv",
                         .recognised = "CSV with commas; t (s), x y z",
                         .phase = WATCH_MOVING,
@@ -460,7 +460,7 @@ static void no_text_is_too_long_or_does_harm(void)
     now.taken = now.covered = 64;
     now.skipped = 1000000;
     now.last = WATCH_TAKEN;
-    now.astray = 1;
+    now.wrong_count = 1;
     now.phase = WATCH_READY;
     memset(now.recognised, 'r', sizeof now.recognised - 1);
     memset(now.wrong, 'w', sizeof now.wrong - 1);

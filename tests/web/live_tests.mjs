@@ -245,14 +245,14 @@ test("30 pictures a second with 64 positions", async (open) => {
     const positions = DIRECTIONS.concat(DIRECTIONS, DIRECTIONS, DIRECTIONS).slice(0, 64).map((d, i) => unit([d[0] + 0.01 * i, d[1], d[2]]));
     const rate = await page.evaluate(async (all) => {
         const { sphere } = invcal;
-        const gains = Array.from({ length: 400 }, (_, i) => 1 + i / 50);
+        const sigmas = Array.from({ length: 400 }, (_, i) => 1 + i / 50);
         const before = sphere.frames;
         const began = performance.now();
         let i = 0;
         await new Promise((done) => {
             const draw = () => {
                 i++;
-                sphere.draw({ up: [Math.cos(i / 20), Math.sin(i / 20), 0.3], next: [0, 0, 1], positions: all, gains, progress: 50, isReady: false });
+                sphere.draw({ up: [Math.cos(i / 20), Math.sin(i / 20), 0.3], next: [0, 0, 1], positions: all, sigmas, progress: 50, isReady: false });
                 i < 60 ? requestAnimationFrame(draw) : done();
             };
             draw();

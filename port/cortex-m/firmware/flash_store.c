@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a store asks for, in sectors of the flash: its context is its first sector.
+ * The functions of a store, for sectors of the flash; the context is its first sector.
  */
 #include "flash.h"
 
-/* Does the largest record fit into a sector? An array of -1 elements does not compile. */
+/* The largest record must fit into a sector: an array of -1 elements does not compile. */
 typedef char session_fits
     [FLASH_SECTOR_SIZE >= INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, FLASH_GRANULARITY) ? 1 : -1];
 

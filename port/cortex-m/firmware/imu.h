@@ -20,14 +20,15 @@ typedef enum {
     IMU_LOST,          /* no sample: some were lost here */
     IMU_SILENT,        /* no sample, or no end of its reset, in time */
     IMU_ABSENT,        /* no answer, or another chip */
-    IMU_DEAF           /* it does not keep its settings */
+    IMU_CONFIG_FAILED  /* it does not keep its settings */
 } imu_status;
 
 /* Resets the chip and sets it up, the gyroscope too if asked. Returns IMU_ACCELEROMETER on success;
- * IMU_SILENT, IMU_ABSENT or IMU_DEAF. */
+ * IMU_SILENT, IMU_ABSENT or IMU_CONFIG_FAILED. */
 imu_status imu_begin(int with_gyro);
 
-/* Waits for the next sample, in counts; samples of both sensors come in the order in which they were taken. */
+/* Waits for the next sample, in counts; samples of both sensors come in the order of their
+ * times. */
 imu_status imu_next(int32_t raw[3]);
 
 /* A sentence for a status. */

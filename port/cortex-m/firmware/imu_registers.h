@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * imu_registers.h: the data sheet in short. The chip is nobody's, its registers are as most have
- * them: put those of yours here.
+ * imu_registers.h: the data sheet in short. The chip does not exist, but its registers are typical:
+ * replace them by those of yours.
  *
- * A transfer begins with a register's address, with IMU_READ to read. The address counts up with
- * every byte that follows. Both sensors put their samples into one queue, each at its own rate.
+ * A transfer begins with a register's address, with IMU_READ to read. The address is incremented
+ * after each byte. Both sensors put their samples into one queue (FIFO), each at its own rate.
  */
 #ifndef IMU_REGISTERS_H
 #define IMU_REGISTERS_H
@@ -15,9 +15,9 @@ enum {
     IMU_CTRL1 = 0x10,        /* accelerometer: samples per second, range */
     IMU_CTRL2 = 0x11,        /* gyroscope: the same */
     IMU_CTRL3 = 0x12,        /* reset */
-    IMU_FIFO_STATUS1 = 0x1A, /* how many samples wait, the lower byte; */
-    IMU_FIFO_STATUS2 = 0x1B, /* the upper bits, and whether the queue has run over */
-    IMU_FIFO_TAG = 0x20,     /* whose sample; then x, y, z, int16, low byte first. Read all 7. */
+    IMU_FIFO_STATUS1 = 0x1A, /* number of samples in the queue, the low byte; */
+    IMU_FIFO_STATUS2 = 0x1B, /* its upper bits, and whether the queue has overflowed */
+    IMU_FIFO_TAG = 0x20,     /* the sensor; then x, y, z, int16, low byte first. Read all 7. */
     IMU_REGISTERS = 0x28,
     IMU_READ = 0x80
 };

@@ -10,8 +10,8 @@ void print(const char *text)
     }
 }
 
-/* At least `least` digits, with a point before the last `behind`. */
-static void print_digits(uint32_t value, unsigned least, unsigned behind)
+/* At least `least` digits, with a point before the last `decimals`. */
+static void print_digits(uint32_t value, unsigned least, unsigned decimals)
 {
     char digits[10];
     unsigned n = 0;
@@ -22,7 +22,7 @@ static void print_digits(uint32_t value, unsigned least, unsigned behind)
     }
     while (n-- > 0) {
         uart_put(digits[n]);
-        if (n == behind && n > 0) {
+        if (n == decimals && n > 0) {
             uart_put('.');
         }
     }

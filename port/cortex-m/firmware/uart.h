@@ -7,7 +7,7 @@
 
 void uart_begin(void);
 
-/* Sends a character; waits while the one before is on its way. */
+/* Sends a character, once the previous one has been sent. */
 void uart_put(char c);
 
 /* Waits until all has been sent. */

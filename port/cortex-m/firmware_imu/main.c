@@ -6,38 +6,41 @@
  *     else a session is stored      it resumes, with its rests and moves
  *     else                          a session begins
  *
- * Session and moves are stored together after every position, the result at the end. While the flash is
- * written the chip's queue keeps the samples: the device is moving then, and a move with a gap is lost.
+ * Session and moves are stored together after every position, the result at the end. While the
+ * flash is written, the chip's queue holds the samples: the device is moving then, and a move with
+ * a gap is lost.
  *
- * RAM: session and moves, 3,712 bytes. Stack: 3,156 bytes on a Cortex-M4F, most of them in find_turn.
+ * RAM: session and moves, 3,712 bytes. Stack: 3,156 bytes on a Cortex-M4F, most of them in
+ * find_turn.
  */
 #include "flash.h"
 #include "imu.h"
 #include "invcal/gyro.h"
 #include "print.h"
-#include "tell.h"
+#include "report.h"
 #include "uart.h"
 
-#define SHOWN 50u /* one calibrated sample of each in this many is shown */
+#define SHOW_EVERY 50u /* one calibrated sample of each in this many is shown */
 
 static invcal_imu_session both;
 static invcal_turn turn; /* to the next rest */
 
-/* Do session and moves fit into a sector? An array of -1 elements does not compile. */
+/* Session and moves must fit into a sector: an array of -1 elements does not compile. */
 typedef char both_fit
     [FLASH_SECTOR_SIZE >= INVCAL_STORE_BYTES(INVCAL_IMU_SESSION_SIZE, FLASH_GRANULARITY) ? 1 : -1];
 
 /* ---- where to turn ------------------------------------------------------------------------------ */
 
-/* After that turn. */
-static void tell_turn(void)
+/* The up direction after the turn. */
+static void report_turn(void)
 {
     char words[INVCAL_WORDS];
 
-    tell("next", invcal_words(turn.up, words));
+    report("next", invcal_words(turn.up, words));
 }
 
-/* To a rest, counted from 0: through the faces, from z up to z up; then the turn that adds most. */
+/* The turn to a rest, counted from 0: through the faces, from z up to z up; then the most
+ * informative. */
 static void find_turn(unsigned rest)
 {
     invcal_turns turns;
@@ -53,19 +56,19 @@ static void find_turn(unsigned rest)
     }
 }
 
-/* Skips a place where it already is, as after a rest that was not stored. */
-static void tell_rest(unsigned rest)
+/* Skips a place where the device already is, as after a rest that was not stored. */
+static void request_rest(unsigned rest)
 {
     find_turn(rest);
     if (invcal_session_is_at(&both.session, turn.up)) {
         find_turn(rest + 1);
     }
-    tell_turn();
+    report_turn();
 }
 
-/* ---- what to tell ------------------------------------------------------------------------------- */
+/* ---- messages ----------------------------------------------------------------------------------- */
 
-static void tell_vector(const char *name, const invcal_real v[3], float unit, unsigned digits)
+static void report_vector(const char *name, const invcal_real v[3], float unit, unsigned digits)
 {
     print(name);
     for (unsigned i = 0; i < 3; i++) {
@@ -75,29 +78,29 @@ static void tell_vector(const char *name, const invcal_real v[3], float unit, un
     print("\n");
 }
 
-static void tell_result(const invcal_imu *imu)
+static void report_result(const invcal_imu *imu)
 {
-    tell("verdict", invcal_verdict_text((invcal_verdict)imu->verdict));
-    tell_count("moves", imu->moves);
-    tell_vector("accelerometer, offset:  ", imu->accelerometer.offset, 1, 2);
-    tell_vector("gyroscope, offset:      ", imu->gyro.offset, 1, 2);
+    report("verdict", invcal_verdict_text((invcal_verdict)imu->verdict));
+    report_count("moves", imu->moves);
+    report_vector("accelerometer, offset:  ", imu->accelerometer.offset, 1, 2);
+    report_vector("gyroscope, offset:      ", imu->gyro.offset, 1, 2);
     for (unsigned i = 0; i < 3; i++) {
-        tell_vector("gyroscope, 1e-6 rad/s:  ", imu->gyro.matrix[i], 1e6f, 3);
-        tell_vector("sigma, 1e-4:            ", &imu->sigma[3 * i], 1e4f, 2);
+        report_vector("gyroscope, 1e-6 rad/s:  ", imu->gyro.matrix[i], 1e6f, 3);
+        report_vector("sigma, 1e-4:            ", &imu->sigma[3 * i], 1e4f, 2);
     }
 }
 
-/* ---- what is kept --------------------------------------------------------------------------------- */
+/* ---- storage -------------------------------------------------------------------------------------- */
 
-/* If it fails, that is reported, and only a reset would lose something. */
-static void keep_session(void)
+/* A failure is reported; only a reset would then lose something. */
+static void save_session(void)
 {
     const invcal_status status = invcal_save_imu_session(&session_store, &both);
 
     if (status == INVCAL_OK) {
-        tell_count("session stored, positions", both.session.count);
+        report_count("session stored, positions", both.session.count);
     } else {
-        tell("session not stored", invcal_status_text(status));
+        report("session not stored", invcal_status_text(status));
     }
 }
 
@@ -114,23 +117,23 @@ static invcal_status begin_session(void)
         (void)invcal_session_rails(&both.session, IMU_LOW, IMU_HIGH);
         (void)invcal_moves_rails(&both.moves, IMU_LOW, IMU_HIGH);
     }
-    tell("new session", status == INVCAL_OK ? "begun" : invcal_status_text(status));
+    report("new session", status == INVCAL_OK ? "begun" : invcal_status_text(status));
     return status;
 }
 
 /* ---- the session ---------------------------------------------------------------------------------- */
 
-static void tell_move(void)
+static void report_move(void)
 {
     const unsigned last = both.moves.count - 1u;
     const invcal_status reason = invcal_moves_reason(&both.moves, last);
 
     if (last > 0 && reason != INVCAL_OK) {
-        tell("move refused", invcal_status_text(reason));
+        report("move refused", invcal_status_text(reason));
     }
 }
 
-/* Returns 1 if the result is good: it is stored then. */
+/* Stores the result if it is good. Returns 1 then. */
 static int solve(void)
 {
     static invcal_imu imu;
@@ -138,28 +141,28 @@ static int solve(void)
                                                   &both.session.nominal, &both.moves, NULL, &imu);
 
     if (status != INVCAL_OK || imu.verdict != INVCAL_GOOD) {
-        tell("not yet", status == INVCAL_OK ? invcal_verdict_text((invcal_verdict)imu.verdict)
-                                            : invcal_status_text(status));
+        report("not yet", status == INVCAL_OK ? invcal_verdict_text((invcal_verdict)imu.verdict)
+                                              : invcal_status_text(status));
         return 0;
     }
-    tell_result(&imu);
+    report_result(&imu);
     const invcal_status saved = invcal_save_imu(&calibration_store, &imu);
-    tell(saved == INVCAL_OK ? "calibration stored" : "calibration not stored",
-         invcal_status_text(saved));
+    report(saved == INVCAL_OK ? "calibration stored" : "calibration not stored",
+           invcal_status_text(saved));
     return saved == INVCAL_OK;
 }
 
 /* Returns 1 when it is done. */
-static int digest(invcal_event event)
+static int handle_event(invcal_event event)
 {
-    tell_event(&both.session, event);
+    report_event(&both.session, event);
     if (event == INVCAL_READY) {
-        tell_rest(both.moves.count + 1u);
+        request_rest(both.moves.count + 1u);
     } else if (event == INVCAL_REFUSED) {
-        tell_turn();
+        report_turn();
     } else if (event == INVCAL_TAKEN) {
-        tell_move();
-        keep_session();
+        report_move();
+        save_session();
         return both.moves.count > INVCAL_TOUR && solve();
     }
     return 0;
@@ -170,7 +173,7 @@ static imu_status calibrate(void)
 {
     int32_t raw[3];
 
-    tell_rest(both.moves.count);
+    request_rest(both.moves.count);
     for (;;) {
         const imu_status status = imu_next(raw);
         if (status == IMU_GYRO) {
@@ -178,7 +181,7 @@ static imu_status calibrate(void)
         } else if (status == IMU_ACCELEROMETER) {
             const invcal_event event = invcal_session_feed(&both.session, raw);
             invcal_moves_follow(&both.moves, &both.session.rests, event);
-            if (digest(event)) {
+            if (handle_event(event)) {
                 return IMU_ACCELEROMETER;
             }
         } else if (status == IMU_LOST) {
@@ -210,13 +213,13 @@ static void measure(const invcal_imu_record *record)
             }
         } else if (status == IMU_ACCELEROMETER) {
             invcal_apply_counts(&record->accelerometer.calibration, raw, a);
-            if (++n % SHOWN == 0) {
-                tell_reading(a);
-                tell_vector("rate, mrad/s:", rate, 1000, 1);
+            if (++n % SHOW_EVERY == 0) {
+                report_reading(a);
+                report_vector("rate, mrad/s:", rate, 1000, 1);
             }
         }
     }
-    tell("sensor", imu_status_text(status));
+    report("sensor", imu_status_text(status));
 }
 
 int main(void)
@@ -225,26 +228,26 @@ int main(void)
 
     uart_begin();
     imu_status status = imu_begin(1);
-    tell("power on, sensor", imu_status_text(status));
+    report("power on, sensor", imu_status_text(status));
     if (status != IMU_ACCELEROMETER) {
         return 1;
     }
     invcal_status found = invcal_load_imu(&calibration_store, &record);
-    tell("stored calibration", found == INVCAL_OK ? "found" : invcal_status_text(found));
+    report("stored calibration", found == INVCAL_OK ? "found" : invcal_status_text(found));
     if (found != INVCAL_OK) {
         found = invcal_load_imu_session(&session_store, &both);
         if (found == INVCAL_OK) {
-            tell_count("stored session found, positions", both.session.count);
+            report_count("stored session found, positions", both.session.count);
         } else {
-            tell("stored session", invcal_status_text(found));
+            report("stored session", invcal_status_text(found));
             found = begin_session();
         }
-        status = found == INVCAL_OK ? calibrate() : IMU_DEAF;
+        status = found == INVCAL_OK ? calibrate() : IMU_CONFIG_FAILED;
         found = invcal_load_imu(&calibration_store, &record);
     }
     if (status == IMU_ACCELEROMETER && found == INVCAL_OK) {
         measure(&record);
     }
-    tell("sensor", imu_status_text(status));
+    report("sensor", imu_status_text(status));
     return 1; /* the reason was printed; on a board, wait for a reset here */
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal allan: the noise of a log at rest, and how long to hold a position.
+ * invcal allan: the noise of a log at rest, and the dwell that it requires.
  */
 #include "allan/allan.h"
 
@@ -44,24 +44,24 @@ static const char *const operands[] = {"LOG"};
 static const option_syntax syntax = {"allan", options, OPTIONS, operands, 1, 0};
 
 #define COMMAND_MAX 2000u
-#define LARGEST 1e12
+#define NUMBER_MAX 1e12
 
 typedef struct {
     const char *value[OPTIONS];
-    allan_wish wish;
+    allan_settings settings;
     char command[COMMAND_MAX];
 } request;
 
-/* A number above `least`, if it is given. */
-static int read_number(const request *r, unsigned which, double least, double *out)
+/* A number above `min`, if it is stated. */
+static int read_number(const request *r, unsigned which, double min, double *out)
 {
     if (!r->value[which]) {
         return EXIT_GOOD;
     }
     const int failure = options_numbers(&syntax, which, r->value[which], 1, out, NULL);
-    if (!failure && !(*out > least && *out <= LARGEST)) {
+    if (!failure && !(*out > min && *out <= NUMBER_MAX)) {
         return message_usage(syntax.command, "%s %s: must be above %g, at most %g",
-                             options[which].name, r->value[which], least, LARGEST);
+                             options[which].name, r->value[which], min, NUMBER_MAX);
     }
     return failure;
 }
@@ -81,13 +81,13 @@ static int read_taus(request *r)
         return message_usage(syntax.command, "--tau: at most %u times",
                              (unsigned)INVCAL_ALLAN_TAUS);
     }
-    r->wish.taus = count;
-    return options_numbers(&syntax, TAU, text, count, r->wish.tau, NULL);
+    r->settings.taus = count;
+    return options_numbers(&syntax, TAU, text, count, r->settings.tau, NULL);
 }
 
 static int read_unit(request *r)
 {
-    if (r->value[UNIT] && !unit_parse(r->value[UNIT], &r->wish.unit)) {
+    if (r->value[UNIT] && !unit_parse(r->value[UNIT], &r->settings.unit)) {
         return message_usage(syntax.command, "--unit %s: must be g, mg, m/s2 or counts",
                              r->value[UNIT]);
     }
@@ -99,7 +99,7 @@ static int read_unit(request *r)
 
 static int check_files(const request *r)
 {
-    const named_file inputs[] = {{"LOG", r->wish.file}};
+    const named_file inputs[] = {{"LOG", r->settings.file}};
     const named_file outputs[] = {{"--out", r->value[OUT]}, {"--report", r->value[REPORT]}};
 
     return files_check(syntax.command, inputs, 1, outputs, 2);
@@ -107,33 +107,33 @@ static int check_files(const request *r)
 
 static int read_request(int argc, char **argv, request *r)
 {
-    allan_wish *w = &r->wish;
+    allan_settings *s = &r->settings;
 
-    *r = (request){.wish = {.to = HUGE_VAL}};
-    int failure = options_parse(&syntax, argc, argv, r->value, &w->file);
-    w->is_apart = r->value[APART] != NULL;
-    w->command = r->command;
+    *r = (request){.settings = {.to = HUGE_VAL}};
+    int failure = options_parse(&syntax, argc, argv, r->value, &s->file);
+    s->is_apart = r->value[APART] != NULL;
+    s->command = r->command;
     options_command(syntax.command, argc, argv, r->command, sizeof r->command);
     failure = failure ? failure : check_files(r);
     failure = failure ? failure : columns_option_parse(syntax.command, r->value[COLUMNS]);
-    failure = failure ? failure : read_number(r, RATE, 0, &w->rate);
+    failure = failure ? failure : read_number(r, RATE, 0, &s->rate);
     failure = failure ? failure : read_taus(r);
-    failure = failure ? failure : read_number(r, SIGMA, 0, &w->sigma);
-    failure = failure ? failure : read_number(r, LSB, 0, &w->lsb);
+    failure = failure ? failure : read_number(r, SIGMA, 0, &s->sigma);
+    failure = failure ? failure : read_number(r, LSB, 0, &s->lsb);
     failure = failure ? failure : read_unit(r);
-    failure = failure ? failure : read_number(r, GRAVITY, 0, &w->gravity);
-    failure = failure ? failure : read_number(r, FROM, -LARGEST, &w->from);
-    failure = failure ? failure : read_number(r, TO, -LARGEST, &w->to);
-    if (!failure && !(w->from <= w->to)) {
+    failure = failure ? failure : read_number(r, GRAVITY, 0, &s->gravity);
+    failure = failure ? failure : read_number(r, FROM, -NUMBER_MAX, &s->from);
+    failure = failure ? failure : read_number(r, TO, -NUMBER_MAX, &s->to);
+    if (!failure && !(s->from <= s->to)) {
         return message_usage(syntax.command, "--to: is before --from");
     }
     return failure;
 }
 
-typedef void teller(FILE *file, const allan_result *result, const allan_wish *wish);
+typedef void result_writer(FILE *file, const allan_result *result, const allan_settings *settings);
 
-/* Begins a file, if it is asked for, and writes it; it is not in its place yet. */
-static int begin_file(output *out, const char *path, teller *write, const request *r,
+/* Writes a file, if it is requested, under a temporary name. */
+static int begin_file(output *out, const char *path, result_writer *write, const request *r,
                       const allan_result *result)
 {
     if (!path) {
@@ -143,21 +143,21 @@ static int begin_file(output *out, const char *path, teller *write, const reques
     if (failure) {
         return failure;
     }
-    write(out->file, result, &r->wish);
+    write(out->file, result, &r->settings);
     return output_finish(out);
 }
 
 static int print(const request *r, const allan_result *result)
 {
     if (r->value[JSON]) {
-        allan_json(stdout, result, &r->wish);
+        allan_json(stdout, result, &r->settings);
     } else if (!r->value[QUIET]) {
-        allan_print(stdout, result, &r->wish);
+        allan_print(stdout, result, &r->settings);
     }
     return output_flush();
 }
 
-/* The files appear only after all else has been written. */
+/* Files get their names only after everything has been written. */
 static int deliver(const request *r, const allan_result *result)
 {
     output files[2] = {{0}};
@@ -180,7 +180,7 @@ static int run(int argc, char **argv)
     if (r.value[QUIET]) {
         progress_quiet();
     }
-    failure = allan_read(&result, &r.wish);
+    failure = allan_read(&result, &r.settings);
     return failure ? failure : deliver(&r, &result);
 }
 

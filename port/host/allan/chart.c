@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The chart of an Allan deviation: both axes logarithmic, so that kinds of noise are slopes.
+ * The chart of an Allan deviation, on logarithmic axes: each kind of noise has its slope.
  */
 #include <math.h>
 #include <string.h>
@@ -14,12 +14,12 @@
 #define LEFT 58.0
 #define RIGHT 12.0
 #define TOP 90.0 /* legend, heading, the dwell's label */
-#define PLOT 300.0
-#define BELOW 44.0
-#define MARGIN 1.25 /* beyond the first and last averaging time, times */
+#define PLOT_HEIGHT 300.0
+#define BOTTOM_HEIGHT 44.0
+#define MARGIN 1.25 /* factor beyond the first and last averaging time */
 #define CURVE_STEPS 80
-#define DECADES_ALONE 2.2 /* from so many on, ticks stand at 1, 10, 100 only */
-#define LABEL_HALF 55.0   /* of the dwell's label, pixels */
+#define SPARSE_DECADES 2.2    /* from this length of an axis on, ticks are at 1, 10, 100 only */
+#define LABEL_HALF_WIDTH 55.0 /* of the dwell's label, pixels */
 #define TEXT_MAX 1000
 
 static const struct {
@@ -35,16 +35,16 @@ static const struct {
 
 typedef struct {
     const allan_result *r;
-    double unit; /* units of the result in one of the chart */
+    double unit; /* of the chart, in units of the result */
     ruler x;
     ruler y;
 } plot;
 
 /* ---- axes -------------------------------------------------------------------------------------- */
 
-static ruler logarithmic(double least, double most, double from, double to)
+static ruler logarithmic(double min, double max, double from, double to)
 {
-    return (ruler){log(least), log(most), from, to, 1, 0};
+    return (ruler){log(min), log(max), from, to, 1, 0};
 }
 
 static ruler time_axis(const allan_result *r, double width)
@@ -55,22 +55,22 @@ static ruler time_axis(const allan_result *r, double width)
                        fmax(dwell, r->row[r->rows - 1].seconds) * MARGIN, LEFT, width - RIGHT);
 }
 
-/* Round numbers around all points; nothing that is 0 has a place. */
+/* From one round number to another, around all points above 0. */
 static ruler deviation_axis(const plot *p)
 {
-    double least = HUGE_VAL;
-    double most = 0;
+    double min = HUGE_VAL;
+    double max = 0;
 
     for (unsigned k = 0; k < p->r->rows; k++) {
         const allan_row *row = &p->r->row[k];
         for (unsigned i = 0; i < 3; i++) {
             const double v = row->adev[i] / p->unit;
-            least = v > 0 ? fmin(least, v * fmax(0.3, 1 - row->relative)) : least;
-            most = fmax(most, v * (1 + row->relative));
+            min = v > 0 ? fmin(min, v * fmax(0.3, 1 - row->relative)) : min;
+            max = fmax(max, v * (1 + row->relative));
         }
     }
-    const double top = chart_round_step(most);
-    return logarithmic(1 / chart_round_step(1 / least), top, TOP + PLOT, TOP);
+    const double top = chart_round_step(max);
+    return logarithmic(1 / chart_round_step(1 / min), top, TOP + PLOT_HEIGHT, TOP);
 }
 
 /* 0.001 ... 10000, 1e5 */
@@ -106,7 +106,7 @@ static void draw_tick_y(FILE *file, const plot *p, double value, const char *wor
 static void draw_ticks(FILE *file, const plot *p, const ruler *axis, tick_drawer *draw)
 {
     const double last = exp(axis->last) * (1 + 1e-9);
-    const int is_dense = axis->last - axis->first < DECADES_ALONE * log(10);
+    const int is_dense = axis->last - axis->first < SPARSE_DECADES * log(10);
     char text[SVG_NUMBER_MAX];
 
     for (double v = pow(10, floor(axis->first / log(10) - 1e-9)); v <= last;
@@ -117,14 +117,14 @@ static void draw_ticks(FILE *file, const plot *p, const ruler *axis, tick_drawer
     }
 }
 
-/* ---- what stands in it ------------------------------------------------------------------------- */
+/* ---- contents ---------------------------------------------------------------------------------- */
 
 static double clamp(double x, double a, double b)
 {
     return fmax(fmin(a, b), fmin(fmax(a, b), x));
 }
 
-static double height(const plot *p, double deviation)
+static double y_of(const plot *p, double deviation)
 {
     return clamp(chart_pixel(&p->y, deviation / p->unit), p->y.from, p->y.to);
 }
@@ -136,9 +136,9 @@ static void draw_points(FILE *file, const plot *p, unsigned axis)
         const double at = chart_pixel(&p->x, row->seconds);
         const double v = row->adev[axis];
         if (v > 0) {
-            svg_line(file, traces[axis].curve, at, height(p, v * fmax(0.01, 1 - row->relative)), at,
-                     height(p, v * (1 + row->relative)));
-            svg_marker(file, traces[axis].full, traces[axis].shape, at, height(p, v), 3.2);
+            svg_line(file, traces[axis].curve, at, y_of(p, v * fmax(0.01, 1 - row->relative)), at,
+                     y_of(p, v * (1 + row->relative)));
+            svg_marker(file, traces[axis].full, traces[axis].shape, at, y_of(p, v), 3.2);
         }
     }
 }
@@ -152,12 +152,12 @@ static void draw_model(FILE *file, const plot *p, unsigned axis)
     for (unsigned i = 0; i <= CURVE_STEPS; i++) {
         const double tau = exp(first + (last - first) * i / CURVE_STEPS);
         svg_polyline_point(file, chart_pixel(&p->x, tau),
-                           height(p, invcal_noise_sigma(&p->r->noise[axis], tau)));
+                           y_of(p, invcal_noise_sigma(&p->r->noise[axis], tau)));
     }
     svg_polyline_end(file);
 }
 
-/* How a kind of noise shows. */
+/* Slopes of the kinds of noise. */
 static const struct {
     double slope;
     const char *words;
@@ -168,7 +168,7 @@ static int is_visible(const allan_result *r, unsigned kind)
     return r->noise[r->worst].visible >> kind & 1u;
 }
 
-/* One kind of noise alone: a straight line, as far as it is inside. */
+/* One kind of noise alone: the part of its straight line that is inside. */
 static void draw_slope(FILE *file, const plot *p, unsigned kind)
 {
     invcal_noise alone = {.coefficient = {0, 0, 0}};
@@ -177,19 +177,19 @@ static void draw_slope(FILE *file, const plot *p, unsigned kind)
     double last = p->x.last;
 
     alone.coefficient[kind] = p->r->noise[p->r->worst].coefficient[kind];
-    const double at_1 = log(invcal_noise_sigma(&alone, 1) / p->unit);
+    const double log_at_1 = log(invcal_noise_sigma(&alone, 1) / p->unit);
     if (slope < 0 || slope > 0) {
-        const double low = (p->y.first - at_1) / slope;
-        const double high = (p->y.last - at_1) / slope;
+        const double low = (p->y.first - log_at_1) / slope;
+        const double high = (p->y.last - log_at_1) / slope;
         first = fmax(first, fmin(low, high));
         last = fmin(last, fmax(low, high));
-    } else if (at_1 < p->y.first || at_1 > p->y.last) {
+    } else if (log_at_1 < p->y.first || log_at_1 > p->y.last) {
         return;
     }
     if (first < last) {
         svg_line(file, "c0 dashed", chart_pixel(&p->x, exp(first)),
-                 chart_pixel(&p->y, exp(at_1 + slope * first)), chart_pixel(&p->x, exp(last)),
-                 chart_pixel(&p->y, exp(at_1 + slope * last)));
+                 chart_pixel(&p->y, exp(log_at_1 + slope * first)), chart_pixel(&p->x, exp(last)),
+                 chart_pixel(&p->y, exp(log_at_1 + slope * last)));
     }
 }
 
@@ -202,8 +202,8 @@ static void draw_dwell(FILE *file, const plot *p)
 
     snprintf(text, sizeof text, "dwell %s", plan_time_text(seconds, time));
     svg_line(file, "rule", at, p->y.to, at, p->y.from);
-    svg_text(file, "ink small", SVG_MIDDLE, clamp(at, LABEL_HALF, p->x.to + RIGHT - LABEL_HALF),
-             p->y.to - 6, text);
+    svg_text(file, "ink small", SVG_MIDDLE,
+             clamp(at, LABEL_HALF_WIDTH, p->x.to + RIGHT - LABEL_HALF_WIDTH), p->y.to - 6, text);
 }
 
 static void draw_legend(FILE *file, const allan_result *r)
@@ -253,8 +253,8 @@ void allan_chart(FILE *file, const allan_result *r, double width)
     p.x = time_axis(r, width);
     p.y = deviation_axis(&p);
     describe(r, text, sizeof text);
-    svg_begin_inline(file, width, TOP + PLOT + BELOW, "Allan deviation against averaging time",
-                     text);
+    svg_begin_inline(file, width, TOP + PLOT_HEIGHT + BOTTOM_HEIGHT,
+                     "Allan deviation against averaging time", text);
     draw_legend(file, r);
     snprintf(text, sizeof text, "Allan deviation, %s", r->is_ms2 ? "µg" : r->unit);
     svg_text(file, "ink heading", SVG_START, 0, TOP - 28, text);

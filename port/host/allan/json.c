@@ -53,7 +53,7 @@ static void write_noise(json_writer *w, const invcal_noise *n)
     json_number(w, "longest", n->longest);
 }
 
-static void write_dwell(json_writer *w, const allan_result *r, const allan_wish *wish)
+static void write_dwell(json_writer *w, const allan_result *r, const allan_settings *settings)
 {
     static const char *const ends[] = {"reached", "beyond", "floor", "longest"};
     const allan_dwell *d = &r->dwell[r->worst];
@@ -63,12 +63,12 @@ static void write_dwell(json_writer *w, const allan_result *r, const allan_wish 
     json_text(w, "dwell_axis", axes[r->worst]);
     json_text(w, "dwell_end", ends[d->end]);
     json_text(w, "dwell_limit", allan_kinds[d->limit]);
-    if (wish->sigma > 0) {
-        json_number(w, "wanted", wish->sigma);
+    if (settings->sigma > 0) {
+        json_number(w, "wanted", settings->sigma);
     }
 }
 
-void allan_json(FILE *file, const allan_result *r, const allan_wish *wish)
+void allan_json(FILE *file, const allan_result *r, const allan_settings *settings)
 {
     json_writer w;
     char crc[16];
@@ -89,7 +89,7 @@ void allan_json(FILE *file, const allan_result *r, const allan_wish *wish)
     json_number(&w, "gaps", (double)r->gaps);
     json_number(&w, "from", r->from);
     json_number(&w, "to", r->to);
-    json_text(&w, "estimator", allan_estimator(wish));
+    json_text(&w, "estimator", allan_estimator(settings));
     write_rows(&w, r);
     json_object(&w, "noise");
     for (unsigned i = 0; i < 3; i++) {
@@ -98,6 +98,6 @@ void allan_json(FILE *file, const allan_result *r, const allan_wish *wish)
         json_object_end(&w);
     }
     json_object_end(&w);
-    write_dwell(&w, r, wish);
+    write_dwell(&w, r, settings);
     json_end(&w);
 }

@@ -8,7 +8,7 @@
 #include "text/tabular.h"
 #include "text/wrapped.h"
 
-static void print_source(FILE *file, const allan_result *r, const allan_wish *wish)
+static void print_source(FILE *file, const allan_result *r, const allan_settings *settings)
 {
     char seen[COLUMNS_TEXT_MAX];
     char name[PLAIN_MAX];
@@ -18,7 +18,7 @@ static void print_source(FILE *file, const allan_result *r, const allan_wish *wi
     wrapped_printf(file, 0, "%lu samples, %.6g s at %.6g samples per second, %lu gap%s", r->samples,
                    (double)r->samples / r->rate, r->rate, r->gaps, r->gaps == 1 ? "" : "s");
     wrapped_printf(file, 0, "Allan deviation, %s, %s",
-                   wish->is_apart ? "non-overlapping" : "overlapping", r->unit);
+                   settings->is_apart ? "non-overlapping" : "overlapping", r->unit);
     putc('\n', file);
 }
 
@@ -42,7 +42,7 @@ static void print_rows(FILE *file, const allan_result *r)
     putc('\n', file);
 }
 
-/* The three values of a coefficient, and how well the least sure of those that are visible is known. */
+/* The three values of a coefficient, and the largest relative sigma of those that are visible. */
 static void add_line(const allan_result *r, const allan_line *line)
 {
     char text[ALLAN_WORDS_MAX];
@@ -93,18 +93,18 @@ static void print_noise(FILE *file, const allan_result *r)
     putc('\n', file);
 }
 
-void allan_print(FILE *file, const allan_result *r, const allan_wish *wish)
+void allan_print(FILE *file, const allan_result *r, const allan_settings *settings)
 {
     char text[ALLAN_WORDS_MAX];
 
-    print_source(file, r, wish);
+    print_source(file, r, settings);
     print_rows(file, r);
     print_noise(file, r);
     if (*allan_misfits(r, text)) {
         wrapped_printf(file, 0, "%sNot only this noise:%s on %s %s", paint_on(file, PAINT_YELLOW),
                        paint_off(file), text, allan_misfit_words);
     }
-    wrapped_printf(file, 0, "%s%s%s", paint_on(file, PAINT_GREEN), allan_advice(r, wish, text),
+    wrapped_printf(file, 0, "%s%s%s", paint_on(file, PAINT_GREEN), allan_advice(r, settings, text),
                    paint_off(file));
     wrapped_printf(file, 0, "Next: %s", allan_next(r, text));
 }

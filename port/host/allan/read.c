@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * One pass over the log: the sums of each axis, and whether it has been at rest.
+ * One pass over the log: the Allan deviation of each axis, and whether the sensor was at rest.
  */
 #include <math.h>
 #include <string.h>
@@ -11,18 +11,18 @@
 #include "read/motion.h"
 #include "cli/progress.h"
 
-#define WITHIN_TAU 1e-6         /* of a sample interval: so close to a multiple is meant */
-#define UNREACHED 1e-3          /* of the smallest deviation: no mean is as good */
+#define TAU_TOLERANCE 1e-6 /* relative: --tau is a multiple of the interval if it is this close */
+#define UNREACHABLE 1e-3   /* of the smallest deviation: a sigma below any floor */
 #define FLOOR_SQUARE 0.44127120 /* 2 ln 2 / pi */
 
 /* Too large for the stack. */
-static samples log_read;
-static motion watched;
+static samples input;
+static motion motion_seen;
 static invcal_allan stream[3];
 
 /* ---- averaging times --------------------------------------------------------------------------- */
 
-/* The stride of the windows that serve m samples (invcal/allan.h). */
+/* The stride of windows of m samples (invcal/allan.h). */
 static uint32_t stride_of(uint32_t m)
 {
     uint32_t stride = 1;
@@ -44,7 +44,7 @@ static int find_length(double tau, double rate, uint32_t *m)
 {
     const double length = nearbyint(tau * rate);
 
-    if (!(length >= 1) || fabs(tau * rate - length) > WITHIN_TAU * length) {
+    if (!(length >= 1) || fabs(tau * rate - length) > TAU_TOLERANCE * length) {
         return refuse_tau(tau, rate, "is not a multiple of the interval,", 1 / rate);
     }
     if (!(length <= INVCAL_ALLAN_LONGEST)) {
@@ -58,24 +58,24 @@ static int find_length(double tau, double rate, uint32_t *m)
     return EXIT_GOOD;
 }
 
-static int begin_streams(const allan_wish *wish, double rate)
+static int begin_streams(const allan_settings *settings, double rate)
 {
     uint32_t m[INVCAL_ALLAN_TAUS];
 
-    for (unsigned k = 0; k < wish->taus; k++) {
-        const int failure = find_length(wish->tau[k], rate, &m[k]);
+    for (unsigned k = 0; k < settings->taus; k++) {
+        const int failure = find_length(settings->tau[k], rate, &m[k]);
         if (failure) {
             return failure;
         }
     }
     for (unsigned i = 0; i < 3; i++) {
-        if (wish->taus == 0) {
+        if (settings->taus == 0) {
             invcal_allan_init(&stream[i]);
-        } else if (invcal_allan_begin(&stream[i], m, wish->taus) != INVCAL_OK) {
+        } else if (invcal_allan_begin(&stream[i], m, settings->taus) != INVCAL_OK) {
             return message_usage("allan", "--tau: must ascend, at most %u times",
                                  (unsigned)INVCAL_ALLAN_TAUS);
         }
-        if (wish->is_apart) {
+        if (settings->is_apart) {
             invcal_allan_apart(&stream[i]);
         }
     }
@@ -84,7 +84,7 @@ static int begin_streams(const allan_wish *wish, double rate)
 
 /* ---- the pass ---------------------------------------------------------------------------------- */
 
-static void take(allan_result *r, const sample *s)
+static void add_sample(allan_result *r, const sample *s)
 {
     if (r->samples == 0) {
         r->from = s->clock;
@@ -97,25 +97,25 @@ static void take(allan_result *r, const sample *s)
         }
         invcal_allan_push(&stream[i], s->raw[i]);
     }
-    motion_add(&watched, s);
+    motion_add(&motion_seen, s);
     r->samples++;
 }
 
-static int read_all(allan_result *r, const allan_wish *wish)
+static int read_all(allan_result *r, const allan_settings *settings)
 {
     sample s;
     int more;
 
-    motion_begin(&watched);
-    while ((more = samples_next(&log_read, &s)) == 1) {
-        progress_show(log_read.table.file, log_read.table.line, PROGRESS_ROWS);
-        if (s.clock >= wish->from && s.clock <= wish->to) {
-            take(r, &s);
+    motion_begin(&motion_seen);
+    while ((more = samples_next(&input, &s)) == 1) {
+        progress_show(input.table.file, input.table.line, PROGRESS_ROWS);
+        if (s.clock >= settings->from && s.clock <= settings->to) {
+            add_sample(r, &s);
         }
     }
     progress_end();
     if (more == 0 && r->samples == 0) {
-        message("%s: no sample within --from and --to; the log ends at %.9g s", log_read.table.name,
+        message("%s: no sample within --from and --to; the log ends at %.9g s", input.table.name,
                 s.clock);
         return EXIT_DATA;
     }
@@ -126,7 +126,7 @@ static int check_rest(const allan_result *r)
 {
     motion_place where;
 
-    if (motion_find(&watched, &where)) {
+    if (motion_find(&motion_seen, &where)) {
         message("%s:%lu: not at rest: at %.6g s the readings of %c %s; choose the part at rest "
                 "with --from and --to",
                 r->name, where.line, where.clock, "xyz"[where.axis],
@@ -136,34 +136,35 @@ static int check_rest(const allan_result *r)
     return EXIT_GOOD;
 }
 
-/* ---- what it comes to -------------------------------------------------------------------------- */
+/* ---- the result -------------------------------------------------------------------------------- */
 
 /* Units of the result per input unit. */
-static double find_unit(allan_result *r, const allan_wish *wish)
+static double find_unit(allan_result *r, const allan_settings *settings)
 {
-    const double field = wish->gravity > 0 ? wish->gravity : UNIT_STANDARD_GRAVITY;
+    const double field = settings->gravity > 0 ? settings->gravity : UNIT_STANDARD_GRAVITY;
 
     if (r->seen.is_gyro) {
         r->gravity = (double)NAN;
-        r->rate_unit = wish->lsb > 0 ? 1 : r->seen.rate_unit;
+        r->rate_unit = settings->lsb > 0 ? 1 : r->seen.rate_unit;
         r->unit =
             r->rate_unit > 0 ? unit_angular_rate_words(r->rate_unit) : unit_words(r->seen.unit);
-        return wish->lsb > 0 ? wish->lsb : 1;
+        return settings->lsb > 0 ? settings->lsb : 1;
     }
-    if (wish->unit != UNIT_UNKNOWN) {
-        r->seen.unit = wish->unit;
+    if (settings->unit != UNIT_UNKNOWN) {
+        r->seen.unit = settings->unit;
         r->seen.unit_from = UNIT_FROM_OPTION;
     }
-    const double scale = wish->lsb > 0            ? wish->lsb
+    const double scale = settings->lsb > 0        ? settings->lsb
                          : unit_is_gravity(field) ? unit_scale(r->seen.unit, field)
                                                   : 0;
     r->is_ms2 = scale > 0 && unit_is_gravity(field);
-    r->gravity = scale > 0 || wish->gravity > 0 ? field : (double)NAN;
+    r->gravity = scale > 0 || settings->gravity > 0 ? field : (double)NAN;
     r->unit = r->is_ms2 ? "m/s²" : scale > 0 ? "field units" : unit_words(r->seen.unit);
     return scale > 0 ? scale : 1;
 }
 
-/* One averaging time of all axes. Returns 0 if it has no differences yet, or too large a sum. */
+/* One averaging time of all axes. Returns 0 if it has no differences, or if their sum is too
+ * large. */
 static int find_row(allan_row *row, unsigned k, double rate, double unit)
 {
     invcal_allan_point p;
@@ -174,7 +175,7 @@ static int find_row(allan_row *row, unsigned k, double rate, double unit)
         }
         row->adev[i] = unit * p.adev;
     }
-    row->seconds = p.m / rate; /* the same on all axes, as these: */
+    row->seconds = p.m / rate; /* this and the following are the same on all axes */
     row->count = p.count;
     row->edf = p.edf;
     row->relative = p.relative;
@@ -192,7 +193,7 @@ static int find_noise(allan_result *r, double unit)
 {
     for (unsigned i = 0; i < 3; i++) {
         invcal_noise *n = &r->noise[i];
-        if (r->samples > 1 && motion_is_frozen(&watched, i)) {
+        if (r->samples > 1 && motion_is_frozen(&motion_seen, i)) {
             message("%s: %c never changes: its noise is less than one count, or it is not read",
                     r->name, "xyz"[i]);
             return EXIT_DATA;
@@ -210,17 +211,17 @@ static int find_noise(allan_result *r, double unit)
     return EXIT_GOOD;
 }
 
-/* The kind with the largest part in the deviation after a time, `first` or a later one. */
+/* The kind of noise, `first` or a later one, that contributes most to the deviation after tau. */
 static unsigned find_limit(const invcal_noise *n, double tau, unsigned first)
 {
     const double *c = n->coefficient;
     const double part[] = {c[0] * c[0] / tau, FLOOR_SQUARE * c[1] * c[1], c[2] * c[2] * tau / 3};
-    unsigned most = first;
+    unsigned max = first;
 
     for (unsigned k = first + 1; k < INVCAL_NOISE_KINDS; k++) {
-        most = part[k] > part[most] ? k : most;
+        max = part[k] > part[max] ? k : max;
     }
-    return most;
+    return max;
 }
 
 static int find_dwell(const invcal_noise *n, double wanted, allan_dwell *out)
@@ -230,20 +231,21 @@ static int find_dwell(const invcal_noise *n, double wanted, allan_dwell *out)
     const int has_floor = (n->visible & ~(1u << INVCAL_NOISE_WHITE)) != 0;
 
     if (wanted > 0 || has_floor) {
-        if (invcal_noise_dwell(n, wanted > 0 ? wanted : UNREACHED * n->minimum, &d) != INVCAL_OK) {
+        if (invcal_noise_dwell(n, wanted > 0 ? wanted : UNREACHABLE * n->minimum, &d) !=
+            INVCAL_OK) {
             return EXIT_DATA;
         }
     }
     *out = (allan_dwell){.seconds = d.seconds, .sigma = d.sigma};
     out->end = wanted > 0 || has_floor ? ends[d.end] : ALLAN_LONGEST;
-    /* a floor is made by what does not average out */
+    /* white noise averages out, so it cannot limit a floor */
     out->limit = find_limit(
         n, d.seconds, out->end == ALLAN_FLOOR ? INVCAL_NOISE_INSTABILITY : INVCAL_NOISE_WHITE);
     return EXIT_GOOD;
 }
 
-/* Whether a dwell asks more of the user than another: what cannot be reached first, then the
- * longer time, or, at a floor, the higher one. */
+/* Whether dwell a is worse than b: one at a floor is; of two at a floor, or two longest times, that
+ * of the larger sigma; else the longer one. */
 static int is_worse(const allan_dwell *a, const allan_dwell *b)
 {
     if ((a->end == ALLAN_FLOOR) != (b->end == ALLAN_FLOOR)) {
@@ -268,12 +270,13 @@ static int find_dwells(allan_result *r, double wanted)
 }
 
 /* A gyroscope has the unit of its header, or that of --lsb. */
-static int check_gyro(const allan_result *r, const allan_wish *wish)
+static int check_gyro(const allan_result *r, const allan_settings *settings)
 {
-    const char *option = wish->unit != UNIT_UNKNOWN               ? "--unit"
-                         : wish->gravity > 0                      ? "--gravity"
-                         : wish->lsb > 0 && r->seen.rate_unit > 0 ? "--lsb"
-                                                                  : NULL;
+    const char *option = settings->unit != UNIT_UNKNOWN               ? "--unit"
+                         : settings->gravity > 0                      ? "--gravity"
+                         : settings->lsb > 0 && r->seen.rate_unit > 0 ? "--lsb"
+
+                                                                      : NULL;
 
     return r->seen.is_gyro && option
                ? message_usage("allan", "%s: %s %s %s are columns of a gyroscope%s: leave it out",
@@ -284,33 +287,33 @@ static int check_gyro(const allan_result *r, const allan_wish *wish)
                : EXIT_GOOD;
 }
 
-static int evaluate(allan_result *r, const allan_wish *wish)
+static int evaluate(allan_result *r, const allan_settings *settings)
 {
-    int failure = check_gyro(r, wish);
+    int failure = check_gyro(r, settings);
     failure = failure ? failure : check_rest(r);
 
     if (failure) {
         return failure;
     }
-    const double unit = find_unit(r, wish) * log_read.unit;
-    find_rows(r, wish->taus > 0 ? wish->taus : INVCAL_ALLAN_TAUS, unit);
+    const double unit = find_unit(r, settings) * input.unit;
+    find_rows(r, settings->taus > 0 ? settings->taus : INVCAL_ALLAN_TAUS, unit);
     failure = find_noise(r, unit);
-    return failure ? failure : find_dwells(r, wish->sigma);
+    return failure ? failure : find_dwells(r, settings->sigma);
 }
 
-int allan_read(allan_result *r, const allan_wish *wish)
+int allan_read(allan_result *r, const allan_settings *settings)
 {
-    int failure = samples_open(&log_read, wish->file, COLUMNS_LOG, wish->rate, 0);
+    int failure = samples_open(&input, settings->file, COLUMNS_LOG, settings->rate, 0);
 
-    *r = (allan_result){.name = log_read.table.name, .rate = log_read.rate};
-    if (!failure && !log_read.is_rate_known) {
+    *r = (allan_result){.name = input.table.name, .rate = input.rate};
+    if (!failure && !input.is_rate_known) {
         failure = message_usage("allan", "--rate: is needed, because %s has no times", r->name);
     }
-    failure = failure ? failure : begin_streams(wish, r->rate);
-    failure = failure ? failure : read_all(r, wish);
-    r->seen = log_read.where.seen;
-    r->bytes = log_read.table.bytes;
-    r->crc = log_read.table.crc;
-    samples_close(&log_read);
-    return failure ? failure : evaluate(r, wish);
+    failure = failure ? failure : begin_streams(settings, r->rate);
+    failure = failure ? failure : read_all(r, settings);
+    r->seen = input.where.seen;
+    r->bytes = input.table.bytes;
+    r->crc = input.table.crc;
+    samples_close(&input);
+    return failure ? failure : evaluate(r, settings);
 }

@@ -14,15 +14,15 @@
 #define COLUMNS 4u
 #define ROW_COLUMNS 7u
 
-static void write_verdict(page *p, const allan_result *r, const allan_wish *wish)
+static void write_verdict(page *p, const allan_result *r, const allan_settings *settings)
 {
     const allan_dwell *d = &r->dwell[r->worst];
-    const int is_short = d->end == ALLAN_FLOOR && wish->sigma > 0;
+    const int is_short = d->end == ALLAN_FLOOR && settings->sigma > 0;
     char sentence[ALLAN_WORDS_MAX];
     char next[ALLAN_WORDS_MAX];
     char axes[ALLAN_WORDS_MAX];
 
-    allan_advice(r, wish, sentence);
+    allan_advice(r, settings, sentence);
     allan_next(r, next);
     if (is_short) {
         page_verdict(p, PAGE_BAD, "✗ Not reached", sentence, next);
@@ -68,7 +68,7 @@ static void write_chart(page *p, const allan_result *r)
     }
 }
 
-/* ---- what the noise is made of ----------------------------------------------------------------- */
+/* ---- components of the noise ------------------------------------------------------------------- */
 
 static void write_line(page *p, const page_table *sheet, const allan_result *r,
                        const allan_line *line)
@@ -134,7 +134,7 @@ static void write_rows(page *p, const allan_result *r)
     page_fold_end(p);
 }
 
-static void write_origin(page *p, const allan_result *r, const allan_wish *wish)
+static void write_origin(page *p, const allan_result *r, const allan_settings *settings)
 {
     char seen[COLUMNS_TEXT_MAX];
 
@@ -143,12 +143,12 @@ static void write_origin(page *p, const allan_result *r, const allan_wish *wish)
     page_fact(p, "file", "%s, %llu bytes, CRC-32 %08lx", r->name, (unsigned long long)r->bytes,
               (unsigned long)r->crc);
     page_fact(p, "read as", "%s", columns_describe(&r->seen, seen, sizeof seen));
-    page_literal(p, "command", wish->command);
+    page_literal(p, "command", settings->command);
     page_fact(p, "invcal", "%s", INVCAL_VERSION);
     page_fact(p, "samples", "%lu from %.6g s to %.6g s, at %.6g per second, %lu gaps", r->samples,
               r->from, r->to, r->rate, r->gaps);
     page_fact(p, "estimator", "%s",
-              wish->is_apart
+              settings->is_apart
                   ? "non-overlapping (NIST SP 1065, 5.2.2)"
                   : "overlapping (NIST SP 1065, 5.2.4); above 4096 samples 2048 times or more");
     if (r->gravity > 0) {
@@ -157,18 +157,18 @@ static void write_origin(page *p, const allan_result *r, const allan_wish *wish)
     page_facts_end(p);
 }
 
-void allan_report(FILE *file, const allan_result *r, const allan_wish *wish)
+void allan_report(FILE *file, const allan_result *r, const allan_settings *settings)
 {
     char title[ALLAN_WORDS_MAX];
     page p;
 
     snprintf(title, sizeof title, "Noise of %.300s", input_file_name(r->name));
     page_begin(&p, file, title);
-    write_verdict(&p, r, wish);
+    write_verdict(&p, r, settings);
     write_figures(&p, r);
     write_chart(&p, r);
     write_noise(&p, r);
     write_rows(&p, r);
-    write_origin(&p, r, wish);
+    write_origin(&p, r, settings);
     page_end(&p);
 }

@@ -5,11 +5,11 @@
 #include "text/figure.h"
 #include "plan/words.h"
 
-#define POOR 1.5       /* of misfit (invcal/allan.h) */
-#define SHORT_REST 2.0 /* seconds (invcal/still.h) */
-#define SMALL 1e-4
-#define LARGE 1e5
-#define JOINT "\302\240" /* U+00A0: a number and its unit stay on one line */
+#define MISFIT_MAX 1.5 /* of misfit (invcal/allan.h) */
+#define REST_MIN 2.0   /* seconds (invcal/still.h) */
+#define FIXED_MIN 1e-4
+#define FIXED_MAX 1e5
+#define NO_BREAK_SPACE "\302\240" /* U+00A0, between a number and its unit */
 
 const char *const allan_kinds[INVCAL_NOISE_KINDS] = {"white noise", "bias instability",
                                                      "rate random walk"};
@@ -17,9 +17,9 @@ const char *const allan_kinds[INVCAL_NOISE_KINDS] = {"white noise", "bias instab
 const char allan_misfit_words[] =
     "the model does not fit: a filter in the sensor, vibration, a drift, or steps of whole counts";
 
-const char *allan_estimator(const allan_wish *wish)
+const char *allan_estimator(const allan_settings *settings)
 {
-    return wish->is_apart ? "windows apart" : "overlapping";
+    return settings->is_apart ? "windows apart" : "overlapping";
 }
 
 const char *allan_deviation(const allan_result *r, double deviation, char text[ALLAN_WORDS_MAX])
@@ -27,11 +27,11 @@ const char *allan_deviation(const allan_result *r, double deviation, char text[A
     char number[FIGURE_MAX];
 
     if (r->is_ms2) {
-        snprintf(text, ALLAN_WORDS_MAX, "%s" JOINT "µg",
+        snprintf(text, ALLAN_WORDS_MAX, "%s" NO_BREAK_SPACE "µg",
                  figure_digits(deviation / ALLAN_MICRO_G, 3, number));
     } else {
-        snprintf(text, ALLAN_WORDS_MAX, "%s" JOINT "%s", figure_digits(deviation, 3, number),
-                 r->unit);
+        snprintf(text, ALLAN_WORDS_MAX, "%s" NO_BREAK_SPACE "%s",
+                 figure_digits(deviation, 3, number), r->unit);
     }
     return text;
 }
@@ -73,7 +73,7 @@ const char *allan_coefficient(const allan_result *r, const allan_line *line, uns
 
     if (!(n->visible >> line->kind & 1u)) {
         snprintf(text, ALLAN_WORDS_MAX, "not visible");
-    } else if (sigma < SMALL || sigma > LARGE) { /* fixed decimals do not hold it */
+    } else if (sigma < FIXED_MIN || sigma > FIXED_MAX) { /* too small or large for fixed decimals */
         snprintf(text, ALLAN_WORDS_MAX, "%.3e ± %.0e", value, sigma);
     } else {
         snprintf(text, ALLAN_WORDS_MAX, "%s",
@@ -86,7 +86,7 @@ const char *allan_misfits(const allan_result *r, char text[ALLAN_WORDS_MAX])
 {
     text[0] = '\0';
     for (unsigned i = 0; i < 3; i++) {
-        if (!(r->noise[i].misfit <= POOR)) {
+        if (!(r->noise[i].misfit <= MISFIT_MAX)) {
             const size_t length = strlen(text);
             snprintf(text + length, ALLAN_WORDS_MAX - length, "%s%c", length > 0 ? " " : "",
                      "xyz"[i]);
@@ -95,7 +95,8 @@ const char *allan_misfits(const allan_result *r, char text[ALLAN_WORDS_MAX])
     return text;
 }
 
-const char *allan_advice(const allan_result *r, const allan_wish *wish, char text[ALLAN_WORDS_MAX])
+const char *allan_advice(const allan_result *r, const allan_settings *settings,
+                         char text[ALLAN_WORDS_MAX])
 {
     const allan_dwell *d = &r->dwell[r->worst];
     const char axis = "xyz"[r->worst];
@@ -110,11 +111,12 @@ const char *allan_advice(const allan_result *r, const allan_wish *wish, char tex
                  "Hold each position as long as you like: the mean improves up to %s, the longest "
                  "time measured. Its sigma on the worst axis, %c, is then %.60s, limited by %s.",
                  time, axis, sigma, allan_kinds[d->limit]);
-    } else if (d->end == ALLAN_FLOOR && wish->sigma > 0) {
+    } else if (d->end == ALLAN_FLOOR && settings->sigma > 0) {
         snprintf(text, ALLAN_WORDS_MAX,
                  "No dwell brings the sigma of the mean of %c down to %.60s. Hold each position "
                  "%s: it is then %.60s, the floor, limited by %s.",
-                 axis, allan_deviation(r, wish->sigma, wanted), time, sigma, allan_kinds[d->limit]);
+                 axis, allan_deviation(r, settings->sigma, wanted), time, sigma,
+                 allan_kinds[d->limit]);
     } else {
         snprintf(text, ALLAN_WORDS_MAX,
                  "Hold each position %s: the sigma of the mean on the worst axis, %c, is then "
@@ -127,21 +129,21 @@ const char *allan_advice(const allan_result *r, const allan_wish *wish, char tex
 
 const char *allan_next(const allan_result *r, char text[ALLAN_WORDS_MAX])
 {
-    static const char *const ways[] = {
+    static const char *const advice[] = {
         "four times as long halves it, down to a floor.",
         "take more positions; more time in each does not help.",
         "the zero wanders: move quickly from position to position, and take more of them.",
     };
     const allan_dwell *d = &r->dwell[r->worst];
-    const char *way = ways[d->limit];
+    const char *next = advice[d->limit];
 
     if (d->end == ALLAN_BEYOND) {
-        way = "that is longer than the measured averaging times: log longer to be sure.";
+        next = "that is longer than the measured averaging times: log longer to be sure.";
     } else if (d->end == ALLAN_LONGEST) {
-        way = "state --sigma, the deviation that you need, or log longer to find the floor.";
+        next = "state --sigma, the deviation that you need, or log longer to find the floor.";
     }
-    snprintf(text, ALLAN_WORDS_MAX, "%s%s", way,
-             d->seconds < SHORT_REST
+    snprintf(text, ALLAN_WORDS_MAX, "%s%s", next,
+             d->seconds < REST_MIN
                  ? " Hold at least two seconds anyway: shorter rests are not found in a log."
                  : "");
     return text;

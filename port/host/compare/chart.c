@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Pictures of a comparison: how the parameters of a device went, and how those of a fleet are spread.
+ * Pictures of a comparison: the history of a device's parameters, and their spread in a fleet.
  */
 #include <math.h>
 #include <string.h>
@@ -15,49 +15,49 @@
 #define LEFT 62.0
 #define RIGHT 16.0
 #define TOP 30.0
-#define PLOT 130.0 /* height of a panel's plot */
-#define PANEL (TOP + PLOT + 46)
+#define PLOT_HEIGHT 130.0
+#define PANEL_HEIGHT (TOP + PLOT_HEIGHT + 46)
 #define ROW 26.0
-#define REACH 10.0 /* spreads to either side */
+#define SPREADS_MAX 10.0 /* the axis, to either side */
 
 static const char *const styles[3] = {"c1", "c2", "c3"};
 static const svg_shape shapes[3] = {SVG_CIRCLE, SVG_SQUARE, SVG_TRIANGLE};
 
 /* ---- history ----------------------------------------------------------------------------------- */
 
-/* What parameter q has come to in calibration k of the device, since the first. */
+/* Change of parameter q from the device's first calibration to its calibration k. */
 static double since_first(const compare_picture *c, unsigned k, unsigned q)
 {
     const compare_result *r = c->result;
     const compare_item *first = &r->item[r->device[c->device].first];
 
     return compare_page_unit(r, q).scale * (first[k].x[q] - first->x[q]) /
-           compare_per(first->x, r->field, q);
+           compare_divisor(first->x, r->field, q);
 }
 
-/* What holds calibration k alone in 95 % of cases, to either side; 0 if that is not known. */
+/* Half the 95 % interval of calibration k alone; 0 if it is unknown. */
 static double spread_of(const compare_picture *c, unsigned k, unsigned q)
 {
     const compare_result *r = c->result;
     const compare_item *first = &r->item[r->device[c->device].first];
     const double spread = invcal_coverage(first[k].dof) * compare_page_unit(r, q).scale *
-                          first[k].sigma[q] / fabs(compare_per(first->x, r->field, q));
+                          first[k].sigma[q] / fabs(compare_divisor(first->x, r->field, q));
 
     return isfinite(spread) ? spread : 0;
 }
 
 static ruler value_ruler(const compare_picture *c, unsigned kind)
 {
-    double least = 0;
-    double most = 0;
+    double min = 0;
+    double max = 0;
 
     for (unsigned k = 0; k < c->result->device[c->device].count; k++) {
         for (unsigned q = 3 * kind; q < 3 * kind + 3; q++) {
-            least = fmin(least, since_first(c, k, q) - spread_of(c, k, q));
-            most = fmax(most, since_first(c, k, q) + spread_of(c, k, q));
+            min = fmin(min, since_first(c, k, q) - spread_of(c, k, q));
+            max = fmax(max, since_first(c, k, q) + spread_of(c, k, q));
         }
     }
-    return chart_ruler(least, most, TOP + PLOT, TOP, 5);
+    return chart_ruler(min, max, TOP + PLOT_HEIGHT, TOP, 5);
 }
 
 /* The three of a kind are drawn slightly apart. */
@@ -90,7 +90,7 @@ static void draw_parameter(FILE *file, const compare_picture *c, unsigned q, con
     }
 }
 
-/* The names of the three, at the right of the title. */
+/* The names of the three parameters, to the right of the title. */
 static void draw_legend(FILE *file, unsigned kind, double width)
 {
     char style[16];
@@ -123,7 +123,8 @@ static void draw_panel(FILE *file, const compare_picture *c, unsigned kind, doub
     for (unsigned q = 3 * kind; q < 3 * kind + 3; q++) {
         draw_parameter(file, c, q, &x, &y);
     }
-    svg_text(file, "soft small", SVG_MIDDLE, (x.from + x.to) / 2, TOP + PLOT + 34, "calibration");
+    svg_text(file, "soft small", SVG_MIDDLE, (x.from + x.to) / 2, TOP + PLOT_HEIGHT + 34,
+             "calibration");
 }
 
 void compare_draw_history(FILE *file, const void *picture, double width)
@@ -142,7 +143,7 @@ void compare_draw_history(FILE *file, const void *picture, double width)
                                    number),
                  compare_page_unit(c->result, q).unit, q % 3 < 2 ? ";" : ".");
     }
-    svg_begin_inline(file, width, PANEL, titles[c->kind], text);
+    svg_begin_inline(file, width, PANEL_HEIGHT, titles[c->kind], text);
     draw_panel(file, c, c->kind, width);
     svg_end(file);
 }
@@ -153,10 +154,10 @@ static double spreads(const compare_result *r, unsigned device, unsigned q)
 {
     const double x = (compare_newest(r, device)->x[q] - r->fleet.median[q]) / r->fleet.spread[q];
 
-    return x > REACH ? REACH : x < -REACH ? -REACH : x;
+    return x > SPREADS_MAX ? SPREADS_MAX : x < -SPREADS_MAX ? -SPREADS_MAX : x;
 }
 
-/* One row: those that are outside lie above the others. */
+/* One row, with outliers on top. */
 static void draw_row(FILE *file, const compare_result *r, unsigned q, const ruler *x)
 {
     const double y = TOP + (q + 0.5) * ROW;
@@ -166,8 +167,8 @@ static void draw_row(FILE *file, const compare_result *r, unsigned q, const rule
     for (unsigned pass = 0; pass < 2; pass++) {
         for (unsigned k = 0; k < r->devices; k++) {
             const double at = spreads(r, k, q);
-            const unsigned is_outside = (unsigned)r->fleet.outside[k] >> q & 1u;
-            if (is_outside == pass && isfinite(at)) {
+            const unsigned is_outlier = (unsigned)r->fleet.outliers[k] >> q & 1u;
+            if (is_outlier == pass && isfinite(at)) {
                 svg_marker(file, pass ? "c2 full over" : "c1 hollow", pass ? SVG_CROSS : SVG_CIRCLE,
                            chart_pixel(x, at), y, pass ? 6 : 4);
             }
@@ -180,8 +181,8 @@ void compare_draw_fleet(FILE *file, const void *picture, double width)
     const compare_picture *c = picture;
     const compare_result *r = c->result;
     const double bottom = TOP + ROW * (double)INVCAL_PARAMETERS;
-    const ruler x =
-        chart_ruler_exact(-REACH, REACH, LEFT, width - RIGHT, width > PAGE_NARROW ? 10 : 4);
+    const ruler x = chart_ruler_exact(-SPREADS_MAX, SPREADS_MAX, LEFT, width - RIGHT,
+                                      width > PAGE_NARROW ? 10 : 4);
     const ruler y = {0, 1, bottom, TOP, 0, 0};
     char text[COMPARE_TEXT_MAX];
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal compare: several calibrations next to each other.
+ * invcal compare: drift of a device, and outliers among devices, from their calibrations.
  */
 #include "compare/compare.h"
 
@@ -25,22 +25,22 @@ static const option_syntax syntax = {"compare", options, OPTIONS, operands, 2, O
 
 #define COMMAND_MAX 2000u
 
-/* What the command line asks for. */
+/* The command line. */
 typedef struct {
     const char *value[OPTIONS];
     const char **paths; /* ended by null */
-    compare_kinship kinship;
+    compare_grouping grouping;
     unit_style units;
     char command[COMMAND_MAX];
 } request;
 
-static int read_kinship(request *r)
+static int read_grouping(request *r)
 {
     static const char *const words[] = {"serial", "history", "fleet"};
 
     for (unsigned k = 0; r->value[AS] && k < 3; k++) {
         if (strcmp(r->value[AS], words[k]) == 0) {
-            r->kinship = (compare_kinship)k;
+            r->grouping = (compare_grouping)k;
             return EXIT_GOOD;
         }
     }
@@ -49,7 +49,7 @@ static int read_kinship(request *r)
                : EXIT_GOOD;
 }
 
-/* Each is named by its path. */
+/* Messages name each input by its path. */
 static int check_files(const request *r)
 {
     const named_file made = {"--report", r->value[REPORT]};
@@ -79,7 +79,7 @@ static int read_request(int argc, char **argv, request *r)
         failure = message_usage("compare", "--units %s: must be everyday or ins", r->value[UNITS]);
     }
     options_command("compare", argc, argv, r->command, sizeof r->command);
-    failure = failure ? failure : read_kinship(r);
+    failure = failure ? failure : read_grouping(r);
     return failure ? failure : check_files(r);
 }
 
@@ -93,7 +93,7 @@ static int print(const request *r, const compare_result *result)
     return output_flush();
 }
 
-/* The page appears only after all else has been written. */
+/* The page gets its name only after everything has been written. */
 static int deliver(const request *r, const compare_result *result)
 {
     output page = {0};
@@ -118,7 +118,7 @@ static int compare(int argc, char **argv, request *r)
     result.units = r->units;
     result.is_same_field = r->value[SAME_FIELD] != NULL;
     failure =
-        failure ? failure : compare_read(&result, r->paths, r->kinship, r->value[JSON] != NULL);
+        failure ? failure : compare_read(&result, r->paths, r->grouping, r->value[JSON] != NULL);
     failure = failure ? failure : deliver(r, &result);
     compare_release(&result);
     return failure;

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * From one calibration to the next: has a parameter changed beyond chance?
+ * Which parameters have changed significantly from one calibration to the next.
  *
- * The difference of two independent estimates has the variance v = v1 + v2, and the degrees of freedom
+ * The difference of two independent estimates has the variance v = v1 + v2, and the degrees of
+ * freedom
  *
  *     v^2 / (v1^2 / n1 + v2^2 / n2)
  *
- * (Welch, Biometrika 34, 1947). Its square over v is Fisher's F with 1 and so many, rounded down. Nine are
- * looked at, so each has a ninth of the false alarms (Bonferroni): they need not be independent of each
- * other, which the nine of one calibration are not. */
+ * (Welch, Biometrika 34, 1947). Its square over v is Fisher's F with 1 and that many, rounded down.
+ * There are nine tests, so each gets a ninth of the false alarms (Bonferroni), which does not
+ * require that the nine parameters of a calibration are independent; they are not. */
 #include <math.h>
 
 #include "compare/compare.h"
@@ -34,18 +35,18 @@ compare_drift compare_drift_of(const compare_item *before, const compare_item *n
     unsigned changed = 0;
 
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
-        const double per = compare_per(before->x, field, p);
+        const double per = compare_divisor(before->x, field, p);
         const double v1 = variance(before, p);
         const double v2 = variance(now, p);
         const double difference = now->x[p] - before->x[p];
         d.x[p] = difference / per;
         d.sigma[p] = sqrt(v1 + v2) / fabs(per);
-        d.times[p] = d.x[p] / d.sigma[p];
-        d.chance[p] = d.wide[p] = NUMBER_UNKNOWN;
+        d.in_sigma[p] = d.x[p] / d.sigma[p];
+        d.chance[p] = d.half_width[p] = NUMBER_UNKNOWN;
         if (v1 + v2 > 0) {
             const unsigned dof = welch(v1, before->dof, v2, now->dof);
-            d.wide[p] = invcal_coverage(dof) * d.sigma[p];
-            d.chance[p] = f_tail(1 / (1 + d.times[p] * d.times[p] / dof), 1, dof);
+            d.half_width[p] = invcal_coverage(dof) * d.sigma[p];
+            d.chance[p] = f_tail(1 / (1 + d.in_sigma[p] * d.in_sigma[p] / dof), 1, dof);
         }
         changed |= (unsigned)(d.chance[p] * (double)INVCAL_PARAMETERS <= COMPARE_FALSE_ALARM) << p;
     }

@@ -5,7 +5,7 @@
 #include "invcal/expert.h"
 #include "text/json_write.h"
 
-/* The same as values, not as differences. */
+/* Values, unlike json_nine, which writes deviations. */
 static void write_values(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])
 {
     json_object(w, name);
@@ -35,7 +35,7 @@ static void write_drift(json_writer *w, const compare_result *r, unsigned k)
     json_text(w, "to", r->item[k].path);
     json_nine(w, "drift", d->x);
     json_nine(w, "sigma", d->sigma);
-    json_nine(w, "interval95", d->wide);
+    json_nine(w, "interval95", d->half_width);
     json_nine(w, "chance", d->chance);
     json_parameters(w, "changed", d->changed);
     json_object_end(w);
@@ -65,10 +65,10 @@ static void write_device(json_writer *w, const compare_result *r, unsigned devic
         double away[INVCAL_PARAMETERS];
         for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
             away[p] =
-                (newest->x[p] - r->fleet.median[p]) / compare_per(r->fleet.median, r->field, p);
+                (newest->x[p] - r->fleet.median[p]) / compare_divisor(r->fleet.median, r->field, p);
         }
         json_nine(w, "deviation", away);
-        json_parameters(w, "outside", r->fleet.outside[device]);
+        json_parameters(w, "outside", r->fleet.outliers[device]);
     }
     json_object_end(w);
 }
@@ -79,7 +79,7 @@ static void write_fleet(json_writer *w, const compare_result *r)
     double deviation[INVCAL_PARAMETERS];
 
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
-        const double per = fabs(compare_per(r->fleet.median, r->field, p));
+        const double per = fabs(compare_divisor(r->fleet.median, r->field, p));
         spread[p] = r->fleet.spread[p] / per;
         deviation[p] = r->fleet.deviation[p] / per;
     }

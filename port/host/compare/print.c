@@ -13,7 +13,7 @@
 #include "text/tabular.h"
 #include "text/wrapped.h"
 
-#define DEVICES_LISTED 40u /* histories of so many; of more those that have changed */
+#define DEVICES_LISTED 40u /* of more devices, only histories with a change */
 
 /* A value with as many digits as its sigma has; "?" if there is none. */
 static const char *digits(double x, double sigma, figure_sign sign, char text[FIGURE_MAX])
@@ -59,8 +59,9 @@ static void add_drift(const compare_result *r, unsigned k, unsigned p)
     tabular_cell("%s", digits(value.scale * r->item[k].x[p], per, FIGURE_PLAIN, text));
     tabular_cell("%s", digits(drift.scale * d->x[p], sigma, FIGURE_SIGNED, text));
     tabular_cell("± %s", digits(sigma, sigma, FIGURE_PLAIN, text));
-    tabular_cell("%s",
-                 isfinite(d->times[p]) ? figure_fixed(d->times[p], 1, FIGURE_SIGNED, text) : "?");
+    tabular_cell("%s", isfinite(d->in_sigma[p])
+                           ? figure_fixed(d->in_sigma[p], 1, FIGURE_SIGNED, text)
+                           : "?");
     tabular_note("%s", d->changed >> p & 1 ? "changed" : "");
     tabular_row();
 }
@@ -103,7 +104,7 @@ static void print_history(FILE *file, const compare_result *r, unsigned device)
     fprintf(file, "\n");
 }
 
-/* Of many devices those that have changed, for a screen; JSON and page have all. */
+/* Of many devices, only those that have changed. */
 static void print_histories(FILE *file, const compare_result *r)
 {
     for (unsigned k = 0; k < r->devices; k++) {
@@ -117,7 +118,7 @@ static void print_histories(FILE *file, const compare_result *r)
 
 /* ---- fleet ------------------------------------------------------------------------------------- */
 
-/* By how many spreads a device is from the median. */
+/* Distance of a device from the median, in spreads. */
 static double spreads(const compare_result *r, unsigned device, unsigned p)
 {
     return (compare_newest(r, device)->x[p] - r->fleet.median[p]) / r->fleet.spread[p];
@@ -127,7 +128,7 @@ static void add_fleet(const compare_result *r, unsigned p)
 {
     const compare_fleet *f = &r->fleet;
     const display_unit drift = compare_drift_unit(r, p);
-    const double per = fabs(compare_per(f->median, r->field, p)) / drift.scale;
+    const double per = fabs(compare_divisor(f->median, r->field, p)) / drift.scale;
     const unsigned far = f->farthest[p];
     char name[COMPARE_NAME_MAX];
     char text[FIGURE_MAX];
@@ -141,16 +142,16 @@ static void add_fleet(const compare_result *r, unsigned p)
     tabular_cell("%s", short_digits(f->deviation[p] / per, text));
     tabular_cell("%s", compare_device_name(compare_newest(r, far), 18, name));
     tabular_cell("%s", isfinite(away) ? figure_fixed(away, 1, FIGURE_SIGNED, text) : "?");
-    tabular_note("%s", f->outside[far] >> p & 1 ? "outside" : "");
+    tabular_note("%s", f->outliers[far] >> p & 1 ? "outside" : "");
     tabular_row();
 }
 
-static void print_outside(FILE *file, const compare_result *r, unsigned device, unsigned p)
+static void print_outlier(FILE *file, const compare_result *r, unsigned device, unsigned p)
 {
     const display_unit drift = compare_drift_unit(r, p);
     const compare_item *item = compare_newest(r, device);
     const double away =
-        (item->x[p] - r->fleet.median[p]) / compare_per(r->fleet.median, r->field, p);
+        (item->x[p] - r->fleet.median[p]) / compare_divisor(r->fleet.median, r->field, p);
     char name[COMPARE_NAME_MAX];
     char text[FIGURE_MAX];
 
@@ -173,14 +174,14 @@ static void print_fleet(FILE *file, const compare_result *r)
     fprintf(file, "\n");
     for (unsigned k = 0; k < r->devices; k++) {
         for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
-            if (r->fleet.outside[k] >> p & 1) {
-                print_outside(file, r, k, p);
+            if (r->fleet.outliers[k] >> p & 1) {
+                print_outlier(file, r, k, p);
             }
         }
     }
 }
 
-/* ---- all of it --------------------------------------------------------------------------------- */
+/* ---- the output -------------------------------------------------------------------------------- */
 
 static void print_units(FILE *file, const compare_result *r)
 {

@@ -13,8 +13,8 @@
 #define DRIFT_COLUMNS 6u
 #define FLEET_COLUMNS 6u
 #define ITEM_COLUMNS 4u
-#define OUTSIDE_COLUMNS 4u
-#define PAGED 40u /* histories of so many; of more those that have changed */
+#define OUTLIER_COLUMNS 4u
+#define DEVICES_SHOWN 40u /* of more devices, only histories with a change */
 
 /* A value with as many digits as its sigma has; "?" if there is none. */
 static const char *digits(double x, double sigma, figure_sign sign, char text[FIGURE_MAX])
@@ -77,12 +77,13 @@ static void write_drift_row(page *p, const page_table *sheet, const compare_resu
                  digits(value.scale * r->item[k - 1 + i].x[q], value.scale * r->item[k].sigma[q],
                         FIGURE_PLAIN, number));
     }
-    snprintf(
-        text[2], sizeof text[2], "%s %s",
-        figure_with_sigma(drift.scale * d->x[q], drift.scale * d->wide[q], FIGURE_SIGNED, number),
-        drift.unit);
+    snprintf(text[2], sizeof text[2], "%s %s",
+             figure_with_sigma(drift.scale * d->x[q], drift.scale * d->half_width[q], FIGURE_SIGNED,
+                               number),
+             drift.unit);
     snprintf(text[3], sizeof text[3], "%s",
-             isfinite(d->times[q]) ? figure_fixed(d->times[q], 1, FIGURE_SIGNED, number) : "?");
+             isfinite(d->in_sigma[q]) ? figure_fixed(d->in_sigma[q], 1, FIGURE_SIGNED, number)
+                                      : "?");
     page_cells(p, sheet, cells);
 }
 
@@ -129,13 +130,13 @@ static void write_history(page *p, const compare_result *r, unsigned device)
     }
 }
 
-/* Of many devices those that have changed. */
+/* Of many devices, only those that have changed. */
 static void write_histories(page *p, const compare_result *r)
 {
     for (unsigned k = 0; k < r->devices; k++) {
         const compare_device *d = &r->device[k];
         if (d->count > 1 &&
-            (r->devices <= PAGED || r->drift[d->first + d->count - 1].changed != 0)) {
+            (r->devices <= DEVICES_SHOWN || r->drift[d->first + d->count - 1].changed != 0)) {
             write_history(p, r, k);
         }
     }
@@ -147,10 +148,10 @@ static void write_fleet_row(page *p, const page_table *sheet, const compare_resu
 {
     const compare_fleet *f = &r->fleet;
     const display_unit drift = compare_page_unit(r, q);
-    const double per = fabs(compare_per(f->median, r->field, q)) / drift.scale;
+    const double per = fabs(compare_divisor(f->median, r->field, q)) / drift.scale;
     const unsigned far = f->farthest[q];
     const double away =
-        (compare_newest(r, far)->x[q] - f->median[q]) / compare_per(f->median, r->field, q);
+        (compare_newest(r, far)->x[q] - f->median[q]) / compare_divisor(f->median, r->field, q);
     char name[COMPARE_NAME_MAX];
     char device[COMPARE_NAME_MAX];
     char text[4][FIGURE_MAX + 64];
@@ -173,11 +174,11 @@ static void write_fleet_row(page *p, const page_table *sheet, const compare_resu
     page_cells(p, sheet, cells);
 }
 
-static void write_outside(page *p, const compare_result *r)
+static void write_outliers(page *p, const compare_result *r)
 {
-    static const char *const headings[OUTSIDE_COLUMNS] = {"device", "parameter", "from the median",
+    static const char *const headings[OUTLIER_COLUMNS] = {"device", "parameter", "from the median",
                                                           "in spreads"};
-    const page_table sheet = {"Outliers.", headings, OUTSIDE_COLUMNS, 1u << 1};
+    const page_table sheet = {"Outliers.", headings, OUTLIER_COLUMNS, 1u << 1};
     char name[COMPARE_NAME_MAX];
     char text[2][FIGURE_MAX + 64];
     char number[FIGURE_MAX];
@@ -186,14 +187,15 @@ static void write_outside(page *p, const compare_result *r)
     for (unsigned k = 0; k < r->devices; k++) {
         const compare_item *item = compare_newest(r, k);
         for (unsigned q = 0; q < INVCAL_PARAMETERS; q++) {
-            const char *const cells[OUTSIDE_COLUMNS] = {compare_device_name(item, 40, name),
+            const char *const cells[OUTLIER_COLUMNS] = {compare_device_name(item, 40, name),
                                                         parameter_words(q), text[0], text[1]};
             const display_unit drift = compare_page_unit(r, q);
             const double away = item->x[q] - r->fleet.median[q];
-            const double told = drift.scale * away / compare_per(r->fleet.median, r->field, q);
-            if (r->fleet.outside[k] >> q & 1) {
-                snprintf(text[0], sizeof text[0], "%s%s %s", told > 0 ? "+" : "",
-                         figure_digits(told, 3, number), drift.unit);
+            const double in_unit =
+                drift.scale * away / compare_divisor(r->fleet.median, r->field, q);
+            if (r->fleet.outliers[k] >> q & 1) {
+                snprintf(text[0], sizeof text[0], "%s%s %s", in_unit > 0 ? "+" : "",
+                         figure_digits(in_unit, 3, number), drift.unit);
                 snprintf(text[1], sizeof text[1], "%s",
                          digits(away / r->fleet.spread[q], 1, FIGURE_SIGNED, number));
                 page_cells(p, &sheet, cells);
@@ -203,10 +205,10 @@ static void write_outside(page *p, const compare_result *r)
     page_table_end(p);
 }
 
-static int has_outside(const compare_result *r)
+static int has_outliers(const compare_result *r)
 {
     for (unsigned k = 0; k < r->devices; k++) {
-        if (r->fleet.outside[k] != 0) {
+        if (r->fleet.outliers[k] != 0) {
             return 1;
         }
     }
@@ -222,8 +224,8 @@ static void write_fleet(page *p, const compare_result *r)
     const compare_picture picture = {r, 0, 0};
 
     page_section(p, "The fleet");
-    if (has_outside(r)) {
-        write_outside(p, r);
+    if (has_outliers(r)) {
+        write_outliers(p, r);
     }
     page_table_begin(p, &sheet);
     for (unsigned q = 0; q < INVCAL_PARAMETERS; q++) {

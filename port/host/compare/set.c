@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * From paths to calibrations that can be compared, device by device.
+ * Reads calibrations, checks that they can be compared, and sorts them by device.
  */
 #include <math.h>
 #include <stdarg.h>
@@ -15,21 +15,22 @@
 #include "text/unit.h"
 
 #define REASON_MAX 600
-#define SAME 1e-6 /* what two statements of one field may differ by, over it */
-#define EARTH 4.0 /* times */
+#define FIELD_TOLERANCE 1e-6 /* relative, of two statements of one field */
+#define FIELD_RATIO_MAX 4.0  /* of the earth's magnetic field at two places */
 
-/* What all files must have in common: that of the first. */
+/* The first file, with which the others must agree. */
 typedef struct {
     calibration_file file;
     const char *path;
     double temperature; /* at which thermal calibrations are compared */
     compare_result *result;
     int json;
-} reading; /* large: not for the stack */
+} reference; /* large: not for the stack */
 
-/* Says why two calibrations are not to be compared. Returns EXIT_DATA. */
-static int refuse(const reading *x, const char *path, const char *format, ...) MESSAGE_FORMAT(3, 4);
-static int refuse(const reading *x, const char *path, const char *format, ...)
+/* Says why two calibrations cannot be compared. Returns EXIT_DATA. */
+static int refuse(const reference *x, const char *path, const char *format, ...)
+    MESSAGE_FORMAT(3, 4);
+static int refuse(const reference *x, const char *path, const char *format, ...)
 {
     char text[REASON_MAX];
     json_writer w;
@@ -56,12 +57,13 @@ static int is_one_field(const calibration_file *a, const calibration_file *b)
     const double ratio = a->gravity / b->gravity;
 
     return (unit_is_gravity(a->gravity) && unit_is_gravity(b->gravity)) ||
-           (a->is_magnetometer && b->is_magnetometer && ratio < EARTH && ratio > 1 / EARTH) ||
-           fabs(ratio - 1) <= SAME;
+           (a->is_magnetometer && b->is_magnetometer && ratio < FIELD_RATIO_MAX &&
+            ratio > 1 / FIELD_RATIO_MAX) ||
+           fabs(ratio - 1) <= FIELD_TOLERANCE;
 }
 
-/* A calibration of temperature is compared with others at one and the same. */
-static int check_model(const reading *x, const calibration_file *f, const char *path)
+/* Thermal calibrations are compared at one temperature. */
+static int check_model(const reference *x, const calibration_file *f, const char *path)
 {
     if (f->has_thermal != x->file.has_thermal) {
         return refuse(
@@ -81,7 +83,7 @@ static int check_model(const reading *x, const calibration_file *f, const char *
     return EXIT_GOOD;
 }
 
-static int check(const reading *x, const calibration_file *f, const char *path)
+static int check(const reference *x, const calibration_file *f, const char *path)
 {
     const calibration_file *other = &x->file;
 
@@ -104,35 +106,36 @@ static int check(const reading *x, const calibration_file *f, const char *path)
         return refuse(x, path, "their fields are %.7g and %.7g; make both with the same --gravity",
                       f->gravity, other->gravity);
     }
-    if (x->result->is_same_field && !(fabs(f->gravity / other->gravity - 1) <= SAME)) {
+    if (x->result->is_same_field && !(fabs(f->gravity / other->gravity - 1) <= FIELD_TOLERANCE)) {
         return refuse(x, path, "--same-field, but the fields are %.9g and %.9g", f->gravity,
                       other->gravity);
     }
     return check_model(x, f, path);
 }
 
-/* Sigma of the scales without what the field may be wrong by. */
-static void leave_field_out(compare_item *item)
+/* Sigma of the scales without the uncertainty of the field. */
+static void exclude_field_sigma(compare_item *item)
 {
     for (unsigned i = 0; i < 3; i++) {
         double *sigma = &item->sigma[INVCAL_DK_X + i];
-        const double square = *sigma * *sigma - item->of_field[i] * item->of_field[i];
+        const double square = *sigma * *sigma - item->field_sigma[i] * item->field_sigma[i];
         *sigma = square > 0 ? sqrt(square) : NUMBER_UNKNOWN;
-        item->of_field[i] = 0;
+        item->field_sigma[i] = 0;
     }
 }
 
-static int take(const reading *x, const calibration_file *f, const char *path, compare_item *item)
+static int fill_item(const reference *x, const calibration_file *f, const char *path,
+                     compare_item *item)
 {
     invcal_calibration c = f->calibration;
 
     if (f->has_thermal) {
-        (void)calibration_file_at(f, x->temperature, &c); /* in its range there is one */
+        (void)calibration_file_at(f, x->temperature, &c); /* its range was checked */
     }
     item->path = path;
     item->record = f->record;
     memcpy(item->verdict, f->verdict, sizeof item->verdict);
-    compare_nine(f, &c, item);
+    compare_parameters(f, &c, item);
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
         if (!isfinite(item->x[p])) {
             message("%s: its parameters are out of range", input_name(path));
@@ -140,12 +143,12 @@ static int take(const reading *x, const calibration_file *f, const char *path, c
         }
     }
     if (x->result->is_same_field) {
-        leave_field_out(item);
+        exclude_field_sigma(item);
     }
     return EXIT_GOOD;
 }
 
-static int read_one(reading *x, const char *path, unsigned k)
+static int read_one(reference *x, const char *path, unsigned k)
 {
     static calibration_file file;
     int failure = calibration_file_read_all(path, &file);
@@ -164,10 +167,10 @@ static int read_one(reading *x, const char *path, unsigned k)
         x->temperature = file.thermal.reference;
     }
     failure = check(x, &file, path);
-    return failure ? failure : take(x, &file, path, &x->result->item[k]);
+    return failure ? failure : fill_item(x, &file, path, &x->result->item[k]);
 }
 
-/* ---- whose they are ---------------------------------------------------------------------------- */
+/* ---- devices ----------------------------------------------------------------------------------- */
 
 static const char *serial_of(const compare_item *item)
 {
@@ -184,38 +187,38 @@ static unsigned device_by_serial(const compare_result *r, unsigned k)
     return other;
 }
 
-/* The device of each item, by the number of its first item. */
-static int find_kin(compare_result *r, compare_kinship kinship)
+/* Sets the device of each item, for now to the number of the device's first item. */
+static int assign_devices(compare_result *r, compare_grouping grouping)
 {
-    unsigned nameless = 0;
+    unsigned unnamed = 0;
     unsigned first = 0;
 
     for (unsigned k = r->count; k-- > 0;) {
         if (*serial_of(&r->item[k]) == '\0') {
             first = k;
-            nameless++;
+            unnamed++;
         }
     }
-    if (kinship == COMPARE_BY_SERIAL && nameless > 0 && !(nameless == 2 && r->count == 2)) {
+    if (grouping == COMPARE_BY_SERIAL && unnamed > 0 && !(unnamed == 2 && r->count == 2)) {
         return message_usage("compare",
                              "%s: has no serial number: state --as history or --as fleet, or "
                              "calibrate with --serial",
                              input_name(r->item[first].path));
     }
     for (unsigned k = 0; k < r->count; k++) {
-        r->item[k].device = kinship == COMPARE_HISTORY ? 0
-                            : kinship == COMPARE_FLEET ? k
-                                                       : device_by_serial(r, k);
+        r->item[k].device = grouping == COMPARE_HISTORY ? 0
+                            : grouping == COMPARE_FLEET ? k
+                                                        : device_by_serial(r, k);
     }
     return EXIT_GOOD;
 }
 
-static int by_place(const void *a, const void *b)
+static int by_argument(const void *a, const void *b)
 {
     const compare_item *one = a;
     const compare_item *other = b;
-    const unsigned x = one->device == other->device ? one->place : one->device;
-    const unsigned y = one->device == other->device ? other->place : other->device;
+    const unsigned x = one->device == other->device ? one->argument : one->device;
+    const unsigned y = one->device == other->device ? other->argument : other->device;
 
     return (x > y) - (x < y);
 }
@@ -226,11 +229,11 @@ static int by_date(const void *a, const void *b)
     const compare_item *other = b;
     const int order = strcmp(one->record.text[RECORD_DATE], other->record.text[RECORD_DATE]);
 
-    return order != 0 ? order : by_place(a, b);
+    return order != 0 ? order : by_argument(a, b);
 }
 
-/* One device from item `first` on; by date, if all have one. */
-static void settle_device(compare_result *r, unsigned first)
+/* One device, from item `first` on; sorted by date, if all have one. */
+static void add_device(compare_result *r, unsigned first)
 {
     compare_device *d = &r->device[r->devices];
 
@@ -248,11 +251,11 @@ static void settle_device(compare_result *r, unsigned first)
     r->devices++;
 }
 
-static void set_in_order(compare_result *r)
+static void sort_items(compare_result *r)
 {
-    qsort(r->item, r->count, sizeof *r->item, by_place);
+    qsort(r->item, r->count, sizeof *r->item, by_argument);
     for (unsigned k = 0; k < r->count; k += r->device[r->devices - 1].count) {
-        settle_device(r, k);
+        add_device(r, k);
     }
     for (unsigned k = 1; k < r->count; k++) {
         if (r->item[k].device == r->item[k - 1].device) {
@@ -261,14 +264,14 @@ static void set_in_order(compare_result *r)
     }
 }
 
-static int find(compare_result *r, compare_kinship kinship)
+static int find(compare_result *r, compare_grouping grouping)
 {
-    const int failure = find_kin(r, kinship);
+    const int failure = assign_devices(r, grouping);
 
     if (failure) {
         return failure;
     }
-    set_in_order(r);
+    sort_items(r);
     if (r->devices > 1 && !compare_fleet_find(r)) {
         message("not enough memory for %u devices", r->devices);
         return EXIT_FILE;
@@ -276,12 +279,12 @@ static int find(compare_result *r, compare_kinship kinship)
     return EXIT_GOOD;
 }
 
-int compare_read(compare_result *r, const char *const *paths, compare_kinship kinship, int json)
+int compare_read(compare_result *r, const char *const *paths, compare_grouping grouping, int json)
 {
-    static reading x;
+    static reference x;
     int failure = EXIT_GOOD;
 
-    x = (reading){.result = r, .json = json};
+    x = (reference){.result = r, .json = json};
     r->count = 0;
     while (paths[r->count]) {
         r->count++;
@@ -295,7 +298,7 @@ int compare_read(compare_result *r, const char *const *paths, compare_kinship ki
     }
     for (unsigned k = 0; k < r->count && !failure; k++) {
         failure = read_one(&x, paths[k], k);
-        r->item[k].place = k;
+        r->item[k].argument = k;
     }
     if (failure) {
         return failure;
@@ -303,7 +306,7 @@ int compare_read(compare_result *r, const char *const *paths, compare_kinship ki
     r->field = x.file.gravity;
     r->is_gravity = unit_is_gravity(r->field);
     memcpy(r->unit, x.file.unit, sizeof r->unit);
-    return find(r, kinship);
+    return find(r, grouping);
 }
 
 void compare_release(compare_result *r)
@@ -311,5 +314,5 @@ void compare_release(compare_result *r)
     free(r->item);
     free(r->device);
     free(r->drift);
-    free(r->fleet.outside);
+    free(r->fleet.outliers);
 }

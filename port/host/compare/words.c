@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the table and the page say alike.
+ * Texts that table and page share.
  */
 #include <ctype.h>
 #include <math.h>
@@ -13,7 +13,7 @@
 #include "text/unit.h"
 #include "text/utf8.h"
 
-#define NAMED 5u /* devices in a sentence */
+#define LISTED_MAX 5u /* devices in a sentence */
 
 display_unit compare_drift_unit(const compare_result *r, unsigned p)
 {
@@ -90,7 +90,7 @@ const char *compare_date(const compare_item *item)
     return item->record.text[RECORD_DATE];
 }
 
-/* ---- what it comes to -------------------------------------------------------------------------- */
+/* ---- the verdict ------------------------------------------------------------------------------- */
 
 /* The last drift of a device; null if it has one calibration only. */
 static const compare_drift *last_drift(const compare_result *r, unsigned device)
@@ -100,31 +100,31 @@ static const compare_drift *last_drift(const compare_result *r, unsigned device)
     return d->count > 1 ? &r->drift[d->first + d->count - 1] : NULL;
 }
 
-static uint16_t changed(const compare_result *r, unsigned device)
+static uint16_t changed_bits(const compare_result *r, unsigned device)
 {
     const compare_drift *d = last_drift(r, device);
 
     return d ? d->changed : 0;
 }
 
-static uint16_t outside(const compare_result *r, unsigned device)
+static uint16_t outlier_bits(const compare_result *r, unsigned device)
 {
-    return r->devices > 1 ? r->fleet.outside[device] : 0;
+    return r->devices > 1 ? r->fleet.outliers[device] : 0;
 }
 
-typedef uint16_t what_of(const compare_result *r, unsigned device);
+typedef uint16_t bits_of(const compare_result *r, unsigned device);
 
-static unsigned count_of(const compare_result *r, what_of *what)
+static unsigned count_of(const compare_result *r, bits_of *bits)
 {
     unsigned count = 0;
 
     for (unsigned k = 0; k < r->devices; k++) {
-        count += what(r, k) != 0;
+        count += bits(r, k) != 0;
     }
     return count;
 }
 
-/* How many devices have a history, and whether its sigma are known. */
+/* The number of devices with a history, and whether all their sigma are known. */
 static unsigned histories(const compare_result *r, int *is_known)
 {
     unsigned count = 0;
@@ -145,19 +145,19 @@ compare_outcome compare_judge(const compare_result *r)
     int is_known;
 
     (void)histories(r, &is_known);
-    return count_of(r, changed) + count_of(r, outside) > 0 ? COMPARE_STANDS_OUT
-           : is_known                                      ? COMPARE_STEADY
-                                                           : COMPARE_UNKNOWN;
+    return count_of(r, changed_bits) + count_of(r, outlier_bits) > 0 ? COMPARE_STANDS_OUT
+           : is_known                                                ? COMPARE_STEADY
+                                                                     : COMPARE_UNKNOWN;
 }
 
 const char *compare_word(const compare_result *r)
 {
     const compare_outcome outcome = compare_judge(r);
 
-    return outcome == COMPARE_STEADY    ? (r->devices > 1 ? "Alike" : "Steady")
-           : outcome == COMPARE_UNKNOWN ? "Unknown"
-           : count_of(r, outside) > 0   ? "Not alike"
-                                        : "Changed";
+    return outcome == COMPARE_STEADY       ? (r->devices > 1 ? "Alike" : "Steady")
+           : outcome == COMPARE_UNKNOWN    ? "Unknown"
+           : count_of(r, outlier_bits) > 0 ? "Not alike"
+                                           : "Changed";
 }
 
 static void append(char text[COMPARE_TEXT_MAX], const char *more)
@@ -168,30 +168,30 @@ static void append(char text[COMPARE_TEXT_MAX], const char *more)
 }
 
 /* "serial 3 (offset x), serial 5 (scale y), and 2 more" */
-static void append_devices(const compare_result *r, what_of *what, char text[COMPARE_TEXT_MAX])
+static void append_devices(const compare_result *r, bits_of *bits, char text[COMPARE_TEXT_MAX])
 {
     char name[COMPARE_NAME_MAX];
     char list[128];
     char one[COMPARE_NAME_MAX + 140];
-    unsigned told = 0;
-    const unsigned count = count_of(r, what);
+    unsigned listed = 0;
+    const unsigned count = count_of(r, bits);
 
-    for (unsigned k = 0; k < r->devices && told < NAMED; k++) {
-        if (what(r, k) != 0) {
-            snprintf(one, sizeof one, "%s%s (%s)", told > 0 ? ", " : "",
+    for (unsigned k = 0; k < r->devices && listed < LISTED_MAX; k++) {
+        if (bits(r, k) != 0) {
+            snprintf(one, sizeof one, "%s%s (%s)", listed > 0 ? ", " : "",
                      compare_device_name(compare_newest(r, k), 40, name),
-                     parameters_list(what(r, k), list, sizeof list));
+                     parameters_list(bits(r, k), list, sizeof list));
             append(text, one);
-            told++;
+            listed++;
         }
     }
-    if (count > told) {
-        snprintf(one, sizeof one, ", and %u more", count - told);
+    if (count > listed) {
+        snprintf(one, sizeof one, ", and %u more", count - listed);
         append(text, one);
     }
 }
 
-/* The device's only history: what, and since when. */
+/* If there is only one device: what has changed, and since when. */
 static void say_history(const compare_result *r, char text[COMPARE_TEXT_MAX])
 {
     const compare_item *before = compare_newest(r, 0) - 1;
@@ -201,14 +201,14 @@ static void say_history(const compare_result *r, char text[COMPARE_TEXT_MAX])
     int is_known;
 
     (void)histories(r, &is_known);
-    if (changed(r, 0) != 0) {
-        (void)parameters_list(changed(r, 0), list, sizeof list);
+    if (changed_bits(r, 0) != 0) {
+        (void)parameters_list(changed_bits(r, 0), list, sizeof list);
     }
     compare_file_name(before, 40, name);
     snprintf(text, COMPARE_TEXT_MAX, "%s %s %s since %s%s%s%s", list,
              strchr(list, ',') ? "have" : "has",
-             is_known || changed(r, 0) != 0 ? "changed significantly"
-                                            : "changed as far as is known (some have no ±)",
+             is_known || changed_bits(r, 0) != 0 ? "changed significantly"
+                                                 : "changed as far as is known (some have no ±)",
              date, *date != '\0' ? " (" : "", name, *date != '\0' ? ")." : ".");
     text[0] = (char)toupper((unsigned char)text[0]);
 }
@@ -225,23 +225,23 @@ static void say_histories(const compare_result *r, char text[COMPARE_TEXT_MAX])
     snprintf(one, sizeof one, " Of %u device%s with an earlier calibration ", count,
              count == 1 ? "" : "s");
     append(text, one);
-    if (count_of(r, changed) == 0) {
+    if (count_of(r, changed_bits) == 0) {
         append(text, is_known ? "none has changed significantly."
                               : "none is known to have changed; some have no ±.");
         return;
     }
-    snprintf(one, sizeof one, "%u changed significantly: ", count_of(r, changed));
+    snprintf(one, sizeof one, "%u changed significantly: ", count_of(r, changed_bits));
     append(text, one);
-    append_devices(r, changed, text);
+    append_devices(r, changed_bits, text);
     append(text, ".");
 }
 
 static void say_fleet(const compare_result *r, char text[COMPARE_TEXT_MAX])
 {
-    const unsigned count = count_of(r, outside);
+    const unsigned count = count_of(r, outlier_bits);
     char one[COMPARE_NAME_MAX];
 
-    if (r->devices < COMPARE_FLEET_LEAST) {
+    if (r->devices < COMPARE_FLEET_MIN) {
         append(text, "Two devices are too few to identify an outlier.");
     } else if (count == 0) {
         snprintf(one, sizeof one, "None of %u devices is an outlier.", r->devices);
@@ -249,7 +249,7 @@ static void say_fleet(const compare_result *r, char text[COMPARE_TEXT_MAX])
     } else {
         snprintf(one, sizeof one, "Outliers, of %u devices: ", r->devices);
         append(text, one);
-        append_devices(r, outside, text);
+        append_devices(r, outlier_bits, text);
         append(text, ".");
     }
 }
@@ -270,10 +270,10 @@ const char *compare_next(const compare_result *r)
 {
     int is_known;
 
-    if (count_of(r, outside) > 0) {
+    if (count_of(r, outlier_bits) > 0) {
         return "calibrate each outlier again; if it remains an outlier, the device is different.";
     }
-    if (count_of(r, changed) > 0) {
+    if (count_of(r, changed_bits) > 0) {
         return "use the newest calibration, look for a cause (temperature, a knock, stress in the "
                "mounting), and calibrate again soon to see if it continues.";
     }
@@ -300,15 +300,15 @@ const char *compare_fleet_rule(void)
 
 double compare_field_part(const compare_result *r)
 {
-    double most = 0;
+    double max = 0;
 
     for (unsigned k = 0; k < r->count; k++) {
         const compare_item *item = &r->item[k];
         for (unsigned i = 0; i < 3; i++) {
-            if (item->of_field[i] > item->sigma[INVCAL_DK_X + i] / 2) {
-                most = fmax(most, item->of_field[i] / fabs(item->x[INVCAL_DK_X + i]));
+            if (item->field_sigma[i] > item->sigma[INVCAL_DK_X + i] / 2) {
+                max = fmax(max, item->field_sigma[i] / fabs(item->x[INVCAL_DK_X + i]));
             }
         }
     }
-    return most;
+    return max;
 }

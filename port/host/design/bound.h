@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * design/bound.h: how wrong a parameter can be at most.
+ * design/bound.h: the worst-case error of each parameter.
  *
- * If no position mean is off by more than E of the field, whatever the reason, least squares leave
- * parameter r within E times the sum of |H+| over its row, H+ = K H' the pseudoinverse.
+ * If no position mean is off by more than E of the field, for any reason, least squares determines
+ * parameter r to within E times the sum of |H+| over its row, where H+ = K H' is the pseudoinverse.
  */
 #ifndef BOUND_H
 #define BOUND_H
 
 #include "design/design.h"
 
-/* These sums, of a set that is solvable. */
+/* These sums. The set is solvable. */
 void bound_find(const design *d, double bound[INVCAL_PARAMETERS]);
 
 /* The largest of a kind: 0 offsets, 1 scale errors, 2 angles. */

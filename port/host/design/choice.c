@@ -8,7 +8,7 @@
 #include "design/optimal.h"
 #include "design/order.h"
 
-#define WITHIN (1 + 1e-9) /* a limit that is met exactly is met, whatever rounding says */
+#define LIMIT_TOLERANCE (1 + 1e-9) /* so that rounding does not refuse a limit that is just met */
 
 double choice_worst(const criteria *c, const double limits[3])
 {
@@ -16,7 +16,7 @@ double choice_worst(const criteria *c, const double limits[3])
                 fmax(c->sigma_dk / limits[1], c->sigma_gamma / limits[2]));
 }
 
-unsigned choice_least(const choice_request *request)
+unsigned choice_min_count(const choice_request *request)
 {
     return INVCAL_PARAMETERS + request->spare;
 }
@@ -37,7 +37,7 @@ static unsigned positions_allowed(const choice_request *request)
     /* n rests and n - 1 moves; plus 1e-9 of one, so that rounding keeps the last one */
     const double period = cost->settle + cost->dwell + cost->move;
     const double n = floor((request->budget - cost->warm_up + cost->move) / period + 1e-9);
-    return n < DESIGN_MAX ? (unsigned)fmax(n, 0) : DESIGN_MAX; /* all are within bounds: a number */
+    return n < DESIGN_MAX ? (unsigned)fmax(n, 0) : DESIGN_MAX; /* never a NaN: all are in range */
 }
 
 static int stand(design *d, unsigned per_group)
@@ -49,13 +49,14 @@ static int stand(design *d, unsigned per_group)
     return 1;
 }
 
-/* Programs become better with every N: the smallest within the limits is found by halving. */
+/* Sigma falls with N, so bisection finds the smallest program within the limits. */
 static int choose_stand(design *d, const choice_request *request, unsigned allowed)
 {
     const unsigned step = choice_stand_step(request->needs_axes);
-    const unsigned spared = (choice_least(request) + INVCAL_PLAN_GROUPS - 1) / INVCAL_PLAN_GROUPS;
-    const unsigned least = spared > INVCAL_PLAN_PER_GROUP_MIN ? spared : INVCAL_PLAN_PER_GROUP_MIN;
-    unsigned low = (least + step - 1) / step; /* N over step */
+    const unsigned spared =
+        (choice_min_count(request) + INVCAL_PLAN_GROUPS - 1) / INVCAL_PLAN_GROUPS;
+    const unsigned min = spared > INVCAL_PLAN_PER_GROUP_MIN ? spared : INVCAL_PLAN_PER_GROUP_MIN;
+    unsigned low = (min + step - 1) / step; /* N over step */
     unsigned high = allowed / INVCAL_PLAN_GROUPS / step;
 
     if (high < low) {
@@ -65,13 +66,13 @@ static int choose_stand(design *d, const choice_request *request, unsigned allow
     if (!request->limits) {
         return 1;
     }
-    if (!(choice_worst(&d->criteria, request->limits) <= WITHIN)) {
+    if (!(choice_worst(&d->criteria, request->limits) <= LIMIT_TOLERANCE)) {
         return 0;
     }
     while (low < high) {
         const unsigned middle = (low + high) / 2;
         stand(d, step * middle);
-        if (choice_worst(&d->criteria, request->limits) <= WITHIN) {
+        if (choice_worst(&d->criteria, request->limits) <= LIMIT_TOLERANCE) {
             high = middle;
         } else {
             low = middle + 1;
@@ -80,16 +81,17 @@ static int choose_stand(design *d, const choice_request *request, unsigned allow
     return stand(d, step * high);
 }
 
-/* With every position more the worst ratio can only fall: the smallest number is found by
- * halving between the least there can be and `high`, which meets the limits. */
+/* One more position can only reduce the worst ratio, so bisection finds the smallest number between
+ * the minimum and `high`, which meets the limits. */
 static void choose_smallest(design *d, const choice_request *request, unsigned high)
 {
     double direction[OPTIMAL_MAX][3];
-    unsigned low = choice_least(request);
+    unsigned low = choice_min_count(request);
 
     while (low < high) {
         const unsigned middle = (low + high) / 2;
-        if (optimal_within(middle, request->limits, request->needs_axes, direction) <= WITHIN) {
+        if (optimal_within(middle, request->limits, request->needs_axes, direction) <=
+            LIMIT_TOLERANCE) {
             high = middle;
         } else {
             low = middle + 1;
@@ -100,33 +102,34 @@ static void choose_smallest(design *d, const choice_request *request, unsigned h
 
 static int choose_free(design *d, const choice_request *request, unsigned allowed)
 {
-    const unsigned most = allowed < OPTIMAL_MAX ? allowed : OPTIMAL_MAX;
+    const unsigned max = allowed < OPTIMAL_MAX ? allowed : OPTIMAL_MAX;
     double direction[OPTIMAL_MAX][3];
 
-    if (most < choice_least(request)) {
+    if (max < choice_min_count(request)) {
         return 0;
     }
     if (!request->limits) {
-        optimal_directions(most, request->needs_axes, direction);
-        order_directions(direction, most);
-        design_directions(d, "free directions", direction, most);
+        optimal_directions(max, request->needs_axes, direction);
+        order_directions(direction, max);
+        design_directions(d, "free directions", direction, max);
         return 1;
     }
-    if (!(optimal_within(most, request->limits, request->needs_axes, direction) <= WITHIN)) {
+    if (!(optimal_within(max, request->limits, request->needs_axes, direction) <=
+          LIMIT_TOLERANCE)) {
         return 0;
     }
-    choose_smallest(d, request, most);
-    return d->is_solvable && choice_worst(&d->criteria, request->limits) <= WITHIN;
+    choose_smallest(d, request, max);
+    return d->is_solvable && choice_worst(&d->criteria, request->limits) <= LIMIT_TOLERANCE;
 }
 
 static void refuse(choice *c, const choice_request *request, unsigned allowed)
 {
-    if (allowed < choice_least(request)) {
+    if (allowed < choice_min_count(request)) {
         snprintf(c->refusal, sizeof c->refusal,
                  "only %u position%s into %.6g s with %.6g s in each and %.6g s between; the "
                  "minimum is %u, nine and a redundancy of %u",
                  allowed, allowed == 1 ? " fits" : "s fit", request->budget, request->cost.dwell,
-                 request->cost.move, choice_least(request), request->spare);
+                 request->cost.move, choice_min_count(request), request->spare);
     } else {
         snprintf(c->refusal, sizeof c->refusal,
                  "no program of up to %u positions%s meets the limits: dwell longer, use a quieter "
@@ -135,7 +138,7 @@ static void refuse(choice *c, const choice_request *request, unsigned allowed)
     }
 }
 
-/* Which of two sets, both there, is better. */
+/* The better of two sets that are both found. */
 static unsigned better(const choice *c, const choice_request *request)
 {
     const criteria *stand_set = &c->set[CHOICE_STAND]->criteria;

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * design/choice.h: the smallest set of positions that meets limits, or the best that fits into a time.
+ * design/choice.h: the smallest set of positions that meets limits, or the best one that fits into
+ * a given time.
  *
- * Two families compete: the paper's programs for a stand, of up to 3000 positions, and free
- * directions, of up to OPTIMAL_MAX. "The smallest" and "the best" are of these.
+ * "Smallest" and "best" are among two families: the paper's programs for a stand, of up to 3000
+ * positions, and free directions, of up to OPTIMAL_MAX.
  */
 #ifndef CHOICE_H
 #define CHOICE_H
@@ -11,7 +12,7 @@
 #include "design/design.h"
 #include "cli/unit_style.h"
 
-#define CHOICE_SPARE 3u /* positions to spare, unless something else is asked for */
+#define CHOICE_SPARE 3u /* default of choice_request.spare */
 
 struct labour;
 
@@ -19,38 +20,37 @@ typedef struct {
     const double *limits; /* of the sigma of delta, dk, gamma, over the noise of a position mean;
                              or null */
     double budget;        /* seconds; 0: no limit */
-    unsigned spare;       /* positions beyond the nine that nine parameters need, at least */
-    int needs_axes;       /* each axis is to stand along gravity, up and down */
-    double bound;         /* no position mean is off by more, over the field; 0: not asked for */
+    unsigned spare;       /* minimum redundancy: positions beyond the nine that are needed */
+    int needs_axes;       /* each axis must point up and down along gravity in some position */
+    double bound;         /* largest error of a position mean, over the field; 0: no bound */
     design_cost cost;
-    unit_style units;            /* the units of sigma, where the noise is known */
-    const struct labour *labour; /* what dwell and number were chosen by (plan/labour.h), or null */
+    unit_style units;            /* the units of sigma, if the noise is known */
+    const struct labour *labour; /* how number and dwell were chosen (plan/labour.h), or null */
 } choice_request;
 
 enum { CHOICE_STAND, CHOICE_FREE, CHOICE_FAMILIES };
 
 typedef struct {
-    design *set[CHOICE_FAMILIES];  /* the best of each family; where is_found is 0 without
-                                         meaning */
-    int is_found[CHOICE_FAMILIES]; /* the family has one that meets the limits and fits */
+    design *set[CHOICE_FAMILIES];  /* the best of each family; meaningless unless is_found */
+    int is_found[CHOICE_FAMILIES]; /* the family has a set within limits and budget */
     double worst[CHOICE_FAMILIES]; /* with limits: its largest sigma / limit */
     unsigned chosen;               /* CHOICE_STAND or CHOICE_FREE */
-    char refusal[300];             /* if neither is found: why */
+    char refusal[300];             /* why neither is found */
 } choice;
 
-/* Chooses. With limits: the smallest set within them, of two of one size the more accurate;
- * without: the largest det H'H among the sets that fit into the budget.
+/* Chooses a set. With limits: the smallest one within them; of two of the same size, the more
+ * accurate. Without: the largest det H'H among the sets that fit into the budget.
  *
- * c->set are given; they are worked on.
+ * c->set points to memory for both.
  *
  * Returns EXIT_GOOD; EXIT_DATA, without a message, if neither family has one. */
 int choice_make(choice *c, const choice_request *request);
 
-/* The fewest positions that may be chosen. */
-unsigned choice_least(const choice_request *request);
+/* The smallest number of positions that may be chosen. */
+unsigned choice_min_count(const choice_request *request);
 
-/* Programs are looked at whose N is a multiple of this: with needs_axes 2, for an odd N points no axis
- * up and down. */
+/* N of a stand program must be a multiple of this: 2 with needs_axes, since with an odd N no axis
+ * points both up and down. */
 unsigned choice_stand_step(int needs_axes);
 
 /* The largest sigma / limit of a set. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * design/covariance.h: K = (H'H)^-1 of a set of directions, for searches that ask for it many times.
+ * design/covariance.h: K = (H'H)^-1 of a set of directions, fast enough for a search.
  */
 #ifndef COVARIANCE_H
 #define COVARIANCE_H
@@ -10,8 +10,8 @@
 /* The row h(eta) of a direction. */
 void covariance_row(const double up[3], double h[INVCAL_PARAMETERS]);
 
-/* K of `count` directions, weighted unless `weight` is null. A ridge of 1e-9 keeps what they leave open
- * finite. Returns ln det H'H. */
+/* K of `count` directions, weighted unless `weight` is null. A ridge of 1e-9 keeps the variance of
+ * undetermined parameters finite. Returns ln det H'H. */
 double covariance_find(const double (*direction)[3], const double *weight, unsigned count,
                        double K[INVCAL_PARAMETERS][INVCAL_PARAMETERS]);
 

@@ -42,7 +42,7 @@ static double largest_root(const double *K, unsigned first)
     return largest;
 }
 
-int criteria_judge(const invcal_sums *design, criteria *out)
+int criteria_evaluate(const invcal_sums *design, criteria *out)
 {
     double a[SUMS];
     double value[P];
@@ -54,7 +54,7 @@ int criteria_judge(const invcal_sums *design, criteria *out)
     for (unsigned r = 0; r < P; r++) {
         log_det += log(value[r]);
     }
-    /* An open combination may hide behind sound pivots. */
+    /* Good pivots do not exclude an undetermined combination of parameters. */
     if (!(condition * INVCAL_FLOOR < 1) || !matrix_invert_packed(a, P)) {
         return 0;
     }

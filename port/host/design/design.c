@@ -122,8 +122,8 @@ static void refuse(design *d)
              parameters_advice(d->undetermined, advice, sizeof advice));
 }
 
-/* What the positions cover: those that are held at all. */
-static void cover(design *d)
+/* Range and axes of the positions that are held at all. */
+static void find_coverage(design *d)
 {
     int is_first = 1;
 
@@ -142,31 +142,31 @@ static void cover(design *d)
     }
 }
 
-static void judge(design *d)
+static void evaluate(design *d)
 {
     invcal_sums_init(&d->sums);
     for (unsigned n = 0; n < d->count; n++) {
         criteria_add_weighted(&d->sums, d->position[n].vertical, d->position[n].share);
     }
-    cover(d);
-    d->is_solvable = criteria_judge(&d->sums, &d->criteria);
+    find_coverage(d);
+    d->is_solvable = criteria_evaluate(&d->sums, &d->criteria);
     d->criteria.positions = d->count;
-    d->hidden = order_hides_drift(directions(d), shares(d), d->count);
+    d->drift_factor = order_drift_factor(directions(d), shares(d), d->count);
     d->undetermined = d->is_solvable ? 0 : invcal_undetermined(readings(d), d->count, &unit);
     if (!d->is_solvable) {
         refuse(d);
     }
 }
 
-/* Shares that are given, times the number of positions. What equal ones would be worth is kept. */
-static void share_out(design *d, const double *share)
+/* `share` of the time, times the number of positions. Keeps ln det H'H for equal ones. */
+static void set_shares(design *d, const double *share)
 {
     d->equal_log_det = d->is_solvable ? d->criteria.log_det : (double)NAN;
     d->has_shares = 1;
     for (unsigned n = 0; n < d->count; n++) {
         d->position[n].share = share[n];
     }
-    judge(d);
+    evaluate(d);
 }
 
 void design_weigh(design *d)
@@ -178,8 +178,8 @@ void design_weigh(design *d)
     for (unsigned n = 0; n < d->count; n++) {
         d->position[n].share = 1;
     }
-    judge(d);
-    share_out(d, share);
+    evaluate(d);
+    set_shares(d, share);
 }
 
 /* An empty set of this name. */
@@ -211,7 +211,7 @@ void design_stand(design *d, const invcal_plan *plan)
         d->position[i].share = 1;
         memcpy(d->position[i].vertical, p.vertical, sizeof p.vertical);
     }
-    judge(d);
+    evaluate(d);
 }
 
 void design_directions(design *d, const char *name, double (*direction)[3], unsigned count)
@@ -227,10 +227,10 @@ void design_directions(design *d, const char *name, double (*direction)[3], unsi
         p->alpha = a.alpha;
         p->beta = a.beta;
     }
-    judge(d);
+    evaluate(d);
 }
 
-/* Makes and judges a set of a stand's angles. */
+/* Makes and evaluates a set of a stand's angles. */
 static void design_angles(design *d, const char *name, const stand_angles *angle, unsigned count)
 {
     begin(d, name);
@@ -244,7 +244,7 @@ static void design_angles(design *d, const char *name, const stand_angles *angle
         p->beta = angle[n].beta;
         angles_direction(p->alpha, p->beta, p->vertical);
     }
-    judge(d);
+    evaluate(d);
 }
 
 void design_balanced(design *d, unsigned count, const double limits[3], int with_axes)
@@ -275,8 +275,8 @@ static unsigned add_faces(double (*direction)[3], unsigned count)
     return count;
 }
 
-/* (0 +-a +-b) and with the axes changed round: edges for a = b, for the golden section the
- * corners of an icosahedron. */
+/* (0 +-a +-b) and its cyclic permutations: edges for a = b, for the golden section the vertices of
+ * an icosahedron. */
 static unsigned add_pairs(double (*direction)[3], unsigned count, double a, double b)
 {
     for (int i = 0; i < 4; i++) {
@@ -306,9 +306,9 @@ static void make_solid(design *d, const char *name)
     design_directions(d, name, direction, count);
 }
 
-/* A whole number from `least` to `most`. */
-static int read_count(const char *command, const char *what, const char *text, unsigned least,
-                      unsigned most, unsigned *out)
+/* A whole number from `min` to `max`. */
+static int read_count(const char *command, const char *what, const char *text, unsigned min,
+                      unsigned max, unsigned *out)
 {
     double x;
     const number_status status = number_parse(text, &x);
@@ -316,9 +316,9 @@ static int read_count(const char *command, const char *what, const char *text, u
     if (status != NUMBER_OK) {
         return message_usage(command, "%s: '%s' %s", what, text, number_problem(status));
     }
-    if (!(x >= least && x <= most && !(floor(x) < x))) {
+    if (!(x >= min && x <= max && !(floor(x) < x))) {
         return message_usage(command, "%s: '%s': a whole number from %u to %u expected", what, text,
-                             least, most);
+                             min, max);
     }
     *out = (unsigned)x;
     return EXIT_GOOD;
@@ -361,7 +361,7 @@ static int make_stand(design *d, const char *command, const char *text)
     if (!failure && text[length] == ':') {
         failure = read_starts(command, text + length + 1, plan.start);
     } else if (!failure) {
-        (void)invcal_plan_starts(plan.per_group, plan.start); /* judged below */
+        (void)invcal_plan_starts(plan.per_group, plan.start); /* per_group is checked below */
     }
     if (failure) {
         return failure;
@@ -397,7 +397,7 @@ static void make_stand_12(design *d, const char *name)
     begin(d, name);
     d->is_stand = 1;
     d->count = count;
-    judge(d);
+    evaluate(d);
 }
 
 /* Three groups in steps of 45 degrees. */
@@ -439,7 +439,7 @@ static int make_optimal(design *d, const char *command, const char *text)
     return failure;
 }
 
-/* The angle of a stop, from one that is rounded. */
+/* The nearest stop of a stand. */
 static double at_stop(double degrees, unsigned step)
 {
     return angles_turn(0, step * nearbyint(degrees / step));
@@ -502,7 +502,8 @@ static int scale_rows(positions *p)
     return EXIT_GOOD;
 }
 
-/* The name of a file for tables and pictures: ASCII; if it is too long, its end. Returns name. */
+/* The name of a file for tables and pictures: in ASCII, and only its end if it is too long. Returns
+ * name. */
 static const char *plain_name(const char *path, char *name, size_t size)
 {
     const size_t length = strlen(path);
@@ -534,7 +535,7 @@ static int make_from_file(design *d, const char *command, const char *path)
     return failure;
 }
 
-/* With a column of dwell its mean is that of the set, and the shares are as stated. */
+/* A column dwell states the shares of the time, and its mean the dwell of the set. */
 static int make_from_angles(design *d, const char *command, const char *path)
 {
     (void)command;
@@ -559,12 +560,12 @@ static int make_from_angles(design *d, const char *command, const char *path)
         dwell[n] /= d->dwell;
     }
     if (!is_equal) {
-        share_out(d, dwell);
+        set_shares(d, dwell);
     }
     return EXIT_GOOD;
 }
 
-/* A set that is named by one word. Returns 0 if there is none of this name. */
+/* A set whose name has no argument. Returns 0 if there is no such name. */
 static int make_named(design *d, const char *word)
 {
     static const struct {
@@ -603,16 +604,16 @@ static int make(design *d, const char *command, const char *word)
     static const struct {
         const char *prefix;
         int (*make)(design *d, const char *command, const char *text);
-    } told[] = {{"per-group:", make_stand},
-                {"optimal:", make_optimal},
-                {"grid:", make_grid},
-                {"angles:", make_from_angles},
-                {"directions:", make_from_file}};
+    } prefixed[] = {{"per-group:", make_stand},
+                    {"optimal:", make_optimal},
+                    {"grid:", make_grid},
+                    {"angles:", make_from_angles},
+                    {"directions:", make_from_file}};
 
-    for (unsigned i = 0; i < sizeof told / sizeof told[0]; i++) {
-        const size_t length = strlen(told[i].prefix);
-        if (strncmp(word, told[i].prefix, length) == 0) {
-            return told[i].make(d, command, word + length);
+    for (unsigned i = 0; i < sizeof prefixed / sizeof prefixed[0]; i++) {
+        const size_t length = strlen(prefixed[i].prefix);
+        if (strncmp(word, prefixed[i].prefix, length) == 0) {
+            return prefixed[i].make(d, command, word + length);
         }
     }
     return make_named(d, word)

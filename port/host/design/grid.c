@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * One direction exchanged for another, i for j, multiplies det H'H by
+ * Exchanging direction i for j multiplies det H'H by
  *
  *     (1 + d_j) (1 - d_i) + d_ij^2,     d_ij = h_i K h_j'     (Fedorov)
  */
@@ -16,25 +16,25 @@ enum { P = INVCAL_PARAMETERS };
 
 #define STEP_MIN 15u
 #define CANDIDATES ((180 / STEP_MIN - 1) * (360 / STEP_MIN) + 2)
-#define STARTS 200u        /* searches; the best is taken */
-#define STARTS_OF_MANY 20u /* from MANY positions on local optima are all but equal */
-#define MANY 20u
-#define ROUNDS 100u /* through all positions, at most */
-#define BETTER 1e-9
+#define STARTS 200u      /* searches; the best is taken */
+#define STARTS_LARGE 20u /* from LARGE positions on, since local optima are nearly equal there */
+#define LARGE 20u
+#define ROUNDS_MAX 100u /* at most, through all positions */
+#define GAIN_MIN 1e-9
 
 /* The directions that the stand can take. */
 static struct {
     double up[CANDIDATES][3];
     double row[CANDIDATES][P];
     unsigned count;
-    unsigned often; /* how often one may be taken */
+    unsigned max_uses; /* of each */
 } stops;
 
 typedef struct {
     unsigned n;
-    unsigned fixed;             /* so many at the beginning stay */
-    unsigned at[OPTIMAL_MAX];   /* which of the stops */
-    unsigned taken[CANDIDATES]; /* how often each is */
+    unsigned fixed;             /* the first `fixed` positions stay */
+    unsigned stop[OPTIMAL_MAX]; /* of each position, its index */
+    unsigned uses[CANDIDATES];  /* of each stop */
 } selection;
 
 static void add_stop(double alpha, double beta)
@@ -64,23 +64,23 @@ static void list_stops(unsigned step)
     }
 }
 
-/* The axes if they are to stay, the rest at random: a congruential generator is random enough. */
+/* The axes if they stay, the rest at random; a linear congruential generator will do. */
 static void begin(selection *s, unsigned seed)
 {
     unsigned long state = seed;
 
-    memset(s->taken, 0, sizeof s->taken);
+    memset(s->uses, 0, sizeof s->uses);
     for (unsigned i = 0; i < s->n; i++) {
         unsigned j = i;
         while (i >= s->fixed) {
             state = (state * 1103515245ul + 12345ul) & 0x7ffffffful;
             j = (unsigned)(state >> 8) % stops.count;
-            if (s->taken[j] < stops.often) {
+            if (s->uses[j] < stops.max_uses) {
                 break;
             }
         }
-        s->at[i] = j;
-        s->taken[j]++;
+        s->stop[i] = j;
+        s->uses[j]++;
     }
 }
 
@@ -89,7 +89,7 @@ static double covariance(const selection *s, double K[P][P])
     double up[OPTIMAL_MAX][3];
 
     for (unsigned i = 0; i < s->n; i++) {
-        memcpy(up[i], stops.up[s->at[i]], sizeof up[i]);
+        memcpy(up[i], stops.up[s->stop[i]], sizeof up[i]);
     }
     return covariance_find((const double(*)[3])up, NULL, s->n, K);
 }
@@ -97,37 +97,37 @@ static double covariance(const selection *s, double K[P][P])
 /* Exchanges position i for the stop that makes det H'H largest. Returns 1 if one does. */
 static int exchange(selection *s, unsigned i, double K[P][P])
 {
-    const double *row = stops.row[s->at[i]];
+    const double *row = stops.row[s->stop[i]];
     const double own = covariance_product(K, row, row);
-    double most = 1 + BETTER;
-    unsigned best = s->at[i];
+    double max = 1 + GAIN_MIN;
+    unsigned best = s->stop[i];
 
     for (unsigned j = 0; j < stops.count; j++) {
         const double *other = stops.row[j];
         const double both = covariance_product(K, row, other);
         const double gain = (1 + covariance_product(K, other, other)) * (1 - own) + both * both;
-        if (s->taken[j] < stops.often && gain > most) {
-            most = gain + BETTER; /* a difference that is no more than rounding must not decide */
+        if (s->uses[j] < stops.max_uses && gain > max) {
+            max = gain + GAIN_MIN; /* so that rounding does not decide */
             best = j;
         }
     }
-    if (best == s->at[i]) {
+    if (best == s->stop[i]) {
         return 0;
     }
-    s->taken[s->at[i]]--;
-    s->taken[best]++;
-    s->at[i] = best;
+    s->uses[s->stop[i]]--;
+    s->uses[best]++;
+    s->stop[i] = best;
     return 1;
 }
 
-/* Exchanges as long as they make it better. Returns ln det H'H. */
+/* Exchanges as long as that increases det H'H. Returns ln det H'H. */
 static double improve(selection *s)
 {
     double K[P][P];
     double log_det = covariance(s, K);
     int has_improved = 1;
 
-    for (unsigned round = 0; round < ROUNDS && has_improved; round++) {
+    for (unsigned round = 0; round < ROUNDS_MAX && has_improved; round++) {
         has_improved = 0;
         for (unsigned i = s->fixed; i < s->n; i++) {
             if (exchange(s, i, K)) {
@@ -139,7 +139,8 @@ static double improve(selection *s)
     return log_det;
 }
 
-/* A search from one start. With the axes kept at first nothing is lost: they may go afterwards. */
+/* A search from one start. Axes that are fixed at first need not stay: without keeps_axes, a second
+ * search may exchange them. */
 static double search(selection *s, unsigned seed, int begins_with_axes, int keeps_axes)
 {
     s->fixed = begins_with_axes ? OPTIMAL_AXES : 0;
@@ -154,18 +155,18 @@ static double search(selection *s, unsigned seed, int begins_with_axes, int keep
 
 void grid_directions(unsigned n, unsigned step, int with_axes, double (*direction)[3])
 {
-    const unsigned starts = n < MANY ? STARTS : STARTS_OF_MANY;
+    const unsigned starts = n < LARGE ? STARTS : STARTS_LARGE;
     selection s = {.n = n};
-    double most = -HUGE_VAL;
+    double max = -HUGE_VAL;
 
     list_stops(step);
-    stops.often = (n + stops.count - 1) / stops.count;
+    stops.max_uses = (n + stops.count - 1) / stops.count;
     for (unsigned k = with_axes ? starts : 0; k < 2 * starts; k++) {
         const double log_det = search(&s, k % starts + 1, k >= starts, with_axes);
-        if (log_det > most + BETTER) {
-            most = log_det;
+        if (log_det > max + GAIN_MIN) {
+            max = log_det;
             for (unsigned i = 0; i < n; i++) {
-                memcpy(direction[i], stops.up[s.at[i]], sizeof direction[i]);
+                memcpy(direction[i], stops.up[s.stop[i]], sizeof direction[i]);
             }
         }
     }

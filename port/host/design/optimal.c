@@ -9,23 +9,23 @@
 
 enum { P = INVCAL_PARAMETERS };
 
-#define STARTS 16u        /* descents; the best is taken */
-#define STARTS_OF_MANY 6u /* from MANY positions on local optima are all but equal */
-#define MANY 20u
-#define STEPS 300u /* of a descent, at most */
-#define MEMORY 8u  /* of L-BFGS: steps that hold the curvature */
-#define SETTLED 1e-11
+#define STARTS 16u      /* descents; the best is taken */
+#define STARTS_LARGE 6u /* from LARGE positions on, since local optima are nearly equal there */
+#define LARGE 20u
+#define STEPS_MAX 300u /* of a descent */
+#define MEMORY 8u      /* of L-BFGS: stored steps */
+#define DECREASE_MIN 1e-11
 #define HALVINGS 50u
-#define REACHED 1.0002 /* times the least there can be: powers end 1.00014 times above it */
+#define REACHED 1.0002 /* times the lower bound: the highest power ends at 1.00014 times it */
 
 /* n unit vectors, or as many gradients. */
 typedef double vectors[OPTIMAL_MAX][3];
 
-/* What is to become small: with limits the norm of the squared ratios K(r,r) / limit^2, which
- * presses the largest down the more, the higher its power; without, -ln det H'H. */
+/* The function to minimise: with limits, the norm of the squared ratios K(r,r) / limit^2, in which
+ * the largest dominates more, the higher the power; without, -ln det H'H. */
 typedef struct {
     unsigned n;
-    unsigned fixed;       /* so many at the beginning stay: the axes, or none */
+    unsigned fixed;       /* the first `fixed` vectors stay: the axes, or none */
     const double *limits; /* of delta, dk, gamma, or null */
     double power;
 } problem;
@@ -58,8 +58,8 @@ static double ratios(const problem *p, double K[P][P], double t[P])
     return largest;
 }
 
-/* ln of the norm, and M = K W K, W its slope by the K(r,r): a change dh of a row h changes the
- * logarithm by -2 h'M dh. */
+/* ln of the norm, and M = K W K, where W are its derivatives by K(r,r): a change dh of a row h
+ * changes the logarithm by -2 h'M dh. */
 static double norm(const problem *p, double K[P][P], double M[P][P])
 {
     double t[P];
@@ -85,8 +85,8 @@ static double norm(const problem *p, double K[P][P], double M[P][P])
     return log(largest) + log(sum) / p->power;
 }
 
-/* -2 h'M dh/da along the sphere. */
-static void slope(double M[P][P], const double a[3], double g[3])
+/* -2 h'M dh/da, projected on the tangent plane of the sphere. */
+static void row_gradient(double M[P][P], const double a[3], double g[3])
 {
     double h[P];
     double b[P] = {0};
@@ -106,7 +106,7 @@ static void slope(double M[P][P], const double a[3], double g[3])
     }
 }
 
-/* For ln det the slope has K itself instead of K W K. */
+/* For ln det, M is K itself. */
 static double evaluate(const problem *p, vectors x, vectors gradient)
 {
     double K[P][P];
@@ -116,7 +116,7 @@ static double evaluate(const problem *p, vectors x, vectors gradient)
 
     memset(gradient, 0, sizeof(vectors));
     for (unsigned i = p->fixed; i < p->n; i++) {
-        slope(p->limits ? M : K, x[i], gradient[i]);
+        row_gradient(p->limits ? M : K, x[i], gradient[i]);
     }
     return f;
 }
@@ -125,9 +125,9 @@ static double evaluate(const problem *p, vectors x, vectors gradient)
 
 typedef struct {
     vectors s[MEMORY]; /* steps, */
-    vectors y[MEMORY]; /* and what they changed the gradient by */
+    vectors y[MEMORY]; /* and the changes of the gradient */
     double sy[MEMORY];
-    unsigned count; /* steps remembered in all; the last MEMORY are kept */
+    unsigned count; /* steps so far; the last MEMORY are stored */
 } memory;
 
 static double dot(const problem *p, vectors a, vectors b)
@@ -150,8 +150,8 @@ static void add(const problem *p, vectors a, double factor, vectors b)
     }
 }
 
-/* d = -(inverse of the curvature) gradient, by the two loops of Nocedal. */
-static void set_course(const problem *p, memory *m, vectors gradient, vectors d)
+/* The search direction d = -(inverse Hessian) gradient, by Nocedal's two-loop recursion. */
+static void find_direction(const problem *p, memory *m, vectors gradient, vectors d)
 {
     const unsigned kept = m->count < MEMORY ? m->count : MEMORY;
     double alpha[MEMORY];
@@ -179,9 +179,9 @@ static void set_course(const problem *p, memory *m, vectors gradient, vectors d)
     }
 }
 
-/* Remembers the step from one point to another, if the curvature along it is upwards. */
-static void remember(const problem *p, memory *m, vectors from, vectors g_from, vectors to,
-                     vectors g_to)
+/* Stores the step from one point to another, if the curvature along it is positive. */
+static void store_step(const problem *p, memory *m, vectors from, vectors g_from, vectors to,
+                       vectors g_to)
 {
     const unsigned at = m->count % MEMORY;
 
@@ -195,19 +195,19 @@ static void remember(const problem *p, memory *m, vectors from, vectors g_from, 
     }
 }
 
-/* One step downhill, halved until it is. Returns by how much, 0 if none is. */
+/* One step with backtracking. Returns the decrease; 0 if no step decreases f. */
 static double descend(const problem *p, memory *m, vectors x, vectors gradient, double f)
 {
     vectors d;
     vectors next;
     vectors next_gradient;
 
-    set_course(p, m, gradient, d);
-    double along = dot(p, d, gradient);
-    if (!(along < 0)) {
+    find_direction(p, m, gradient, d);
+    double slope = dot(p, d, gradient);
+    if (!(slope < 0)) {
         m->count = 0;
-        set_course(p, m, gradient, d);
-        along = dot(p, d, gradient);
+        find_direction(p, m, gradient, d);
+        slope = dot(p, d, gradient);
     }
     for (double length = 1; length > 1e-6; length /= 2) {
         memcpy(next, x, sizeof next);
@@ -215,18 +215,18 @@ static double descend(const problem *p, memory *m, vectors x, vectors gradient, 
         for (unsigned i = 0; i < p->n; i++) {
             normalise(next[i]);
         }
-        const double there = evaluate(p, next, next_gradient);
-        if (there <= f + 1e-4 * length * along) {
-            remember(p, m, x, gradient, next, next_gradient);
+        const double f_next = evaluate(p, next, next_gradient);
+        if (f_next <= f + 1e-4 * length * slope) {
+            store_step(p, m, x, gradient, next, next_gradient);
             memcpy(x, next, sizeof next);
             memcpy(gradient, next_gradient, sizeof next_gradient);
-            return f - there;
+            return f - f_next;
         }
     }
     return 0;
 }
 
-/* Returns the function where it has come to rest. */
+/* Returns the minimum. */
 static double minimise(const problem *p, vectors x)
 {
     memory m = {.count = 0};
@@ -234,17 +234,17 @@ static double minimise(const problem *p, vectors x)
     double f = evaluate(p, x, gradient);
     unsigned idle = 0;
 
-    for (unsigned step = 0; step < STEPS && idle < 3; step++) {
-        const double fall = descend(p, &m, x, gradient, f);
-        f -= fall;
-        idle = fall > SETTLED ? 0 : idle + 1;
+    for (unsigned step = 0; step < STEPS_MAX && idle < 3; step++) {
+        const double decrease = descend(p, &m, x, gradient, f);
+        f -= decrease;
+        idle = decrease > DECREASE_MIN ? 0 : idle + 1;
     }
     return f;
 }
 
-/* ---- where to start ---------------------------------------------------------------------------- */
+/* ---- starting points --------------------------------------------------------------------------- */
 
-/* A spiral from pole to pole: directions of about equal distance. */
+/* A spiral from pole to pole: nearly equidistant directions. */
 static void spiral(unsigned n, vectors x)
 {
     for (unsigned i = 0; i < n; i++) {
@@ -256,7 +256,7 @@ static void spiral(unsigned n, vectors x)
     }
 }
 
-/* Scattered directions, another set for each seed: a congruential generator is random enough. */
+/* Random directions, another set for each seed; a linear congruential generator will do. */
 static void scatter(unsigned n, unsigned seed, vectors x)
 {
     unsigned long state = seed;
@@ -311,13 +311,13 @@ static void begin(const problem *p, unsigned start, vectors x)
 
 static unsigned starts(unsigned n)
 {
-    return n < MANY ? STARTS : STARTS_OF_MANY;
+    return n < LARGE ? STARTS : STARTS_LARGE;
 }
 
 /* ---- the result -------------------------------------------------------------------------------- */
 
-/* Turns the set so that its first direction is +z and its second lies in the xz plane, x > 0. */
-static void turn(unsigned n, vectors x)
+/* Rotates the set so that its first direction is +z and its second is in the xz plane, x > 0. */
+static void rotate(unsigned n, vectors x)
 {
     double axis[3][3]; /* x, y, z of the new frame */
 
@@ -341,20 +341,20 @@ static void turn(unsigned n, vectors x)
     }
 }
 
-/* Orders the set for a short way: from the direction nearest to +z always to the nearest left. */
-static void travel(unsigned n, vectors x, double (*direction)[3])
+/* A short path: from the direction nearest to +z, always to the nearest one of the rest. */
+static void order_by_nearest(unsigned n, vectors x, double (*direction)[3])
 {
-    double here[3] = {0, 0, 1};
+    double last[3] = {0, 0, 1};
 
     for (unsigned m = 0; m < n; m++) {
         unsigned nearest = 0;
         for (unsigned i = 1; i < n - m; i++) {
-            /* a difference that is no more than rounding must not decide */
-            nearest = dot3(here, x[i]) > dot3(here, x[nearest]) + 1e-6 ? i : nearest;
+            /* rounding does not decide */
+            nearest = dot3(last, x[i]) > dot3(last, x[nearest]) + 1e-6 ? i : nearest;
         }
-        memcpy(here, x[nearest], sizeof here);
-        memcpy(direction[m], here, sizeof here);
-        memcpy(x[nearest], x[n - m - 1], sizeof here);
+        memcpy(last, x[nearest], sizeof last);
+        memcpy(direction[m], last, sizeof last);
+        memcpy(x[nearest], x[n - m - 1], sizeof last);
     }
 }
 
@@ -363,20 +363,20 @@ void optimal_directions(unsigned n, int with_axes, double (*direction)[3])
     const problem p = {.n = n, .fixed = with_axes ? OPTIMAL_AXES : 0};
     vectors best = {{0}};
     vectors x = {{0}};
-    double least = HUGE_VAL;
+    double min = HUGE_VAL;
 
     for (unsigned start = 0; start < starts(n); start++) {
         begin(&p, start, x);
         const double f = minimise(&p, x);
-        if (f < least - 1e-9) {
-            least = f;
+        if (f < min - 1e-9) {
+            min = f;
             memcpy(best, x, sizeof best);
         }
     }
     if (!with_axes) {
-        turn(n, best);
+        rotate(n, best);
     }
-    travel(n, best, direction);
+    order_by_nearest(n, best, direction);
 }
 
 /* The largest sigma / limit. */
@@ -389,11 +389,11 @@ static double worst_ratio(const problem *p, vectors x)
     return sqrt(ratios(p, K, t));
 }
 
-/* What worst_ratio cannot fall below. H'H averaged over the 48 symmetries of the cube meets the
- * same limits (K is convex in H'H), and with <x^2> = 1/3, b = <x^2 y^2>, <x^4> = 1/3 - 2 b it has
- * n K = 3 for offsets, 3 (1/3 - b) / (1/3 - 3 b) for scale errors, 1 / b for angles. The second
- * rises with b, the third falls: best is where they meet. */
-static double least_ratio(unsigned n, const double limits[3])
+/* A lower bound of worst_ratio. H'H averaged over the 48 symmetries of the cube meets the same
+ * limits (K is convex in H'H), and with <x^2> = 1/3, b = <x^2 y^2>, <x^4> = 1/3 - 2 b it has n K =
+ * 3 for offsets, 3 (1/3 - b) / (1/3 - 3 b) for scale errors, 1 / b for angles. The second rises
+ * with b, the third falls: the optimum is where they are equal. */
+static double ratio_bound(unsigned n, const double limits[3])
 {
     double low = 0;
     double high = 1.0 / 9;
@@ -413,25 +413,25 @@ double optimal_within(unsigned n, const double limits[3], int with_axes, double 
     static const double powers[] = {1, 3, 10, 40, 200, 1000};
     vectors best = {{0}};
     vectors x = {{0}};
-    const double enough = REACHED * least_ratio(n, limits);
-    double least = HUGE_VAL;
+    const double enough = REACHED * ratio_bound(n, limits);
+    double min = HUGE_VAL;
 
-    for (unsigned start = 0; start < starts(n) && least > enough; start++) {
+    for (unsigned start = 0; start < starts(n) && min > enough; start++) {
         problem p = {n, with_axes ? OPTIMAL_AXES : 0, limits, powers[0]};
         begin(&p, start, x);
         for (unsigned k = 0; k < sizeof powers / sizeof powers[0]; k++) {
             p.power = powers[k];
             (void)minimise(&p, x);
             const double worst = worst_ratio(&p, x);
-            if (k == 0 && worst > 2 * least) {
-                break; /* hopeless compared with the best so far */
+            if (k == 0 && worst > 2 * min) {
+                break; /* too far from the best so far */
             }
-            if (worst < least * (1 - 1e-9)) {
-                least = worst;
+            if (worst < min * (1 - 1e-9)) {
+                min = worst;
                 memcpy(best, x, sizeof best);
             }
         }
     }
-    travel(n, best, direction);
-    return least;
+    order_by_nearest(n, best, direction);
+    return min;
 }

@@ -8,29 +8,29 @@
 
 enum { NINE = INVCAL_PARAMETERS, ALL = NINE + 3 };
 
-/* A drift is a column tau eta: what it shares with the columns eta_b and eta_b eta_c of the nine are
- * products of two and three of x, y, z, weighed with tau. */
+/* A drift is a column tau eta. Its products with the columns eta_b and eta_b eta_c of the nine are
+ * moments: sums of tau times products of two or three of x, y, z. */
 enum { MOMENTS = 16 };
-#define SHOWN 25.0  /* what the squares of these moments weigh against radians of turning */
-#define ENOUGH 1.15 /* sigma that grows by no more is as good as sigma that does not */
-#define BETTER 1e-9
+#define MOMENT_WEIGHT 25.0   /* radians of turning per sum of the squared moments */
+#define DRIFT_FACTOR_OK 1.15 /* a smaller factor is of no further use */
+#define IMPROVEMENT_MIN 1e-9
 
-static double tau_of(unsigned k, unsigned count)
+static double tau(unsigned k, unsigned count)
 {
     return (double)k / (count - 1) - 0.5;
 }
 
-double order_hides_drift(const double (*direction)[3], const double *weight, unsigned count)
+double order_drift_factor(const double (*direction)[3], const double *weight, unsigned count)
 {
     double a[INVCAL_PACKED_SIZE(ALL)] = {0};
     double nine[INVCAL_PACKED_SIZE(NINE)];
-    double most = 0;
+    double max = 0;
 
     for (unsigned k = 0; k < count; k++) {
         const double x = direction[k][0];
         const double y = direction[k][1];
         const double z = direction[k][2];
-        const double t = tau_of(k, count);
+        const double t = tau(k, count);
         const double row[ALL] = {x,     y,     z,     x * x, y * y, z * z,
                                  x * y, x * z, y * z, t * x, t * y, t * z};
         const double w = weight ? weight[k] : 1;
@@ -48,9 +48,9 @@ double order_hides_drift(const double (*direction)[3], const double *weight, uns
     invcal_invert(nine, NINE);
     invcal_invert(a, ALL);
     for (unsigned r = 0; r < NINE; r++) {
-        most = fmax(most, invcal_variance(a, ALL, r) / invcal_variance(nine, NINE, r));
+        max = fmax(max, invcal_variance(a, ALL, r) / invcal_variance(nine, NINE, r));
     }
-    return sqrt(most);
+    return sqrt(max);
 }
 
 /* ---- the search ----------------------------------------------------------------------------------- */
@@ -58,7 +58,7 @@ double order_hides_drift(const double (*direction)[3], const double *weight, uns
 typedef struct {
     double (*direction)[3];
     unsigned count;
-    double hidden; /* how much of a drift may be: order_hides_drift */
+    double max_drift_factor;
 } route;
 
 static void moments_of(const double v[3], double m[MOMENTS])
@@ -82,17 +82,17 @@ static double angle(const double a[3], const double b[3])
     return acos(fmax(-1, fmin(1, dot)));
 }
 
-static double way_of(const route *r)
+static double path_length(const route *r)
 {
-    double way = 0;
+    double length = 0;
 
     for (unsigned k = 1; k < r->count; k++) {
-        way += angle(r->direction[k - 1], r->direction[k]);
+        length += angle(r->direction[k - 1], r->direction[k]);
     }
-    return way;
+    return length;
 }
 
-static double moments_and_way(const route *r)
+static double moments_and_length(const route *r)
 {
     double sum[MOMENTS] = {0};
     double squares = 0;
@@ -101,13 +101,13 @@ static double moments_and_way(const route *r)
         double m[MOMENTS];
         moments_of(r->direction[k], m);
         for (unsigned i = 0; i < MOMENTS; i++) {
-            sum[i] += tau_of(k, r->count) * m[i];
+            sum[i] += tau(k, r->count) * m[i];
         }
     }
     for (unsigned i = 0; i < MOMENTS; i++) {
         squares += sum[i] * sum[i];
     }
-    return way_of(r) + SHOWN * squares;
+    return path_length(r) + MOMENT_WEIGHT * squares;
 }
 
 static void exchange(const route *r, unsigned i, unsigned k)
@@ -129,7 +129,7 @@ static void reverse(const route *r, unsigned i, unsigned k)
 typedef void change(const route *r, unsigned i, unsigned k);
 typedef double cost(const route *r);
 
-/* A change is undone by being made again. */
+/* Each change is its own inverse. */
 static int improve(const route *r, change *make, cost *of, double *best)
 {
     int has_improved = 0;
@@ -138,8 +138,9 @@ static int improve(const route *r, change *make, cost *of, double *best)
         for (unsigned k = i + 1; k < r->count; k++) {
             make(r, i, k);
             const double now = of(r);
-            if (now < *best - BETTER &&
-                order_hides_drift((const double(*)[3])r->direction, NULL, r->count) <= r->hidden) {
+            if (now < *best - IMPROVEMENT_MIN &&
+                order_drift_factor((const double(*)[3])r->direction, NULL, r->count) <=
+                    r->max_drift_factor) {
                 *best = now;
                 has_improved = 1;
             } else {
@@ -158,14 +159,15 @@ static void search(const route *r, cost *of)
     }
 }
 
-/* First any drift is made to show, then the way is made shorter that shows it as well. */
+/* First for the drift, then for a shorter path that shows it as well. */
 void order_directions(double (*direction)[3], unsigned count)
 {
     route r = {direction, count, HUGE_VAL};
 
     if (count > 2) {
-        search(&r, moments_and_way);
-        r.hidden = fmax(ENOUGH, order_hides_drift((const double(*)[3])direction, NULL, count));
-        search(&r, way_of);
+        search(&r, moments_and_length);
+        r.max_drift_factor =
+            fmax(DRIFT_FACTOR_OK, order_drift_factor((const double(*)[3])direction, NULL, count));
+        search(&r, path_length);
     }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * design/parameters.h: the nine parameters, and the positions that determine them, in plain words.
+ * design/parameters.h: names of the nine parameters, and of the positions that determine them.
  *
  * Texts are cut to fit into `size`.
  */
@@ -18,8 +18,8 @@ unsigned parameters_count(uint16_t bits);
 /* Those whose bits are set: "offset z, scale z". Returns text. */
 const char *parameters_list(uint16_t bits, char *text, size_t size);
 
-/* Positions that would determine them, to be set behind "add positions with": "the field along
- * +z and -z, and midway between x and z". Returns text. */
+/* Positions that determine them, to follow "add positions with": "the field along +z and -z, and
+ * midway between x and z". Returns text. */
 const char *parameters_advice(uint16_t bits, char *text, size_t size);
 
 #endif

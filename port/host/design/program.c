@@ -8,16 +8,16 @@
 #include "maths/angles.h"
 
 #define DEGREES 57.295779513082321
-#define REACH 20.0 /* degrees: farther off is another direction */
-#define SLACK 3.0  /* by this another one must be nearer than the one asked for */
-#define SAME 0.1   /* two positions of one direction */
-#define EQUAL 1e-6 /* to rounding */
-#define BESIDE 0.1 /* of the field: no readings of these positions */
+#define CAPTURE_ANGLE 20.0 /* degrees: farther off is another direction */
+#define PREFERENCE 3.0     /* degrees that another one must be nearer than the requested one */
+#define SAME_DIRECTION 0.1 /* degrees between two positions of one direction */
+#define ROUNDING 1e-6      /* degrees */
+#define RESIDUAL_MAX 0.1   /* over the field: above it, these are not readings of these positions */
 
 enum { NOT_NEEDED = 1, VISITED };
 
 /* The angle between two directions, degrees; the first of any length. */
-static double apart(const double a[3], const double b[3])
+static double angle_between(const double a[3], const double b[3])
 {
     const double sine = hypot(hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2]),
                               a[0] * b[1] - a[1] * b[0]);
@@ -41,23 +41,24 @@ void program_begin(program *p, const design *set)
 {
     p->set = set;
     memset(p->visited, 0, sizeof p->visited);
-    p->asked = 0;
+    p->next = 0;
     p->has_rest = 0;
-    p->is_again = 0;
-    p->here = PROGRAM_NOWHERE;
+    p->is_repeat = 0;
+    p->current = PROGRAM_NO_POSITION;
 }
 
-/* The nearest within reach, of equals the one that wants it most. */
-static unsigned nearest_to(const program *p, const double up[3], double *least)
+/* The nearest within CAPTURE_ANGLE; of several of one direction, one that is still to be
+ * visited. */
+static unsigned nearest_to(const program *p, const double up[3], double *min)
 {
-    unsigned nearest = PROGRAM_NOWHERE;
+    unsigned nearest = PROGRAM_NO_POSITION;
 
-    *least = REACH;
+    *min = CAPTURE_ANGLE;
     for (unsigned i = 0; i < p->set->count; i++) {
-        const double angle = apart(up, vertical(p, i));
-        const int is_equal = nearest != PROGRAM_NOWHERE && fabs(angle - *least) < EQUAL;
-        if (is_equal ? p->visited[i] < p->visited[nearest] : angle < *least) {
-            *least = angle;
+        const double angle = angle_between(up, vertical(p, i));
+        const int is_equal = nearest != PROGRAM_NO_POSITION && fabs(angle - *min) < ROUNDING;
+        if (is_equal ? p->visited[i] < p->visited[nearest] : angle < *min) {
+            *min = angle;
             nearest = i;
         }
     }
@@ -66,25 +67,27 @@ static unsigned nearest_to(const program *p, const double up[3], double *least)
 
 unsigned program_find(const program *p, const double up[3])
 {
-    double least;
-    const unsigned nearest = nearest_to(p, up, &least);
+    double min;
+    const unsigned nearest = nearest_to(p, up, &min);
 
-    if (p->asked < p->set->count) {
-        const double angle = apart(up, vertical(p, p->asked));
-        if (angle < REACH && angle < least + SLACK) {
-            return p->asked;
+    if (p->next < p->set->count) {
+        const double angle = angle_between(up, vertical(p, p->next));
+        if (angle < CAPTURE_ANGLE && angle < min + PREFERENCE) {
+            return p->next;
         }
     }
     return nearest;
 }
 
-/* What follows in the same direction need not be visited: a rest cannot distinguish them. */
+/* Positions that follow in the same direction need not be visited: a rest cannot distinguish
+ * them. */
 static void mark(program *p, unsigned position)
 {
     const double *up = vertical(p, position);
 
     p->visited[position] = VISITED;
-    for (unsigned i = position + 1; i < p->set->count && apart(up, vertical(p, i)) < SAME; i++) {
+    for (unsigned i = position + 1;
+         i < p->set->count && angle_between(up, vertical(p, i)) < SAME_DIRECTION; i++) {
         p->visited[i] = p->visited[i] == VISITED ? VISITED : NOT_NEEDED;
     }
 }
@@ -92,20 +95,20 @@ static void mark(program *p, unsigned position)
 void program_visit(program *p, unsigned position, const double up[3])
 {
     p->has_rest = 1;
-    p->here = position;
-    p->is_again = position < p->set->count && p->visited[position] == NOT_NEEDED;
+    p->current = position;
+    p->is_repeat = position < p->set->count && p->visited[position] == NOT_NEEDED;
     memcpy(p->up, up, sizeof p->up);
     if (position < p->set->count) {
         mark(p, position);
     }
-    while (p->asked < p->set->count && p->visited[p->asked]) {
-        p->asked++;
+    while (p->next < p->set->count && p->visited[p->next]) {
+        p->next++;
     }
 }
 
 /* ---- zero and scale ---------------------------------------------------------------------------- */
 
-/* Adds a share of one vector to another. */
+/* to += share v. */
 static void add(double to[3], const double v[3], double share)
 {
     for (unsigned i = 0; i < 3; i++) {
@@ -140,24 +143,25 @@ int program_scale(const program *p, const double *mean, unsigned count, double z
     for (unsigned i = 0; i < 3; i++) {
         zero[i] = reading[i] - *length * up[i];
     }
-    return square > 0 && *length > 0 && rest < BESIDE * BESIDE * *length * *length * count;
+    return square > 0 && *length > 0 &&
+           rest < RESIDUAL_MAX * RESIDUAL_MAX * *length * *length * count;
 }
 
 /* ---- in words ---------------------------------------------------------------------------------- */
 
-/* Those of the last rest: what the stand was set to, or what the readings show. */
-static stand_angles present(const program *p, unsigned asked)
+/* The angles of the last rest: those of its position, else from the readings. */
+static stand_angles current_angles(const program *p, unsigned requested)
 {
-    return p->here < p->set->count ? angles_at(p, p->here)
-                                   : angles_near(p->up, angles_at(p, asked));
+    return p->current < p->set->count ? angles_at(p, p->current)
+                                      : angles_near(p->up, angles_at(p, requested));
 }
 
 const char *program_angles_text(const program *p, char text[PROGRAM_TEXT_MAX])
 {
     char angles[ANGLES_TEXT_MAX] = "";
 
-    if (p->asked < p->set->count) {
-        (void)angles_text(angles_at(p, p->asked), angles);
+    if (p->next < p->set->count) {
+        (void)angles_text(angles_at(p, p->next), angles);
     }
     snprintf(text, PROGRAM_TEXT_MAX, "%s", angles);
     return text;
@@ -170,29 +174,29 @@ const char *program_next_text(const program *p, char text[PROGRAM_TEXT_MAX])
     char words[INVCAL_WORDS];
 
     text[0] = '\0';
-    if (p->asked >= p->set->count) {
+    if (p->next >= p->set->count) {
         return text;
     }
     if (p->has_rest) {
-        (void)angles_turn_text(present(p, p->asked), angles_at(p, p->asked), turn);
+        (void)angles_turn_text(current_angles(p, p->next), angles_at(p, p->next), turn);
     }
-    snprintf(text, PROGRAM_TEXT_MAX, "position %u of %u: %s; %s%s%s", p->asked + 1, p->set->count,
-             angles_text(angles_at(p, p->asked), angles), turn, *turn ? "; " : "",
-             invcal_words(vertical(p, p->asked), words));
+    snprintf(text, PROGRAM_TEXT_MAX, "position %u of %u: %s; %s%s%s", p->next + 1, p->set->count,
+             angles_text(angles_at(p, p->next), angles), turn, *turn ? "; " : "",
+             invcal_words(vertical(p, p->next), words));
     return text;
 }
 
-const char *program_wrong_text(const program *p, unsigned asked, char text[PROGRAM_TEXT_MAX])
+const char *program_wrong_text(const program *p, unsigned requested, char text[PROGRAM_TEXT_MAX])
 {
     char angles[ANGLES_TEXT_MAX];
 
-    (void)angles_text(present(p, asked), angles);
-    if (p->here < p->set->count) {
-        snprintf(text, PROGRAM_TEXT_MAX, "that is position %u (%s), not %u", p->here + 1, angles,
-                 asked + 1);
+    (void)angles_text(current_angles(p, requested), angles);
+    if (p->current < p->set->count) {
+        snprintf(text, PROGRAM_TEXT_MAX, "that is position %u (%s), not %u", p->current + 1, angles,
+                 requested + 1);
     } else {
         snprintf(text, PROGRAM_TEXT_MAX, "that is %s, not a position of the program; go to %u",
-                 angles, asked + 1);
+                 angles, requested + 1);
     }
     return text;
 }

@@ -66,8 +66,8 @@ invcal_status series_coefficients(const series *s,
     return INVCAL_OK;
 }
 
-/* The scale errors from the a0 = (dk_p + dk_q)/2 and a2 = (dk_p - dk_q)/2 of three groups, which
- * have the weights N and N/2:
+/* The scale errors from a0 = (dk_p + dk_q)/2 and a2 = (dk_p - dk_q)/2 of the three groups, with the
+ * weights N and N/2:
  *
  *     minimise  sum over groups of  N (a0 - (dk_p + dk_q)/2)^2 + N/2 (a2 - (dk_p - dk_q)/2)^2
  *
@@ -94,7 +94,7 @@ invcal_status series_solve(const series *s, double x[INVCAL_PARAMETERS])
 
     const invcal_status status = series_coefficients(s, c);
     if (status == INVCAL_OK) {
-        x[INVCAL_DELTA_X] = (-c[1][B1] + c[2][B1]) / 2; /* each offset is felt in two groups */
+        x[INVCAL_DELTA_X] = (-c[1][B1] + c[2][B1]) / 2; /* two groups determine each offset */
         x[INVCAL_DELTA_Y] = (c[0][A1] + c[2][A1]) / 2;
         x[INVCAL_DELTA_Z] = (c[0][B1] - c[1][A1]) / 2;
         scale_errors(c, &x[INVCAL_DK_X]);
@@ -133,8 +133,8 @@ invcal_status series_information(const invcal_plan *plan, unsigned group,
     return INVCAL_OK;
 }
 
-/* The determinant is the product of the squared pivots, whose inverses stand on the diagonal; the
- * bound that of the diagonal N, N/2 ... */
+/* The determinant is the product of the squared pivots, whose inverses are on the diagonal; the
+ * bound is the product of N, N/2 ... */
 double series_efficiency(double information[INVCAL_PACKED_SIZE(SERIES_TERMS)])
 {
     const double n = information[0];

@@ -14,7 +14,7 @@ static int is_near(double a, double b)
     return fabs(a - b) < NEAR;
 }
 
-/* Components are 0 or of one length. */
+/* A face, an edge or a corner of the cube: components are 0 or of one length. */
 static int is_of_cube(const invcal_real up[3])
 {
     double squares = 0;
@@ -71,7 +71,7 @@ static const char *angle_words(double degrees, char text[ANGLE_MAX])
     return text;
 }
 
-/* The main axis that a vector lies along: 0, 1, 2; or 3. */
+/* The axis that a vector is along: 0, 1, 2; or 3 for none. */
 static unsigned along(const invcal_real v[3])
 {
     for (unsigned i = 0; i < 3; i++) {

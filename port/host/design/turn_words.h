@@ -10,12 +10,12 @@
 #define TURNS_WORDS_MAX 160
 #define TURNS_UP_MAX 80
 
-/* What to do from one rest to the next: "+x up: a quarter turn about y", or, if that does not give the sense of
- * rotation, "a full turn about +x: +z up". */
+/* The turn from one rest to the next: "+x up: a quarter turn about y", or, if that does not show
+ * the sense of rotation, "a full turn about +x: +z up". */
 const char *turns_words(const invcal_turn *turn, const invcal_real from[3],
                         char text[TURNS_WORDS_MAX]);
 
-/* "+x", "edge +x -y", "corner +x -y +z", or in words as invcal_words. */
+/* "+x up", "edge +x -y up", "corner +x -y +z up", or as invcal_words. */
 const char *turns_up_words(const invcal_real up[3], char text[TURNS_UP_MAX]);
 
 #endif

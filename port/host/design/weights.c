@@ -7,26 +7,26 @@
 
 enum { P = INVCAL_PARAMETERS };
 
-#define STEPS 20000u
-#define REACHED 1e-12 /* d_i above 9 by no more, relatively */
-#define NOTHING 1e-6
+#define STEPS_MAX 20000u
+#define TOLERANCE 1e-12 /* of the largest d_i / 9 above 1 */
+#define NEGLIGIBLE 1e-6
 
-/* A step of the multiplicative algorithm, p_i d_i / 9. Returns by how much the largest d_i / 9 is above
- * 1: det M is within its ninth power of the largest. */
+/* A step of the multiplicative algorithm, p_i d_i / 9. Returns the largest d_i / 9, minus 1: det M
+ * is within the ninth power of that factor of the maximum. */
 static double improve(const double (*direction)[3], unsigned count, double *share)
 {
     double K[P][P];
-    double most = 0;
+    double max = 0;
 
     (void)covariance_find(direction, share, count, K);
     for (unsigned i = 0; i < count; i++) {
         double h[P];
         covariance_row(direction[i], h);
         const double factor = covariance_product(K, h, h) * count / (double)P;
-        most = fmax(most, factor);
+        max = fmax(max, factor);
         share[i] *= factor;
     }
-    return most - 1;
+    return max - 1;
 }
 
 void weights_find(const double (*direction)[3], unsigned count, double *share)
@@ -36,10 +36,11 @@ void weights_find(const double (*direction)[3], unsigned count, double *share)
     for (unsigned i = 0; i < count; i++) {
         share[i] = 1;
     }
-    for (unsigned step = 0; step < STEPS && improve(direction, count, share) > REACHED; step++) {
+    for (unsigned step = 0; step < STEPS_MAX && improve(direction, count, share) > TOLERANCE;
+         step++) {
     }
     for (unsigned i = 0; i < count; i++) {
-        share[i] = share[i] > NOTHING ? share[i] : 0;
+        share[i] = share[i] > NEGLIGIBLE ? share[i] : 0;
         sum += share[i];
     }
     for (unsigned i = 0; i < count; i++) {

@@ -3,11 +3,11 @@
 
 #include "maths/angles.h"
 #include "text/number.h"
-#include "plan/found.h"
+#include "plan/results.h"
 
 #define DECIMALS 1e9
 
-/* What is printed is what the rest is computed from. */
+/* As printed: x, y, z are computed from it. */
 static double rounded(double degrees)
 {
     return nearbyint(DECIMALS * degrees) / DECIMALS + 0.0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * plan/facts.h: what the sections of a program's page share.
+ * plan/facts.h: figures that several sections of a program's page use, and these sections.
  */
 #ifndef PLAN_FACTS_H
 #define PLAN_FACTS_H
@@ -13,7 +13,7 @@
 typedef struct {
     const design *set; /* solvable */
     const choice_request *request;
-    const choice *choice;            /* that has led to it, or null */
+    const choice *choice;            /* that led to it, or null */
     double noise;                    /* of a position mean, over the field; 0: unknown */
     double sigma[INVCAL_PARAMETERS]; /* of the parameters, over that noise */
     uncertainty length_sigma;        /* of |a|, in mg or µg if the noise is known */
@@ -32,8 +32,8 @@ void plan_report_sigma(page *p, const plan_facts *f);
 void plan_report_coverage(page *p, const plan_facts *f);
 void plan_report_bound(page *p, const plan_facts *f); /* with --bound */
 
-/* Parts that the page of a comparison has, too. Both halves of the sphere, shaded; and the legend
- * of the shading and the groups. */
+/* Also for the page of a comparison: both halves of the sphere, shaded; and the legend of the
+ * shading and the groups. */
 void plan_draw_halves(FILE *file, const design *d, const sphere_shading *shading);
 void plan_draw_legend(FILE *file, const sphere_shading *shading, const char *unit, int has_groups);
 

@@ -6,14 +6,14 @@
 #include "text/json_write.h"
 #include "maths/matrix.h"
 #include "text/number.h"
-#include "plan/found.h"
+#include "plan/results.h"
 #include "plan/labour.h"
 #include "plan/nonlinear.h"
 #include "plan/programs.h"
 #include "design/series.h"
 #include "design/weights.h"
 
-unsigned plan_missing(uint8_t axes)
+unsigned plan_missing_axes(uint8_t axes)
 {
     return ~(unsigned)axes & ((1u << INVCAL_AXES) - 1);
 }
@@ -30,10 +30,10 @@ static void write_criteria(json_writer *w, const criteria *c, int is_solvable)
 static void write_axes(json_writer *w, uint8_t axes)
 {
     json_names(w, "axes_covered", axes, INVCAL_AXES, design_axis_name);
-    json_names(w, "missing", plan_missing(axes), INVCAL_AXES, design_axis_name);
+    json_names(w, "missing", plan_missing_axes(axes), INVCAL_AXES, design_axis_name);
 }
 
-/* det(H5'H5) of the three groups, and the bound that no five functions on a circle pass. */
+/* det(H5'H5) of the three groups, and its upper bound for positions on a circle. */
 static void write_groups(json_writer *w, const invcal_plan *plan)
 {
     const double half = plan->per_group / 2.0;
@@ -80,7 +80,7 @@ static void write_covariance(json_writer *w, const design *d)
     json_symmetric(w, "covariance", work, INVCAL_PARAMETERS);
 }
 
-/* Time; what the noise makes of sigma; how sigma compares with the limits. */
+/* Time; sigma in units, if the noise is known; worst ratio of sigma to its limit. */
 static void write_cost(json_writer *w, const design *d, const choice_request *request)
 {
     const design_cost *cost = &request->cost;
@@ -109,7 +109,7 @@ static void write_cost(json_writer *w, const design *d, const choice_request *re
     }
 }
 
-/* How wrong the parameters can be. */
+/* Worst-case errors of the parameters. */
 static void write_bound(json_writer *w, const design *d, double error)
 {
     double bound[INVCAL_PARAMETERS];
@@ -126,7 +126,7 @@ static void write_bound(json_writer *w, const design *d, double error)
     json_object_end(w);
 }
 
-/* For one set only. */
+/* Only in the output of a single set. */
 static void write_details(json_writer *w, const design *d, const choice_request *request)
 {
     json_number(w, "directions", design_distinct(d));
@@ -142,7 +142,7 @@ static void write_details(json_writer *w, const design *d, const choice_request 
     }
 }
 
-/* A set but for its positions. */
+/* A set without its positions. */
 static void write_summary(json_writer *w, const design *d, const choice_request *request)
 {
     json_text(w, "name", d->name);
@@ -153,7 +153,7 @@ static void write_summary(json_writer *w, const design *d, const choice_request 
     json_number(w, "labour", d->count);
     json_number(w, "redundancy", (double)d->count - (double)INVCAL_PARAMETERS);
     write_criteria(w, &d->criteria, d->is_solvable);
-    json_number(w, "drift_factor", isfinite(d->hidden) ? d->hidden : NUMBER_UNKNOWN);
+    json_number(w, "drift_factor", isfinite(d->drift_factor) ? d->drift_factor : NUMBER_UNKNOWN);
     write_axes(w, d->axes);
     json_list(w, "range");
     for (unsigned i = 0; i < 3; i++) {

@@ -6,29 +6,29 @@
 
 #include "cli/command.h"
 #include "design/optimal.h"
-#include "plan/found.h"
+#include "plan/results.h"
 
 #define PI 3.14159265358979323846
 #define HALVINGS 60u
 #define GOLDEN 0.61803398874989485
-#define WITHIN (1 + 1e-9) /* a limit that is met exactly is met, whatever rounding says */
-#define AROUND 4u
-#define NEAR_LONGEST 0.999 /* a dwell this near to the longest would be longer still */
+#define LIMIT_TOLERANCE (1 + 1e-9) /* so that rounding does not refuse a limit that is just met */
+#define ROWS_AROUND 4u
+#define NEAR_DWELL_MAX 0.999 /* times LABOUR_DWELL_MAX: from here on the maximum limits the dwell */
 
 const char *const labour_families[CHOICE_FAMILIES] = {"stand program", "free directions"};
 
 /* ---- noise of a position mean ------------------------------------------------------------------ */
 
-static double square_log(double r)
+static double r2_log_r(double r)
 {
     return r > 0 ? r * r * log(r) : 0;
 }
 
-/* Mean square difference of two means that begin r of their lengths apart, of flicker noise with
+/* Mean square difference of two means that begin r times their length apart, for flicker noise with
  * B^2 / pi = 1. */
 static double flicker_step(double r)
 {
-    return square_log(r + 1) + square_log(r - 1) - 2 * square_log(r);
+    return r2_log_r(r + 1) + r2_log_r(r - 1) - 2 * r2_log_r(r);
 }
 
 static double flicker_scatter(unsigned n, double apart)
@@ -57,25 +57,26 @@ double labour_sigma(const labour *l, unsigned count, double dwell)
 {
     const double period = dwell + l->settle + l->move;
     int has_flicker = 0;
-    double most = 0;
+    double max = 0;
 
     for (unsigned i = 0; i < 3; i++) {
         has_flicker = has_flicker || l->noise[i].coefficient[INVCAL_NOISE_INSTABILITY] > 0;
     }
     const double flicker = has_flicker ? flicker_scatter(count, period / dwell) : 0;
     for (unsigned i = 0; i < 3; i++) {
-        most = fmax(most, scatter(&l->noise[i], count, dwell, period, flicker));
+        max = fmax(max, scatter(&l->noise[i], count, dwell, period, flicker));
     }
-    return sqrt(most);
+    return sqrt(max);
 }
 
 /* ---- the dwell --------------------------------------------------------------------------------- */
 
-/* Where sigma is least: that of each axis falls, and, if there is a random walk, rises again. */
+/* The dwell of the smallest sigma, by golden section search: sigma of each axis falls, and, with a
+ * random walk, rises again. */
 static double best_dwell(const labour *l, unsigned n)
 {
-    double low = log(LABOUR_REST);
-    double high = log(LABOUR_LONGEST);
+    double low = log(LABOUR_DWELL_MIN);
+    double high = log(LABOUR_DWELL_MAX);
 
     for (unsigned i = 0; i < HALVINGS; i++) {
         const double left = high - GOLDEN * (high - low);
@@ -89,21 +90,21 @@ static double best_dwell(const labour *l, unsigned n)
     return exp((low + high) / 2);
 }
 
-/* The shortest dwell with which sigma is no more than is wanted; without one, that of the least. */
-static double find_dwell(const labour *l, unsigned n, double wanted)
+/* The shortest dwell whose sigma is allowed; if there is none, that of the smallest sigma. */
+static double find_dwell(const labour *l, unsigned n, double allowed)
 {
-    double low = LABOUR_REST;
+    double low = LABOUR_DWELL_MIN;
 
-    if (labour_sigma(l, n, low) <= wanted) {
+    if (labour_sigma(l, n, low) <= allowed) {
         return low;
     }
     double high = best_dwell(l, n);
-    if (!(labour_sigma(l, n, high) <= wanted)) {
+    if (!(labour_sigma(l, n, high) <= allowed)) {
         return high;
     }
     for (unsigned i = 0; i < HALVINGS; i++) {
         const double middle = sqrt(low * high);
-        if (labour_sigma(l, n, middle) <= wanted) {
+        if (labour_sigma(l, n, middle) <= allowed) {
             high = middle;
         } else {
             low = middle;
@@ -121,25 +122,25 @@ static double seconds(const labour *l, unsigned count, double dwell)
 }
 
 /* A number of positions whose sigmas, over the noise of a position mean, are known. */
-static labour_row judge(const labour *l, unsigned count, const double sigma[3])
+static labour_row evaluate(const labour *l, unsigned count, const double sigma[3])
 {
-    labour_row row = {.count = count, .wanted = HUGE_VAL};
+    labour_row row = {.count = count, .allowed = HUGE_VAL};
     double longest = HUGE_VAL;
     int is_weak = 0;
 
     for (unsigned k = 0; k < 3; k++) {
         is_weak = is_weak || !(sigma[k] <= PLAN_WEAK);
-        if (l->limits[k] / sigma[k] < row.wanted) {
-            row.wanted = l->limits[k] / sigma[k];
+        if (l->limits[k] / sigma[k] < row.allowed) {
+            row.allowed = l->limits[k] / sigma[k];
             row.binds = k;
         }
     }
     for (unsigned i = 0; i < 3; i++) {
         longest = fmin(longest, l->noise[i].longest);
     }
-    row.dwell = find_dwell(l, count, row.wanted);
+    row.dwell = find_dwell(l, count, row.allowed);
     row.sigma = labour_sigma(l, count, row.dwell);
-    row.is_possible = !is_weak && row.sigma <= WITHIN * row.wanted;
+    row.is_possible = !is_weak && row.sigma <= LIMIT_TOLERANCE * row.allowed;
     row.is_beyond = row.dwell > longest;
     row.seconds = seconds(l, count, row.dwell);
     return row;
@@ -147,53 +148,53 @@ static labour_row judge(const labour *l, unsigned count, const double sigma[3])
 
 /* ---- the families ------------------------------------------------------------------------------ */
 
-static void add(labour *l, unsigned family, unsigned count, const double sigma[3])
+static void add_row(labour *l, unsigned family, unsigned count, const double sigma[3])
 {
     labour_row *row = &l->row[family][l->rows[family]++];
 
-    *row = judge(l, count, sigma);
+    *row = evaluate(l, count, sigma);
     if (row->is_possible && (!l->best[family] || row->seconds < l->best[family]->seconds)) {
         l->best[family] = row;
     }
 }
 
-/* No number from here on takes less time, or is worth showing. */
-static int is_enough(const labour *l, unsigned family, unsigned count)
+/* No number from here on takes less time, or needs to be shown. */
+static int is_search_done(const labour *l, unsigned family, unsigned count)
 {
     const labour_row *best = l->best[family];
 
-    return best && count > LABOUR_SHOWN * best->count &&
-           seconds(l, count, LABOUR_REST) > best->seconds;
+    return best && count > LABOUR_RANGE * best->count &&
+           seconds(l, count, LABOUR_DWELL_MIN) > best->seconds;
 }
 
-/* The paper's programs: their sigmas depend on N alone. */
+/* The paper's programs: their sigmas depend only on N. */
 static void try_stands(labour *l)
 {
     for (unsigned n = INVCAL_PLAN_PER_GROUP_MIN; INVCAL_PLAN_GROUPS * n <= LABOUR_MAX; n++) {
         const double sigma[3] = {sqrt(1.0 / n), sqrt(7.0 / 5 / n), sqrt(8.0 / n)};
-        if (INVCAL_PLAN_GROUPS * n >= l->least && n % choice_stand_step(l->needs_axes) == 0) {
-            add(l, CHOICE_STAND, INVCAL_PLAN_GROUPS * n, sigma);
+        if (INVCAL_PLAN_GROUPS * n >= l->min_count && n % choice_stand_step(l->needs_axes) == 0) {
+            add_row(l, CHOICE_STAND, INVCAL_PLAN_GROUPS * n, sigma);
         }
     }
 }
 
-/* Their order does not matter yet. */
+/* Their order does not matter here. */
 static void try_directions(labour *l, design *work)
 {
     double direction[OPTIMAL_MAX][3];
 
-    for (unsigned n = l->least; n <= LABOUR_MAX && !is_enough(l, CHOICE_FREE, n); n++) {
+    for (unsigned n = l->min_count; n <= LABOUR_MAX && !is_search_done(l, CHOICE_FREE, n); n++) {
         (void)optimal_within(n, l->limits, l->needs_axes, direction);
         design_directions(work, "", direction, n);
         if (work->is_solvable) {
             const double sigma[3] = {work->criteria.sigma_delta, work->criteria.sigma_dk,
                                      work->criteria.sigma_gamma};
-            add(l, CHOICE_FREE, n, sigma);
+            add_row(l, CHOICE_FREE, n, sigma);
         }
     }
 }
 
-/* Which row comes nearest to what is wanted of it. */
+/* The row whose sigma is nearest to the allowed one. */
 static const labour_row *find_nearest(const labour *l)
 {
     const labour_row *nearest = &l->row[CHOICE_STAND][0];
@@ -201,7 +202,7 @@ static const labour_row *find_nearest(const labour *l)
     for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
         for (unsigned i = 0; i < l->rows[f]; i++) {
             const labour_row *row = &l->row[f][i];
-            nearest = row->sigma / row->wanted < nearest->sigma / nearest->wanted ? row : nearest;
+            nearest = row->sigma / row->allowed < nearest->sigma / nearest->allowed ? row : nearest;
         }
     }
     return nearest;
@@ -211,14 +212,14 @@ static int refuse(labour *l)
 {
     const labour_row *row = find_nearest(l);
     const display_unit unit = unit_style_field(l->units, 1);
-    const int is_floor = row->dwell < NEAR_LONGEST * LABOUR_LONGEST;
+    const int is_floor = row->dwell < NEAR_DWELL_MAX * LABOUR_DWELL_MAX;
 
     snprintf(l->refusal, sizeof l->refusal,
              "no number of positions up to %u and no dwell%s meet the limits%s; %u positions of "
              "%.4g s come closest, with a sigma of the mean of %.3g %s where %.3g %s is needed: "
              "relax the limits, or use a quieter sensor",
              LABOUR_MAX, is_floor ? "" : " up to 1e6 s", is_floor ? ": the noise has a floor" : "",
-             row->count, row->dwell, unit.scale * row->sigma, unit.unit, unit.scale * row->wanted,
+             row->count, row->dwell, unit.scale * row->sigma, unit.unit, unit.scale * row->allowed,
              unit.unit);
     return EXIT_DATA;
 }
@@ -260,14 +261,14 @@ void labour_request(const labour *l, double limits[3], choice_request *request)
     request->limits = limits;
     request->labour = l;
     request->cost.dwell = row->dwell;
-    request->cost.noise = row->sigma * sqrt(row->dwell); /* as design_noise takes it apart */
+    request->cost.noise = row->sigma * sqrt(row->dwell); /* the inverse of design_noise */
 }
 
-void labour_around(const labour *l, unsigned family, unsigned *first, unsigned *end)
+void labour_near_best(const labour *l, unsigned family, unsigned *first, unsigned *end)
 {
     const unsigned rows = l->rows[family];
     const unsigned at = l->best[family] ? (unsigned)(l->best[family] - l->row[family]) : rows;
 
-    *first = at > AROUND ? at - AROUND : 0;
-    *end = at + AROUND + 1 < rows ? at + AROUND + 1 : rows;
+    *first = at > ROWS_AROUND ? at - ROWS_AROUND : 0;
+    *end = at + ROWS_AROUND + 1 < rows ? at + ROWS_AROUND + 1 : rows;
 }

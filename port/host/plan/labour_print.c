@@ -19,7 +19,7 @@ static void add_row(const labour *l, unsigned family, const labour_row *row)
         tabular_cell("%s", plan_kinds[row->binds]);
     } else {
         tabular_cell("%s", "");
-        tabular_cell("needed: %.4g", unit.scale * row->wanted);
+        tabular_cell("needed: %.4g", unit.scale * row->allowed);
     }
     if (l->best[l->chosen] == row) {
         tabular_cell("chosen");
@@ -29,7 +29,8 @@ static void add_row(const labour *l, unsigned family, const labour_row *row)
     }
 }
 
-/* The rows around the best of each family. Returns whether a dwell is longer than the noise is known at. */
+/* The rows near the best of each family. Returns 1 if a dwell is longer than the averaging times of
+ * the measured noise. */
 static int add_rows(const labour *l)
 {
     int is_beyond = 0;
@@ -37,7 +38,7 @@ static int add_rows(const labour *l)
     for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
         unsigned first;
         unsigned end;
-        labour_around(l, f, &first, &end);
+        labour_near_best(l, f, &first, &end);
         for (unsigned i = first; i < end; i++) {
             const labour_row *row = &l->row[f][i];
             add_row(l, f, row);

@@ -8,11 +8,11 @@
 #include "design/design.h"
 #include "draw/sphere.h"
 
-/* Arranges the positions of a set. The result is good until the next call, as long as the shading
- * (or null) is there. */
+/* Arranges the positions of a set. The result is valid until the next call, and as long as the
+ * shading (or null) is. */
 const sphere *plan_map(const design *d, const sphere_shading *shading);
 
-/* The markers of the groups, from x on, y the base line of their names. */
+/* The markers of the groups from x on; y is the base line of their names. */
 void plan_map_legend(FILE *file, double x, double y);
 
 #endif

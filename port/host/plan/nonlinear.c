@@ -11,14 +11,14 @@
 
 #define TEXT_MAX 200
 #define SENTENCE_MAX 400
-#define INDENT 19 /* columns of what stands before the text of a line */
+#define INDENT 19 /* of continued lines */
 
 /* With the quadratic terms, and with the cubic ones as well. */
 enum { QUADRATIC = 2, CUBIC = 3 };
 
 typedef struct {
     unsigned degree;
-    unsigned open; /* bits of what is not determined; 0: all is, and the others are known */
+    unsigned open; /* bits of what is undetermined; 0: nothing, and the members below are known */
     double sigma;  /* of the highest terms */
     nonlinearity_prospect all;
 } prospect;
@@ -49,7 +49,7 @@ static unsigned parameters_of(const prospect *p)
     return INVCAL_PARAMETERS + 3 * (p->degree - 1);
 }
 
-/* "not determined: cubic x, cubic y". */
+/* "undetermined: cubic x, cubic y". */
 static const char *open_text(const prospect *p, char text[TEXT_MAX])
 {
     int length = snprintf(text, TEXT_MAX, "undetermined");
@@ -63,14 +63,14 @@ static const char *open_text(const prospect *p, char text[TEXT_MAX])
     return text;
 }
 
-/* What calibrate would not take. */
+/* A note if there are too few positions for calibrate. */
 static const char *few_text(const prospect *p, const design *d, char text[TEXT_MAX])
 {
-    const unsigned least = nonlinearity_min_positions(p->degree);
+    const unsigned min = nonlinearity_min_positions(p->degree);
 
     text[0] = '\0';
-    if (d->count < least) {
-        snprintf(text, TEXT_MAX, ", but --%s needs %u positions or more", name_of(p), least);
+    if (d->count < min) {
+        snprintf(text, TEXT_MAX, ", but --%s needs %u positions or more", name_of(p), min);
     }
     return text;
 }
@@ -128,7 +128,7 @@ void plan_nonlinear_json(json_writer *w, const design *d)
     json_object_end(w);
 }
 
-/* "quadratic 1.63 × noise of 12 parameters, condition 39.9", or what is not determined. */
+/* "quadratic 1.63 × noise, of 12 parameters, condition 39.9", or what is undetermined. */
 static const char *report_text(const prospect *p, const design *d, double noise, unit_style style,
                                char text[SENTENCE_MAX])
 {

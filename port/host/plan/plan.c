@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal plan: which positions to visit, and what they are worth.
+ * invcal plan: chooses positions, and predicts the accuracy of a calibration from them.
  */
-#include "plan/found.h"
+#include "plan/results.h"
 
 #include <math.h>
 #include <string.h>
@@ -103,24 +103,24 @@ static const option_syntax syntax = {"plan", options, OPTIONS, operands, 2, 2};
 #define COMMAND_MAX 2000u
 #define ROWS_MAX (INVCAL_PLAN_PER_GROUP_MAX - INVCAL_PLAN_PER_GROUP_MIN + 1)
 
-/* What the command line asks for. */
+/* The command line. */
 typedef struct {
     const char *operand[2];
     const char *value[OPTIONS];
-    char word[WORD_MAX];       /* of the set (DESIGN_WORDS) */
-    int has_set;               /* one was named */
+    char word[WORD_MAX];       /* name of the set (DESIGN_WORDS) */
+    int has_set;               /* a set was named */
     double limits[3];          /* over the noise of a position mean */
-    choice_request choice;     /* its limits point to the above, or are null */
+    choice_request choice;     /* its limits point to those above, or are null */
     char command[COMMAND_MAX]; /* the command line, for the report */
 } request;
 
-/* The sets in work: at most two, and the known programs; too large for the stack. */
+/* Too large for the stack. */
 static design sets[2];
 static plan_programs programs;
-static labour work;
+static labour tradeoff;
 static turns_plan turns;
 
-/* With --moves, where nothing else is stated: a consumer's sensors. */
+/* Defaults with --moves: consumer sensors. */
 #define TURNS_NOISE 3e-4       /* of a position mean */
 #define TURNS_RATE_NOISE 0.005 /* degrees/s/sqrt(Hz) */
 #define TURNS_INSTABILITY 20.0 /* degrees/h */
@@ -132,16 +132,16 @@ static int usage(unsigned which, const char *what)
     return message_usage(syntax.command, "%s: %s", options[which].name, what);
 }
 
-/* A number within bounds, if it is given. */
-static int read_number(const request *r, unsigned which, double least, double most, double *out)
+/* A number within bounds, if it is stated. */
+static int read_number(const request *r, unsigned which, double min, double max, double *out)
 {
     if (!r->value[which]) {
         return EXIT_GOOD;
     }
     const int failure = options_numbers(&syntax, which, r->value[which], 1, out, NULL);
-    if (!failure && !(*out >= least && *out <= most)) {
+    if (!failure && !(*out >= min && *out <= max)) {
         return message_usage(syntax.command, "%s %s: must be within %g ... %g", options[which].name,
-                             r->value[which], least, most);
+                             r->value[which], min, max);
     }
     return failure;
 }
@@ -174,7 +174,7 @@ static int read_turns(const request *r, turns_request *out)
     out->noise = cost->noise > 0 ? cost->noise / sqrt(out->rest) : TURNS_NOISE;
     int failure = read_number(r, RATE_NOISE, 0, 10, &rate_noise);
     failure = failure ? failure : read_number(r, INSTABILITY, 0, 1e5, &instability);
-    failure = failure ? failure : read_number(r, MOVE, 0.1, TURNS_LONGEST, &out->turn);
+    failure = failure ? failure : read_number(r, MOVE, 0.1, TURNS_SECONDS_MAX, &out->turn);
     out->rate_noise = rate_noise / FIGURE_DEGREES;
     out->instability = instability / FIGURE_DEGREES / 3600;
     if (!failure && out->noise + out->rate_noise + out->instability >= 0.5) {
@@ -192,12 +192,12 @@ static int read_units(request *r)
                : EXIT_GOOD;
 }
 
-/* What a chosen set has to have. */
+/* Requirements of a chosen set. */
 static int read_demands(request *r)
 {
-    const unsigned most = OPTIMAL_MAX - INVCAL_PARAMETERS;
+    const unsigned max = OPTIMAL_MAX - INVCAL_PARAMETERS;
     double spare = CHOICE_SPARE;
-    const int failure = read_number(r, SPARE, 0, most, &spare);
+    const int failure = read_number(r, SPARE, 0, max, &spare);
 
     if (!failure && floor(spare) < spare) {
         return message_usage(syntax.command, "--spare %s: must be a whole number", r->value[SPARE]);
@@ -207,22 +207,22 @@ static int read_demands(request *r)
     return failure;
 }
 
-/* With --allan: over the field. How long a position mean takes to be good enough for them is what
- * is to be found. */
+/* With --allan: over the field, since the noise of a position mean is not known yet. */
 static int read_field_limits(const request *r)
 {
-    const int failure = options_numbers(&syntax, LIMITS, r->value[LIMITS], 3, work.limits, NULL);
+    const int failure =
+        options_numbers(&syntax, LIMITS, r->value[LIMITS], 3, tradeoff.limits, NULL);
 
     for (unsigned i = 0; i < 3 && !failure; i++) {
-        if (!(work.limits[i] >= 1e-9 && work.limits[i] <= 1)) {
+        if (!(tradeoff.limits[i] >= 1e-9 && tradeoff.limits[i] <= 1)) {
             return usage(LIMITS, "must be within 1e-9 ... 1 of the field, 1 and rad");
         }
     }
     return failure;
 }
 
-/* Limits in units of the noise of a position mean, or, if that is stated, of the field. A sigma
- * above PLAN_WEAK is too weak for invcal calibrate, whatever the limit allows. */
+/* Limits over the noise of a position mean, or, if that is stated, over the field. No limit is
+ * above PLAN_WEAK, beyond which invcal calibrate calls a parameter weak. */
 static int read_limits(request *r)
 {
     const double unit = r->choice.cost.noise > 0 ? design_noise(&r->choice.cost) : 1;
@@ -245,7 +245,7 @@ static int read_limits(request *r)
     return failure;
 }
 
-/* The word of the set that one option names; per-group if it is none. */
+/* The name of the set that an option states; per-group if there is no such option. */
 static void write_word(request *r, int which)
 {
     const char *const *value = r->value;
@@ -263,7 +263,7 @@ static void write_word(request *r, int which)
     }
 }
 
-/* Finds the one option that names a set, and writes it as a word. */
+/* Finds the one option that states a set, and writes the name of the set. */
 static int read_set(request *r)
 {
     static const unsigned named[] = {PER_GROUP, FACES,   EDGES,  ICOSAHEDRON, STAND_12,
@@ -273,7 +273,7 @@ static int read_set(request *r)
 
     for (unsigned i = 0; i < sizeof named / sizeof named[0]; i++) {
         if (!value[named[i]] || (named[i] == FACES && value[EDGES])) {
-            continue; /* edges have the faces with them */
+            continue; /* edges include the faces */
         }
         if (which >= 0) {
             return usage(named[i], "give only one set of positions; --compare takes two");
@@ -294,7 +294,7 @@ static int read_set(request *r)
     return EXIT_GOOD;
 }
 
-/* What does not go together with --allan. */
+/* Refuses what --allan cannot be combined with. */
 static int check_allan(const request *r)
 {
     static const unsigned others[] = {NOISE, DWELL, BUDGET, SWEEP, COMPARE, PROGRAMS, MOVES};
@@ -312,8 +312,8 @@ static int check_allan(const request *r)
     return EXIT_GOOD;
 }
 
-/* Of --sweep, --compare, --programs and --moves, which name their sets themselves; or OPTIONS. */
-static unsigned asked_several(const request *r)
+/* The option that names its own sets: --sweep, --compare, --programs or --moves; else OPTIONS. */
+static unsigned several_option(const request *r)
 {
     return r->value[SWEEP]      ? SWEEP
            : r->value[COMPARE]  ? COMPARE
@@ -322,7 +322,7 @@ static unsigned asked_several(const request *r)
                                 : OPTIONS;
 }
 
-/* What does not go together with several sets. */
+/* Refuses what these cannot be combined with. */
 static int check_several(const request *r, unsigned several)
 {
     static const unsigned single[] = {WEIGHTS, BOUND, CSV};
@@ -360,7 +360,7 @@ static int check_several(const request *r, unsigned several)
     return EXIT_GOOD;
 }
 
-/* What belongs to --moves, and what it has no use for. */
+/* Options that need --moves, and those that it does not use. */
 static int check_turns(const request *r)
 {
     static const unsigned own[] = {RATE_NOISE, INSTABILITY};
@@ -382,7 +382,7 @@ static int check_turns(const request *r)
     return EXIT_GOOD;
 }
 
-/* What a set must have, and what to report. */
+/* Requirements of a set, and its output. */
 static int check_demands(const request *r)
 {
     const char *const *value = r->value;
@@ -404,11 +404,11 @@ static int check_demands(const request *r)
                                      : EXIT_GOOD;
 }
 
-/* What does not go together. */
+/* Refuses combinations of options. */
 static int check(const request *r)
 {
     const char *const *value = r->value;
-    const unsigned several = asked_several(r);
+    const unsigned several = several_option(r);
     int failure = value[ALLAN] ? check_allan(r) : EXIT_GOOD;
 
     failure = failure || several == OPTIONS ? failure : check_several(r, several);
@@ -463,9 +463,10 @@ static int read_request(int argc, char **argv, request *r)
     return failure ? failure : read_limits(r);
 }
 
-/* What to report: a set, which a choice may have led to; two sets; or a sweep. */
+/* The result: one set, with the choice that led to it if there was one; two sets; a sweep; the
+ * known programs; or turns. Other members are null. */
 typedef struct {
-    const request *asked;
+    const request *request;
     const design *set[2];
     const choice *choice;
     const plan_sweep *sweep;
@@ -473,16 +474,16 @@ typedef struct {
     const turns_plan *turns;
 } result;
 
-typedef void teller(FILE *file, const result *found);
+typedef void result_writer(FILE *file, const result *found);
 
-static void draw(FILE *file, const result *found)
+static void write_svg(FILE *file, const result *found)
 {
     if (found->sweep) {
         plan_svg_sweep(file, found->sweep);
     } else if (found->set[1]) {
-        plan_svg_comparison(file, found->set[0], found->set[1], &found->asked->choice);
-    } else if (found->asked->choice.labour) {
-        labour_svg(file, found->asked->choice.labour);
+        plan_svg_comparison(file, found->set[0], found->set[1], &found->request->choice);
+    } else if (found->request->choice.labour) {
+        labour_svg(file, found->request->choice.labour);
     } else {
         plan_svg_directions(file, found->set[0]);
     }
@@ -490,57 +491,58 @@ static void draw(FILE *file, const result *found)
 
 static void write_report(FILE *file, const result *found)
 {
-    const char *command = found->asked->command;
+    const char *command = found->request->command;
 
     if (found->turns) {
         turns_report(file, found->turns, command);
     } else if (found->sweep) {
         plan_report_sweep(file, found->sweep, command);
     } else if (found->set[1]) {
-        plan_report_comparison(file, found->set[0], found->set[1], &found->asked->choice, command);
+        plan_report_comparison(file, found->set[0], found->set[1], &found->request->choice,
+                               command);
     } else {
-        plan_report(file, found->set[0], &found->asked->choice, found->choice, command);
+        plan_report(file, found->set[0], &found->request->choice, found->choice, command);
     }
 }
 
-static void tell_json(FILE *file, const result *found)
+static void print_json(FILE *file, const result *found)
 {
     if (found->turns) {
         turns_json(file, found->turns);
     } else if (found->programs) {
-        plan_programs_json(file, found->programs, &found->asked->choice);
+        plan_programs_json(file, found->programs, &found->request->choice);
     } else if (found->sweep) {
         plan_json_sweep(file, found->sweep);
     } else if (found->set[1]) {
-        plan_json_comparison(file, found->set[0], found->set[1], &found->asked->choice);
+        plan_json_comparison(file, found->set[0], found->set[1], &found->request->choice);
     } else {
-        plan_json(file, found->set[0], &found->asked->choice, found->choice);
+        plan_json(file, found->set[0], &found->request->choice, found->choice);
     }
 }
 
-static void tell(FILE *file, const result *found)
+static void print_result(FILE *file, const result *found)
 {
-    if (found->asked->value[JSON]) {
-        tell_json(file, found);
-    } else if (found->asked->value[CSV]) {
-        plan_csv(file, found->set[0], &found->asked->choice.cost);
-    } else if (found->asked->value[QUIET]) {
+    if (found->request->value[JSON]) {
+        print_json(file, found);
+    } else if (found->request->value[CSV]) {
+        plan_csv(file, found->set[0], &found->request->choice.cost);
+    } else if (found->request->value[QUIET]) {
         return;
     } else if (found->turns) {
         turns_print(file, found->turns);
     } else if (found->programs) {
-        plan_programs_print(file, found->programs, &found->asked->choice);
+        plan_programs_print(file, found->programs, &found->request->choice);
     } else if (found->sweep) {
         plan_print_sweep(file, found->sweep);
     } else if (found->set[1]) {
-        plan_print_comparison(file, found->set[0], found->set[1], &found->asked->choice);
+        plan_print_comparison(file, found->set[0], found->set[1], &found->request->choice);
     } else {
-        plan_print(file, found->set[0], &found->asked->choice, found->choice);
+        plan_print(file, found->set[0], &found->request->choice, found->choice);
     }
 }
 
-/* Begins a file, if it is asked for, and writes it; it is not in its place yet. */
-static int begin_file(output *out, const char *path, teller *write, const result *found)
+/* Writes a file, if it is requested, under a temporary name. */
+static int begin_file(output *out, const char *path, result_writer *write, const result *found)
 {
     if (!path) {
         return EXIT_GOOD;
@@ -553,27 +555,27 @@ static int begin_file(output *out, const char *path, teller *write, const result
     return output_finish(out);
 }
 
-/* The files appear only after all else has been written. */
+/* Files get their names only after everything has been written. */
 static int deliver(const result *found)
 {
-    const char *const *value = found->asked->value;
+    const char *const *value = found->request->value;
     output files[2] = {{0}};
-    int failure = begin_file(&files[0], value[SVG], draw, found);
+    int failure = begin_file(&files[0], value[SVG], write_svg, found);
 
     failure = failure ? failure : begin_file(&files[1], value[REPORT], write_report, found);
     if (!failure) {
-        tell(stdout, found);
+        print_result(stdout, found);
         failure = output_flush();
     }
     return output_end(files, 2, failure);
 }
 
-/* A refusal, with the set if there is one to see. */
+/* A refusal, with the set if there is one to show. */
 static int refuse(const request *r, const design *d, const char *reason)
 {
     if (d && d->count > 0 && !r->value[COMPARE] && !r->value[CSV]) {
-        const result found = {.asked = r, .set = {d}};
-        tell(stdout, &found);
+        const result found = {.request = r, .set = {d}};
+        print_result(stdout, &found);
     } else if (r->value[JSON]) {
         plan_json_refusal(stdout, reason, d ? d->undetermined : 0);
     }
@@ -588,7 +590,7 @@ static int refuse(const request *r, const design *d, const char *reason)
 /* --spare and --optimal N. */
 static int check_spare(const request *r, const design *d)
 {
-    if (r->value[SPARE] && d->count < choice_least(&r->choice)) {
+    if (r->value[SPARE] && d->count < choice_min_count(&r->choice)) {
         return message_usage(syntax.command, "--spare %s: --optimal %s has a redundancy of only %u",
                              r->value[SPARE], r->value[OPTIMAL], d->count - INVCAL_PARAMETERS);
     }
@@ -597,7 +599,7 @@ static int check_spare(const request *r, const design *d)
 
 static int show(request *r)
 {
-    const result found = {.asked = r, .set = {&sets[0]}};
+    const result found = {.request = r, .set = {&sets[0]}};
     int failure = design_make(&sets[0], syntax.command, r->word);
 
     if (failure == EXIT_DATA) {
@@ -607,7 +609,7 @@ static int show(request *r)
     if (failure) {
         return failure;
     }
-    if (r->choice.limits) { /* with --optimal: the same number, balanced to the limits */
+    if (r->choice.limits) { /* with --optimal: as many positions, optimal for the limits */
         design_balanced(&sets[0], sets[0].count, r->limits, r->choice.needs_axes);
     }
     if (sets[0].dwell > 0 && !r->value[DWELL]) {
@@ -621,7 +623,7 @@ static int show(request *r)
 
 static int compare(const request *r)
 {
-    const result found = {.asked = r, .set = {&sets[0], &sets[1]}};
+    const result found = {.request = r, .set = {&sets[0], &sets[1]}};
 
     for (unsigned i = 0; i < 2; i++) {
         const int failure = design_make(&sets[i], syntax.command, r->operand[i]);
@@ -634,20 +636,20 @@ static int compare(const request *r)
 
 static int show_programs(const request *r)
 {
-    const result found = {.asked = r, .programs = &programs};
+    const result found = {.request = r, .programs = &programs};
 
     plan_programs_make(&programs);
     return deliver(&found);
 }
 
-/* A refusal is printed, and has its page. */
+/* Turns that determine too little are also shown, on the page too. */
 static int show_turns(const request *r)
 {
-    const result found = {.asked = r, .turns = &turns};
-    turns_request asked = {0};
-    int failure = read_turns(r, &asked);
+    const result found = {.request = r, .turns = &turns};
+    turns_request settings = {0};
+    int failure = read_turns(r, &settings);
 
-    failure = failure ? failure : turns_make(&turns, r->value[MOVES], &asked);
+    failure = failure ? failure : turns_make(&turns, r->value[MOVES], &settings);
     if (failure && failure != EXIT_DATA) {
         return failure;
     }
@@ -662,32 +664,32 @@ static int choose(const request *r)
 {
     choice c = {.set = {&sets[0], &sets[1]}};
     const int failure = choice_make(&c, &r->choice);
-    const result found = {.asked = r, .set = {c.set[c.chosen]}, .choice = &c};
+    const result found = {.request = r, .set = {c.set[c.chosen]}, .choice = &c};
 
     return failure ? refuse(r, NULL, c.refusal) : deliver(&found);
 }
 
-/* Number of positions and dwell together. */
+/* Chooses number of positions and dwell. */
 static int find_labour(request *r)
 {
-    const result found = {.asked = r, .set = {&sets[0]}};
+    const result found = {.request = r, .set = {&sets[0]}};
 
-    work.noise_name = r->value[ALLAN];
-    work.settle = r->choice.cost.settle;
-    work.move = r->choice.cost.move;
-    work.warm_up = r->choice.cost.warm_up;
-    work.least = choice_least(&r->choice);
-    work.needs_axes = r->choice.needs_axes;
-    work.units = r->choice.units;
-    int failure = noise_file_read(r->value[ALLAN], work.noise);
+    tradeoff.noise_name = r->value[ALLAN];
+    tradeoff.settle = r->choice.cost.settle;
+    tradeoff.move = r->choice.cost.move;
+    tradeoff.warm_up = r->choice.cost.warm_up;
+    tradeoff.min_count = choice_min_count(&r->choice);
+    tradeoff.needs_axes = r->choice.needs_axes;
+    tradeoff.units = r->choice.units;
+    int failure = noise_file_read(r->value[ALLAN], tradeoff.noise);
     if (failure) {
         return failure;
     }
-    failure = labour_find(&work, &sets[0]);
+    failure = labour_find(&tradeoff, &sets[0]);
     if (failure) {
-        return refuse(r, NULL, work.refusal);
+        return refuse(r, NULL, tradeoff.refusal);
     }
-    labour_request(&work, r->limits, &r->choice);
+    labour_request(&tradeoff, r->limits, &r->choice);
     return deliver(&found);
 }
 
@@ -725,7 +727,7 @@ static int sweep(const request *r)
     }
     plan_programs_make(&programs);
     const plan_sweep s = {rows, to - from + 1, &programs};
-    const result found = {.asked = r, .sweep = &s};
+    const result found = {.request = r, .sweep = &s};
     return deliver(&found);
 }
 

@@ -67,16 +67,16 @@ static void print_sigmas(FILE *file, const design *d, double noise, unit_style s
     print_sigma(file, "angles", c->sigma_gamma, noise, unit_style_angle(style));
     wrapped_printf(file, 0, "condition %.4f (1 is best), ln det H'H %.4f (larger is better)",
                    c->condition, c->log_det);
-    if (isfinite(d->hidden)) {
+    if (isfinite(d->drift_factor)) {
         wrapped_printf(file, 0, "fitting a drift in this order multiplies sigma by at most %.2f",
-                       d->hidden);
+                       d->drift_factor);
     } else {
         wrapped_printf(file, 0,
                        "in this order, a drift cannot be distinguished from the nine parameters");
     }
 }
 
-/* How the time is shared, and what that makes of the determinant. */
+/* The determinant with these shares of the time, with equal ones, and its bound. */
 static void print_shares(FILE *file, const design *d)
 {
     unsigned unused = 0;
@@ -96,7 +96,8 @@ static void print_shares(FILE *file, const design *d)
     }
 }
 
-/* The most that each parameter can be wrong by: the three of a kind, and the largest in units. */
+/* The worst-case error of each parameter: factors of the three of a kind, and the largest in
+ * units. */
 static void print_bound(FILE *file, const design *d, double error, unit_style style)
 {
     const display_unit units[PLAN_KINDS] = {unit_style_field(style, 1), unit_style_scale(style),
@@ -121,7 +122,7 @@ static void print_bound(FILE *file, const design *d, double error, unit_style st
     tabular_end();
 }
 
-/* What invcal calibrate would say of such a set, and how it stands to the limits. */
+/* Comparison with the limits; what invcal calibrate would say about such a set. */
 static void print_verdict(FILE *file, const design *d, const choice_request *request)
 {
     const criteria *c = &d->criteria;
@@ -146,10 +147,10 @@ static void print_verdict(FILE *file, const design *d, const choice_request *req
     }
 }
 
-/* What each axis feels, and which stand along gravity. */
+/* The range of each axis, and which axes are along gravity. */
 static void print_coverage(FILE *file, const design *d)
 {
-    const unsigned missing = plan_missing(d->axes);
+    const unsigned missing = plan_missing_axes(d->axes);
     char text[2][PLAN_WORDS_MAX];
     size_t at = wrapped_words(file, 0, 0, "range used:");
 
@@ -329,14 +330,15 @@ void plan_print_sweep(FILE *file, const plan_sweep *s)
         }
         tabular_cell("%.4f", c->condition);
         tabular_cell("%.4f", c->log_det);
-        tabular_cell("%s", plan_missing(s->rows[i].axes) ? plan_axes_text(s->rows[i].axes, text)
-                                                         : "all six");
+        tabular_cell("%s", plan_missing_axes(s->rows[i].axes)
+                               ? plan_axes_text(s->rows[i].axes, text)
+                               : "all six");
         tabular_row();
     }
     tabular_end();
 }
 
-/* A property of two sets in the last columns of the table. */
+/* A figure of two sets, and their ratio. */
 static void add_pair(const char *what, double a, double b)
 {
     tabular_cell("%s", what);
@@ -363,7 +365,7 @@ static void add_axes(const design *a, const design *b)
 
     tabular_cell("axes missing");
     for (unsigned s = 0; s < 2; s++) {
-        const unsigned missing = plan_missing(sets[s]->axes);
+        const unsigned missing = plan_missing_axes(sets[s]->axes);
         tabular_cell("%s", missing ? plan_axes_text(missing, text) : "none");
     }
     tabular_row();

@@ -18,7 +18,7 @@ void plan_programs_make(plan_programs *p)
     p->paper = &p->set[PLAN_18];
 }
 
-/* What a program is worth; below it the ratios to the paper's. */
+/* The figures of a program, and below them their ratios to those of the paper's. */
 static void add_program(const design *d, const design *paper, const design_cost *cost)
 {
     const criteria *c = &d->criteria;
@@ -35,8 +35,8 @@ static void add_program(const design *d, const design *paper, const design_cost 
     }
     tabular_cell("%.4f", c->condition);
     tabular_cell("%.4f", c->log_det);
-    tabular_cell("%s",
-                 plan_missing(d->axes) ? plan_axes_text(plan_missing(d->axes), text) : "none");
+    tabular_cell("%s", plan_missing_axes(d->axes) ? plan_axes_text(plan_missing_axes(d->axes), text)
+                                                  : "none");
     tabular_row();
     tabular_cell("  over 3 x 6");
     tabular_cell("%.4f", (double)d->count / paper->count);

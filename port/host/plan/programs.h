@@ -9,7 +9,7 @@
 
 #include "design/choice.h"
 
-/* Which of them is which. */
+/* Indices of the set. */
 enum {
     PLAN_15, /* the paper's */
     PLAN_18,
@@ -28,7 +28,7 @@ typedef struct plan_programs {
 /* 3 x 5, 3 x 6, stand-24, six faces and twelve edges, stand-12, the icosahedron. */
 void plan_programs_make(plan_programs *p);
 
-/* A table for people; one JSON object. The request holds time and noise. */
+/* A table; one JSON object. The request holds time and noise. */
 void plan_programs_print(FILE *file, const plan_programs *p, const choice_request *request);
 void plan_programs_json(FILE *file, const plan_programs *p, const choice_request *request);
 

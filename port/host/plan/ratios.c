@@ -20,8 +20,8 @@ static void write_sigmas(const design *d, const choice_request *request, plan_ra
     }
 }
 
-/* The volume that nine sigma span goes with the root of 1 / det H'H; its ninth root is their
- * geometric mean, along the principal axes. */
+/* The volume of the nine-dimensional error ellipsoid is proportional to the root of 1 / det H'H;
+ * its ninth root to the geometric mean of sigma along the principal axes. */
 static double mean_sigma(const design *d)
 {
     return exp(-d->criteria.log_det / (2 * INVCAL_PARAMETERS));
@@ -47,7 +47,7 @@ void plan_ratios(const design *a, const design *b, const choice_request *request
     for (unsigned i = 0; i < PLAN_RATIOS; i++) {
         const int is_sigma = i >= PLAN_RATIO_SIGMA && i < PLAN_RATIO_MEAN;
         snprintf(ratio[i].name, PLAN_WORDS_MAX, "%s%s", names[i],
-                 is_sigma ? plan_times(noise_of(request)) : "");
+                 is_sigma ? plan_noise_suffix(noise_of(request)) : "");
     }
     snprintf(ratio[PLAN_RATIO_POSITIONS].a, PLAN_WORDS_MAX, "%u", a->count);
     snprintf(ratio[PLAN_RATIO_POSITIONS].b, PLAN_WORDS_MAX, "%u", b->count);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * plan/ratios.h: two sets side by side, by what is the better the less of it there is.
+ * plan/ratios.h: time and accuracy of two sets, and their ratios; less is always better.
  */
 #ifndef PLAN_RATIOS_H
 #define PLAN_RATIOS_H

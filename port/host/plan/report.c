@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The page of a program: what it is worth, and a work sheet to follow it.
+ * The page of a program: its accuracy, and a work sheet to follow it.
  */
 #include <string.h>
 
@@ -11,10 +11,10 @@
 #include "design/weights.h"
 
 #define TEXT_MAX 800
-#define NAMED_FROM 11u /* positions, from which on an outlier is identified (outlier.h) */
-#define SHORT_REST 2.0 /* seconds; shorter ones are not found in a log (still.h) */
+#define OUTLIER_MIN 11u /* positions needed to identify an outlier (outlier.h) */
+#define REST_MIN 2.0    /* seconds; shorter rests are not found in a log (still.h) */
 
-/* ---- what it comes to -------------------------------------------------------------------------- */
+/* ---- the verdict ------------------------------------------------------------------------------- */
 
 /* "offsets to 0.0183 mg, scale errors to 0.0021 %, angles to 0.003 °" */
 static const char *sigmas_text(const plan_facts *f, char text[TEXT_MAX])
@@ -31,10 +31,10 @@ static const char *sigmas_text(const plan_facts *f, char text[TEXT_MAX])
     return text;
 }
 
-/* The axes that never stand along gravity, and why; nothing if all do. */
+/* The axes that are never along gravity, and why; "" if there are none. */
 static const char *missing_text(const design *d, char text[TEXT_MAX])
 {
-    const unsigned missing = plan_missing(d->axes);
+    const unsigned missing = plan_missing_axes(d->axes);
     char axes[PLAN_WORDS_MAX];
 
     text[0] = '\0';
@@ -45,7 +45,7 @@ static const char *missing_text(const design *d, char text[TEXT_MAX])
     return text;
 }
 
-/* The position that would add most, in words. */
+/* The most informative next position, in words. */
 static void next_words(const design *d, char words[INVCAL_WORDS])
 {
     double up[3];
@@ -75,7 +75,7 @@ static void say_weak(page *p, const plan_facts *f)
     page_verdict(p, PAGE_BAD, "✗ Weak", sentence, next);
 }
 
-static void say_beyond(page *p, const plan_facts *f)
+static void say_limits_not_met(page *p, const plan_facts *f)
 {
     char sentence[TEXT_MAX];
     char worst[FIGURE_MAX];
@@ -117,13 +117,13 @@ static void say_good(page *p, const plan_facts *f)
              d->count, sigmas_text(f, sigmas),
              f->noise > 0 ? "" : " times the noise of a position mean",
              d->count - INVCAL_PARAMETERS,
-             d->count < NAMED_FROM ? "checks the result, but cannot identify an outlier"
-                                   : "checks the result and identifies an outlier",
+             d->count < OUTLIER_MIN ? "checks the result, but cannot identify an outlier"
+                                    : "checks the result and identifies an outlier",
              missing_text(d, missing));
     snprintf(next, sizeof next,
              "%s as the work sheet says%s, and log throughout. Then: invcal calibrate LOG.",
              d->is_stand ? "turn the stand" : "turn the device",
-             f->request->cost.dwell < SHORT_REST
+             f->request->cost.dwell < REST_MIN
                  ? ", holding two seconds or more, since shorter rests are not found in a log"
                  : "");
     page_verdict(p, PAGE_GOOD, "✓ Good", sentence, next);
@@ -136,7 +136,7 @@ static void write_verdict(page *p, const plan_facts *f)
     if (!(plan_sigma_largest(c) <= PLAN_WEAK)) {
         say_weak(p, f);
     } else if (f->request->limits && !(choice_worst(c, f->request->limits) <= 1 + 1e-9)) {
-        say_beyond(p, f);
+        say_limits_not_met(p, f);
     } else if (f->set->count == INVCAL_PARAMETERS) {
         say_unchecked(p, f);
     } else {
@@ -154,14 +154,14 @@ static void write_figures(page *p, const plan_facts *f)
     page_figure(p, text, "positions");
     page_figure(p, plan_time_text(design_seconds(f->set->count, &f->request->cost), text), "time");
     for (unsigned k = 0; k < PLAN_KINDS; k++) {
-        snprintf(what, sizeof what, "σ of %s%s", plan_kinds[k], plan_times(f->noise));
+        snprintf(what, sizeof what, "σ of %s%s", plan_kinds[k], plan_noise_suffix(f->noise));
         plan_sigma_text(k, plan_sigma(&f->set->criteria, k), f->noise, f->request->units, text);
         page_figure(p, text, what);
     }
     page_figures_end(p);
 }
 
-/* ---- what it has been chosen from -------------------------------------------------------------- */
+/* ---- the candidates ---------------------------------------------------------------------------- */
 
 static void write_candidate(page *p, const page_table *sheet, const plan_facts *f, const design *d)
 {

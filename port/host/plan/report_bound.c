@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * How wrong each parameter can be at most, whatever the errors are.
+ * The worst-case error of each parameter.
  */
 #include "design/bound.h"
 #include "design/parameters.h"
@@ -29,10 +29,10 @@ void plan_report_bound(page *p, const plan_facts *f)
     page_table_begin(p, &sheet);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         char times[FIGURE_MAX];
-        char most[PLAN_WORDS_MAX];
-        plan_sigma_text(r / 3, bound[r], error, f->request->units, most);
+        char max[PLAN_WORDS_MAX];
+        plan_sigma_text(r / 3, bound[r], error, f->request->units, max);
         const char *const cells[COLUMNS] = {parameter_words(r), figure_digits(bound[r], 4, times),
-                                            most};
+                                            max};
         page_cells(p, &sheet, cells);
     }
     page_table_end(p);

@@ -9,14 +9,14 @@
 #include "plan/ratios.h"
 
 #define TEXT_MAX 1000
-#define EQUAL 5e-4 /* ratios that differ by less read the same */
+#define EQUAL 5e-4 /* ratios within this of 1 are shown as equal */
 
 typedef struct {
     plan_facts of[2]; /* A, B */
     plan_ratio ratio[PLAN_RATIOS];
 } comparison;
 
-/* ---- what it comes to -------------------------------------------------------------------------- */
+/* ---- the verdict ------------------------------------------------------------------------------- */
 
 static int is_less(double ratio)
 {
@@ -44,7 +44,7 @@ static void time_text(const comparison *c, char text[TEXT_MAX])
     }
 }
 
-/* "its σ are 1.155 times as large", or each for itself. */
+/* "its σ are 1.155 times as large", or the ratio of each kind. */
 static void sigma_text(const comparison *c, char text[TEXT_MAX])
 {
     const plan_ratio *r = &c->ratio[PLAN_RATIO_SIGMA];
@@ -66,7 +66,7 @@ static void sigma_text(const comparison *c, char text[TEXT_MAX])
     }
 }
 
-/* What is wrong with a set by itself, or nothing. */
+/* Appends what is wrong with a set, if anything is. */
 static void add_fault(const design *d, char name, char *text, size_t size)
 {
     const size_t length = strlen(text);
@@ -80,7 +80,7 @@ static void add_fault(const design *d, char name, char *text, size_t size)
     }
 }
 
-/* -1: B is better in time and every sigma, or equal; 1: A is; 0: one in this, one in that. */
+/* -1: B is better, or equal, in time and every sigma; 1: A is; 0: neither is. */
 static int better(const comparison *c, int *is_equal)
 {
     int less = is_less(c->ratio[PLAN_RATIO_TIME].ratio);
@@ -153,7 +153,7 @@ static void write_coverage(page *p, const page_table *sheet, const comparison *c
     char text[2][PLAN_WORDS_MAX];
 
     for (unsigned k = 0; k < 2; k++) {
-        const unsigned missing = plan_missing(c->of[k].set->axes);
+        const unsigned missing = plan_missing_axes(c->of[k].set->axes);
         snprintf(text[k], PLAN_WORDS_MAX, "none");
         if (missing) {
             plan_axes_text(missing, text[k]);
@@ -192,20 +192,20 @@ static void write_table(page *p, const comparison *c)
     page_table_end(p);
 }
 
-/* Both in the same shades. */
+/* Both sets with the same scale of shades. */
 static void write_spheres(page *p, const comparison *c)
 {
     const uncertainty *a = &c->of[0].length_sigma;
     const uncertainty *b = &c->of[1].length_sigma;
-    const double least = fmin(a->min, b->min);
-    const double most = fmax(a->max, b->max);
+    const double min = fmin(a->min, b->min);
+    const double max = fmax(a->max, b->max);
     sphere_shading shading = {.classes = 1};
 
     page_section(p, "Where the positions point");
     for (unsigned k = 0; k < 2; k++) {
         const design *d = c->of[k].set;
         char caption[TEXT_MAX / 4];
-        shading = uncertainty_shading(&c->of[k].length_sigma, least, most);
+        shading = uncertainty_shading(&c->of[k].length_sigma, min, max);
         page_row_begin(p);
         plan_draw_halves(p->file, d, &shading);
         snprintf(caption, sizeof caption, "%c: %s, %u positions.", k == 0 ? 'A' : 'B', d->name,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The range of the axes, and which of them stand along gravity.
+ * The range of the axes, and which of them are along gravity in some position.
  */
 #include "draw/chart.h"
 #include "plan/facts.h"
@@ -54,7 +54,7 @@ static void draw_coverage(FILE *file, const void *data, double width)
 
 void plan_report_coverage(page *p, const plan_facts *f)
 {
-    const unsigned missing = plan_missing(f->set->axes);
+    const unsigned missing = plan_missing_axes(f->set->axes);
     char text[PLAN_WORDS_MAX];
 
     page_section(p, "Range of the axes");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The section of a program's page that explains this number of positions and this dwell.
+ * The section of a program's page about the choice of number and dwell.
  */
 #include "text/figure.h"
 #include "plan/labour.h"
@@ -54,7 +54,7 @@ void labour_report(page *p, const labour *l)
     for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
         unsigned first;
         unsigned end;
-        labour_around(l, f, &first, &end);
+        labour_near_best(l, f, &first, &end);
         for (unsigned i = first; i < end; i++) {
             write_row(p, &sheet, l, f, &l->row[f][i]);
         }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The work sheet: position after position, to be followed and ticked off.
+ * The work sheet: the positions in order, to be ticked off.
  */
 #include <math.h>
 
@@ -9,13 +9,13 @@
 #include "maths/angles.h"
 #include "plan/facts.h"
 
-#define COLUMNS 9u /* the last one only if positions are not held equally long */
-#define OPEN 100u  /* up to here the sheet is unfolded */
-#define DONE "☐"
-#define LABEL 12.0 /* height of a number above a box */
+#define COLUMNS 9u        /* the last one only if positions are not held equally long */
+#define UNFOLDED_MAX 100u /* a table of more positions is folded */
+#define CHECKBOX "☐"
+#define LABEL_HEIGHT 12.0 /* height of a number above a box */
 
-/* Time on a clock: "2:55", "1:04:00"; with tenths where dwell or move have fractions. */
-static void clock_text(double seconds, int has_tenths, char text[PLAN_WORDS_MAX])
+/* Elapsed time: "2:55", "1:04:00"; with tenths if dwell or move have fractions. */
+static void elapsed_text(double seconds, int has_tenths, char text[PLAN_WORDS_MAX])
 {
     const unsigned long long tenths = (unsigned long long)(10 * seconds + 0.5);
     const unsigned long long whole = tenths / 10;
@@ -38,7 +38,7 @@ static int has_fraction(double x)
     return fabs(x - nearbyint(x)) > 0;
 }
 
-/* "α +60°, β +90°", to 0.01 degrees: the angles to set are next to it. */
+/* "α +60°, β +90°", to 0.01 degrees, since the exact angles are next to it. */
 static void turn_text(const design_position *from, const design_position *to,
                       char text[PLAN_WORDS_MAX])
 {
@@ -111,11 +111,11 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
     const double dwell = f->set->position[n].share * cost->dwell;
 
     snprintf(text[0], PLAN_WORDS_MAX, "%u", n + 1);
-    snprintf(text[1], PLAN_WORDS_MAX, DONE);
-    clock_text(design_begins(f->set, n, cost),
-               has_fraction(cost->settle + cost->dwell) || has_fraction(cost->move) ||
-                   has_fraction(cost->warm_up),
-               text[2]);
+    snprintf(text[1], PLAN_WORDS_MAX, CHECKBOX);
+    elapsed_text(design_begins(f->set, n, cost),
+                 has_fraction(cost->settle + cost->dwell) || has_fraction(cost->move) ||
+                     has_fraction(cost->warm_up),
+                 text[2]);
     plan_time_text(cost->settle + dwell, text[COLUMNS - 1]);
     if (f->set->is_stand) {
         stand_cells(f->set, n, &text[3]);
@@ -128,29 +128,29 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
     page_cells(p, sheet, cells);
 }
 
-/* How the device lies in each position, in the order of the sheet. */
+/* The orientation of the device in each position, in the order of the sheet. */
 static void draw_boxes(FILE *file, const void *data, double width)
 {
     const design *d = data;
-    const unsigned across = (unsigned)(width / BOX_WIDTH);
-    const unsigned down = (d->count + across - 1) / across;
-    const double high = BOX_HEIGHT + LABEL;
+    const unsigned columns = (unsigned)(width / BOX_WIDTH);
+    const unsigned rows = (d->count + columns - 1) / columns;
+    const double height = BOX_HEIGHT + LABEL_HEIGHT;
     char number[16];
 
-    svg_begin_inline(file, width, down * high, "Orientation of the device",
+    svg_begin_inline(file, width, rows * height, "Orientation of the device",
                      "The device as a box in each position, as in the words of the work sheet.");
     for (unsigned n = 0; n < d->count; n++) {
-        const unsigned row = n / across;
-        const double x = n % across * BOX_WIDTH;
-        const double y = row * high;
+        const unsigned row = n / columns;
+        const double x = n % columns * BOX_WIDTH;
+        const double y = row * height;
         snprintf(number, sizeof number, "%u", n + 1);
-        svg_text(file, "ink heading", SVG_START, x, y + LABEL, number);
-        box_draw(file, x, y + LABEL, d->position[n].vertical);
+        svg_text(file, "ink heading", SVG_START, x, y + LABEL_HEIGHT, number);
+        box_draw(file, x, y + LABEL_HEIGHT, d->position[n].vertical);
     }
     svg_end(file);
 }
 
-/* For a stand with its angles, or for the hand. */
+/* For a stand, with its angles, or by hand. */
 static page_table begin_sheet(const plan_facts *f)
 {
     static const char *const stand[COLUMNS] = {"no.",  "done", "begins", "α, °", "β, °",
@@ -181,7 +181,7 @@ void plan_report_sheet(page *p, const plan_facts *f)
     page_say(p, "Hold still for %s in each position%s.",
              plan_time_text(f->request->cost.settle + f->request->cost.dwell, text),
              f->set->has_shares ? " on average; see the last column" : "");
-    if (f->set->count <= OPEN) {
+    if (f->set->count <= UNFOLDED_MAX) {
         page_wide_picture(
             p,
             "Orientation of the device, seen from the front: z is its upper side when it "
@@ -189,7 +189,7 @@ void plan_report_sheet(page *p, const plan_facts *f)
             draw_boxes, f->set);
     }
     snprintf(text, sizeof text, "All %u positions", f->set->count);
-    page_fold_begin(p, text, f->set->count <= OPEN);
+    page_fold_begin(p, text, f->set->count <= UNFOLDED_MAX);
     page_table_begin(p, &sheet);
     for (unsigned n = 0; n < f->set->count; n++) {
         write_row(p, &sheet, f, n);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The nine parameters: sigma to be expected, against the limits.
+ * The nine parameters: expected sigma, and limits.
  */
 #include <math.h>
 #include <string.h>
@@ -45,7 +45,7 @@ static const char *remark(const plan_facts *f, unsigned r)
     return !(f->sigma[r] <= PLAN_WEAK) ? "weak" : is_beyond(f, r) ? "beyond the limit" : "";
 }
 
-/* The columns of units, limits and remarks are there if there is something to say. */
+/* Columns for units, limits and remarks are there only if they are needed. */
 static void write_row(page *p, const page_table *sheet, const plan_facts *f, unsigned r)
 {
     const unit_style style = f->request->units;
@@ -61,7 +61,7 @@ static void write_row(page *p, const page_table *sheet, const plan_facts *f, uns
     if (f->request->limits) {
         cells[count++] = plan_sigma_text(r / 3, limit_of(f, r / 3), f->noise, style, limit);
     }
-    cells[count] = remark(f, r); /* beyond the table if it has none */
+    cells[count] = remark(f, r); /* not shown if the table has no such column */
     page_cells(p, sheet, cells);
 }
 
@@ -126,7 +126,7 @@ static void draw_bars(FILE *file, const void *data, double width)
     char text[TEXT_MAX];
 
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        reach = fmax(reach, fmax(f->sigma[r], limit_of(f, r / 3))); /* passes over NaN */
+        reach = fmax(reach, fmax(f->sigma[r], limit_of(f, r / 3))); /* fmax ignores NaN */
     }
     const ruler x =
         chart_ruler_exact(0, 1.05 * reach, LEFT, width - RIGHT, width > PAGE_NARROW ? 8 : 4);

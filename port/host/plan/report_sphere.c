@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Where the positions point, and how exactly every direction will be known.
+ * The directions of the positions, and the expected uncertainty in every direction.
  */
 #include "plan/facts.h"
 #include "plan/map.h"
 
 #define TEXT_MAX 600
-#define GROUPS 28.0 /* height of their legend */
+#define GROUPS_HEIGHT 28.0 /* of their legend */
 
 static void draw_half(FILE *file, const design *d, const sphere *map, unsigned half)
 {
@@ -39,8 +39,8 @@ void plan_draw_legend(FILE *file, const sphere_shading *shading, const char *uni
 {
     char text[TEXT_MAX];
 
-    svg_begin_inline(file, SPHERE_WIDTH, UNCERTAINTY_LEGEND + (has_groups ? GROUPS : 0), "Legend",
-                     "Meaning of colours and markers.");
+    svg_begin_inline(file, SPHERE_WIDTH, UNCERTAINTY_LEGEND + (has_groups ? GROUPS_HEIGHT : 0),
+                     "Legend", "Meaning of colours and markers.");
     snprintf(text, sizeof text, "σ of |a|, %s", unit);
     uncertainty_legend(file, shading, text);
     if (has_groups) {
@@ -52,21 +52,21 @@ void plan_draw_legend(FILE *file, const sphere_shading *shading, const char *uni
 static void say_uncertainty(page *p, const plan_facts *f)
 {
     const uncertainty *u = &f->length_sigma;
-    char least[FIGURE_MAX];
-    char most[FIGURE_MAX];
+    char min[FIGURE_MAX];
+    char max[FIGURE_MAX];
 
-    figure_digits(u->min, 3, least);
-    figure_digits(u->max, 3, most);
+    figure_digits(u->min, 3, min);
+    figure_digits(u->max, 3, max);
     if (uncertainty_shading(u, u->min, u->max).classes == 1) {
         page_say(p,
                  "The uncertainty of the length |a| of a corrected reading is the same in every "
                  "direction: ±%s %s (one standard deviation).",
-                 most, plan_length_unit(f));
+                 max, plan_length_unit(f));
     } else {
         page_say(p,
                  "The uncertainty of the length |a| of a corrected reading is ±%s %s in the best "
                  "direction, and ±%s %s in the worst, %s (one standard deviation).",
-                 least, plan_length_unit(f), most, plan_length_unit(f), u->worst_words);
+                 min, plan_length_unit(f), max, plan_length_unit(f), u->worst_words);
     }
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The page of a sweep: what more positions buy.
+ * The page of a sweep: sigma against the number of positions.
  */
 #include <math.h>
 
@@ -8,9 +8,9 @@
 
 #define COLUMNS 8u
 #define TEXT_MAX 600
-#define OPEN 48u /* up to here the table is unfolded */
+#define UNFOLDED_MAX 48u /* a table of more rows is folded */
 
-/* The factor of sigma for twice the positions, from the two ends. */
+/* The factor of sigma for twice the positions, from first and last row. */
 static double factor_of_doubling(const plan_sweep *s)
 {
     const plan_row *first = &s->rows[0];
@@ -72,7 +72,7 @@ static void write_row(page *p, const page_table *sheet, const plan_row *row)
     }
     snprintf(text[5], PLAN_WORDS_MAX, "%.4g", c->condition);
     snprintf(text[6], PLAN_WORDS_MAX, "%s", figure_fixed(c->log_det, 2, FIGURE_PLAIN, number));
-    if (plan_missing(row->axes)) {
+    if (plan_missing_axes(row->axes)) {
         plan_axes_text(row->axes, text[7]);
     } else {
         snprintf(text[7], PLAN_WORDS_MAX, "all six");
@@ -95,7 +95,7 @@ static void write_table(page *p, const plan_sweep *s)
 
     snprintf(summary, sizeof summary, "All %u programs", s->count);
     page_section(p, "In numbers");
-    page_fold_begin(p, summary, s->count <= OPEN);
+    page_fold_begin(p, summary, s->count <= UNFOLDED_MAX);
     page_table_begin(p, &sheet);
     for (unsigned i = 0; i < s->count; i++) {
         write_row(p, &sheet, &s->rows[i]);

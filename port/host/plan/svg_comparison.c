@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The picture of a comparison: what B needs and is worth, over the same of A.
+ * The picture of a comparison: time and accuracy of B over those of A.
  */
 #include <math.h>
 #include <string.h>
@@ -11,32 +11,32 @@
 #include "draw/svg.h"
 
 #define TEXT_MAX 1000
-#define ALONE 560.0
+#define STANDALONE_WIDTH 560.0
 #define MARGIN 12.0
-#define TITLE 72.0 /* of a file of its own: heading and names */
+#define TITLE_HEIGHT 72.0 /* heading and names, in a file */
 #define TOP 42.0
 #define ROW 44.0
 #define BAR 14.0
 #define BOTTOM (TOP + (unsigned)PLAN_RATIOS * ROW)
 #define HEIGHT (BOTTOM + 44)
-#define SIDE 12.0 /* room for half a figure of a tick */
-#define LARGE 4.0 /* ranges of ratios */
+#define SIDE_MARGIN 12.0 /* for half the width of a tick's number */
+#define LARGE 4.0        /* ranges of ratios */
 #define VERY_LARGE 60.0
-#define APART 60.0 /* pixels between ticks, about */
+#define TICK_DISTANCE 60.0 /* pixels between ticks, about */
 #define NAME_SHOWN 60
 
-/* Logarithmic: half and twice are equally far from 1. Both sides reach a little beyond. */
+/* Logarithmic: 1/2 and 2 are equally far from 1. With a margin on both sides. */
 static ruler ratio_axis(const plan_ratio *ratio, double width)
 {
-    double least = 1 / 1.1;
-    double most = 1.1;
+    double min = 1 / 1.1;
+    double max = 1.1;
 
     for (unsigned i = 0; i < PLAN_RATIOS; i++) {
-        least = fmin(least, ratio[i].ratio);
-        most = fmax(most, ratio[i].ratio);
+        min = fmin(min, ratio[i].ratio);
+        max = fmax(max, ratio[i].ratio);
     }
-    const double spare = 0.04 * log(most / least);
-    return (ruler){log(least) - spare, log(most) + spare, SIDE, width - SIDE, 1, 0};
+    const double margin = 0.04 * log(max / min);
+    return (ruler){log(min) - margin, log(max) + margin, SIDE_MARGIN, width - SIDE_MARGIN, 1, 0};
 }
 
 static void draw_tick(FILE *file, const ruler *x, double value, unsigned places)
@@ -51,20 +51,20 @@ static void draw_tick(FILE *file, const ruler *x, double value, unsigned places)
 /* Equal steps in a small range; 1, 2, 5, 10 ... in a large one, in a very large one 1, 10, 100. */
 static void draw_ticks(FILE *file, const ruler *x)
 {
-    const double least = exp(x->first);
-    const double most = exp(x->last);
-    const double step = chart_round_step((most - least) * APART / (x->to - x->from));
+    const double min = exp(x->first);
+    const double max = exp(x->last);
+    const double step = chart_round_step((max - min) * TICK_DISTANCE / (x->to - x->from));
 
-    if (most <= LARGE * least) {
-        for (double k = ceil(least / step); k * step < most; k++) {
+    if (max <= LARGE * min) {
+        for (double k = ceil(min / step); k * step < max; k++) {
             draw_tick(file, x, k * step, chart_places(step));
         }
         return;
     }
-    const double factor = most > VERY_LARGE * least ? 10 : 1.5;
-    double tick = pow(10, floor(log10(least)));
-    while (tick < most) {
-        if (tick > least) {
+    const double factor = max > VERY_LARGE * min ? 10 : 1.5;
+    double tick = pow(10, floor(log10(min)));
+    while (tick < max) {
+        if (tick > min) {
             draw_tick(file, x, tick, chart_places(tick));
         }
         tick = chart_round_step(factor * tick * (1 - 1e-9));
@@ -103,10 +103,10 @@ static void draw_chart(FILE *file, const plan_ratio *ratio, double width)
 {
     const ruler x = ratio_axis(ratio, width);
 
-    svg_rectangle(file, "c1 bar", SIDE, 6, 18, BAR);
-    svg_text(file, "ink small", SVG_START, SIDE + 24, 17, "B has less, which is better");
-    svg_rectangle(file, "c2 bar", SIDE + 196, 6, 18, BAR);
-    svg_text(file, "ink small", SVG_START, SIDE + 220, 17, "B has more");
+    svg_rectangle(file, "c1 bar", SIDE_MARGIN, 6, 18, BAR);
+    svg_text(file, "ink small", SVG_START, SIDE_MARGIN + 24, 17, "B has less, which is better");
+    svg_rectangle(file, "c2 bar", SIDE_MARGIN + 196, 6, 18, BAR);
+    svg_text(file, "ink small", SVG_START, SIDE_MARGIN + 220, 17, "B has more");
     draw_ticks(file, &x);
     for (unsigned i = 0; i < PLAN_RATIOS; i++) {
         draw_row(file, ratio, i, &x);
@@ -125,14 +125,14 @@ void plan_svg_comparison(FILE *file, const design *a, const design *b,
 
     plan_ratios(a, b, request, ratio);
     describe(ratio, text, sizeof text);
-    svg_begin(file, ALONE, TITLE + HEIGHT, title, text);
+    svg_begin(file, STANDALONE_WIDTH, TITLE_HEIGHT + HEIGHT, title, text);
     svg_text(file, "ink title", SVG_START, MARGIN, 27, title);
     snprintf(text, sizeof text, "A: %.*s", NAME_SHOWN, a->name);
     svg_text(file, "ink small", SVG_START, MARGIN, 47, text);
     snprintf(text, sizeof text, "B: %.*s", NAME_SHOWN, b->name);
     svg_text(file, "ink small", SVG_START, MARGIN, 65, text);
-    svg_group_begin(file, 0, TITLE);
-    draw_chart(file, ratio, ALONE);
+    svg_group_begin(file, 0, TITLE_HEIGHT);
+    draw_chart(file, ratio, STANDALONE_WIDTH);
     svg_group_end(file);
     svg_end(file);
 }

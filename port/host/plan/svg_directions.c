@@ -4,7 +4,7 @@
  */
 #include <string.h>
 
-#include "plan/found.h"
+#include "plan/results.h"
 #include "plan/map.h"
 #include "text/utf8.h"
 
@@ -16,11 +16,11 @@
 #define LEGEND 26.0
 #define NAME_SHOWN 36u
 
-/* The end of a name of any length, in characters; it may be a path, whose end is the most
+/* The last NAME_SHOWN characters of a name: the end of a path is its most
  * informative part. */
 static const char *shorten(const char *name, char text[TEXT_MAX])
 {
-    size_t start[NAME_SHOWN]; /* of the last NAME_SHOWN characters, in turns */
+    size_t start[NAME_SHOWN]; /* of the last NAME_SHOWN characters: a ring buffer */
     size_t characters = 0;
 
     for (size_t i = 0; name[i] != '\0'; characters++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The picture of the labour: total time against number of positions.
+ * The picture of total time against number of positions.
  */
 #include <math.h>
 
@@ -10,14 +10,14 @@
 #include "draw/svg.h"
 
 #define TEXT_MAX 1000
-#define ALONE 560.0 /* width as a file of its own */
-#define TITLE 36.0
+#define STANDALONE_WIDTH 560.0 /* in a file */
+#define TITLE_HEIGHT 36.0
 #define LEFT 52.0
 #define RIGHT 14.0
 #define TOP 62.0 /* legend and heading */
-#define PLOT 254.0
-#define BELOW 46.0
-#define HIGHEST 2.5 /* times the least time: more is not shown */
+#define PLOT_HEIGHT 254.0
+#define BOTTOM_HEIGHT 46.0
+#define SHOWN_TIME 2.5 /* times the least time, at most */
 
 static const struct {
     const char *curve;
@@ -43,23 +43,23 @@ static const labour_row *chosen(const labour *l)
 
 static int is_shown(const labour *l, const labour_row *row)
 {
-    return row->is_possible && row->seconds <= HIGHEST * chosen(l)->seconds &&
-           row->count <= LABOUR_SHOWN * chosen(l)->count;
+    return row->is_possible && row->seconds <= SHOWN_TIME * chosen(l)->seconds &&
+           row->count <= LABOUR_RANGE * chosen(l)->count;
 }
 
 static plot begin_plot(const labour *l, double width, double top)
 {
     plot p = {.l = l, .unit = "s", .scale = 1};
-    double least = HUGE_VAL;
-    double most = 0;
+    double min = HUGE_VAL;
+    double max = 0;
     double highest = 0;
 
     for (unsigned f = 0; f < CHOICE_FAMILIES; f++) {
         for (unsigned i = 0; i < l->rows[f]; i++) {
             const labour_row *row = &l->row[f][i];
             if (is_shown(l, row)) {
-                least = fmin(least, row->count);
-                most = fmax(most, row->count);
+                min = fmin(min, row->count);
+                max = fmax(max, row->count);
                 highest = fmax(highest, row->seconds);
             }
         }
@@ -71,9 +71,9 @@ static plot begin_plot(const labour *l, double width, double top)
         p.unit = "minutes";
         p.scale = 60;
     }
-    p.x = chart_ruler_exact(least - 1, most + 1, LEFT, width - RIGHT, (unsigned)(width / 60));
+    p.x = chart_ruler_exact(min - 1, max + 1, LEFT, width - RIGHT, (unsigned)(width / 60));
     p.x.step = fmax(1, p.x.step);
-    p.y = chart_ruler(0, highest / p.scale, top + TOP + PLOT, top + TOP, 6);
+    p.y = chart_ruler(0, highest / p.scale, top + TOP + PLOT_HEIGHT, top + TOP, 6);
     return p;
 }
 
@@ -150,14 +150,14 @@ static const char title[] = "Total time against number of positions";
 
 void labour_svg(FILE *file, const labour *l)
 {
-    const plot p = begin_plot(l, ALONE - 24, TITLE);
+    const plot p = begin_plot(l, STANDALONE_WIDTH - 24, TITLE_HEIGHT);
     char description[TEXT_MAX];
 
     describe(l, description, sizeof description);
-    svg_begin(file, ALONE, p.y.from + BELOW, title, description);
+    svg_begin(file, STANDALONE_WIDTH, p.y.from + BOTTOM_HEIGHT, title, description);
     svg_group_begin(file, 12, 0);
     svg_text(file, "ink title", SVG_START, 0, 27, title);
-    draw_chart(file, &p, TITLE);
+    draw_chart(file, &p, TITLE_HEIGHT);
     svg_group_end(file);
     svg_end(file);
 }
@@ -169,7 +169,7 @@ static void draw_inline(FILE *file, const void *data, double width)
     char description[TEXT_MAX];
 
     describe(l, description, sizeof description);
-    svg_begin_inline(file, width, p.y.from + BELOW, title, description);
+    svg_begin_inline(file, width, p.y.from + BOTTOM_HEIGHT, title, description);
     draw_chart(file, &p, 0);
     svg_end(file);
 }

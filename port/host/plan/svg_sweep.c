@@ -13,20 +13,20 @@
 #define TEXT_MAX 2000
 #define ALL_AXES ((1u << INVCAL_AXES) - 1)
 
-#define ALONE 560.0 /* width as a file of its own */
+#define STANDALONE_WIDTH 560.0 /* in a file */
 #define LEFT 52.0
 #define RIGHT 14.0
-#define PLOT 254.0 /* height of the chart proper */
-#define BELOW 46.0 /* for figures and words under it */
-#define TITLE 36.0 /* and the additions in a separate file */
-#define NOTES 40.0
+#define PLOT_HEIGHT 254.0  /* without labels */
+#define BOTTOM_HEIGHT 46.0 /* of the labels below it */
+#define TITLE_HEIGHT 36.0  /* only in a separate file */
+#define NOTES_HEIGHT 40.0
 #define LEGEND_ROW 22.0
 #define MARKER 4.5    /* radius */
 #define CHARACTER 6.0 /* width in a legend, about */
 #define RING {"c0 curve", "c0 curve", "c0 curve", "c0 curve"}
 #define FULL {"c0 over", "c1 over", "c2 over", "c3 over"}
 #define HOLLOW {"c0 hollow", "c1 hollow", "c2 hollow", "c3 hollow"}
-#define LOGARITHMIC 20.0 /* from this ratio of last to first on */
+#define LOGARITHMIC_RATIO 20.0 /* of last to first, from which on the axis is logarithmic */
 
 typedef struct {
     const char *name;
@@ -40,7 +40,7 @@ static const curve curves[PLAN_KINDS] = {
     {"angles (rad)", {"c3 curve", "c3 full", "c3 hollow"}, SVG_TRIANGLE},
 };
 
-/* The known programs: those that lie on the curves have a ring, with one entry in the legend for all. */
+/* The known programs: those on the curves have a ring, and one entry in the legend together. */
 static const struct {
     const char *name;
     const char *style[1 + PLAN_KINDS]; /* in the legend; of each kind */
@@ -69,8 +69,7 @@ static double row_positions(const plan_row *row)
     return INVCAL_PLAN_GROUPS * row->per_group;
 }
 
-/* Below the least program there are the known ones of fewer positions; a sweep that begins
- * elsewhere leaves them out. */
+/* A sweep from the smallest program on also shows the known ones of fewer positions. */
 static double first_of(const plot *p)
 {
     double first = row_positions(&p->rows[0]);
@@ -92,7 +91,7 @@ static int is_shown(const plot *p, unsigned program)
     return p->set[program].count >= first_of(p) && p->set[program].count <= last_of(p);
 }
 
-static int is_any_on_curve(const plot *p)
+static int is_any_on_curve_shown(const plot *p)
 {
     return is_shown(p, PLAN_15) || is_shown(p, PLAN_18) || is_shown(p, PLAN_STAND_24);
 }
@@ -101,7 +100,7 @@ static ruler positions_axis(const plot *p)
 {
     ruler a = {first_of(p), last_of(p), LEFT, p->width - RIGHT, 0, 0};
 
-    a.is_logarithmic = a.last >= LOGARITHMIC * a.first;
+    a.is_logarithmic = a.last >= LOGARITHMIC_RATIO * a.first;
     if (a.is_logarithmic) {
         a.first = log(a.first);
         a.last = log(a.last);
@@ -120,7 +119,7 @@ static ruler sigma_axis(const plot *p, double top)
     for (unsigned i = 0; i < p->count; i++) {
         highest = fmax(highest, plan_sigma_largest(&p->rows[i].criteria));
     }
-    return chart_ruler(0, highest, top + PLOT, top, 8);
+    return chart_ruler(0, highest, top + PLOT_HEIGHT, top, 8);
 }
 
 static void draw_tick_x(FILE *file, const plot *p, double value)
@@ -132,8 +131,8 @@ static void draw_tick_x(FILE *file, const plot *p, double value)
     svg_text(file, "ink small", SVG_MIDDLE, at, p->y.from + 17, svg_fixed(value, 0, text));
 }
 
-/* Ticks stand at programs that exist, multiples of 3: 3 times 1, 2, 5, 10 ... on a logarithmic
- * axis, multiples of one of these on a linear one. */
+/* Ticks are at programs that exist, multiples of 3: 3 times 1, 2, 5, 10 ... on a logarithmic axis,
+ * multiples of one of these on a linear one. */
 static void draw_ticks_x(FILE *file, const plot *p)
 {
     const double first = first_of(p);
@@ -167,13 +166,13 @@ static void draw_curve(FILE *file, const plot *p, unsigned kind)
     svg_polyline_end(file);
 }
 
-/* Marks programs at least 8 pixels apart. Full and hollow markers take turns, as even and odd N
- * do: an odd number of steps from one marked program to the next keeps both in sight. Returns the
- * number that are marked. */
+/* Marks programs at least 8 pixels apart. Markers are full for even N and hollow for odd N: an odd
+ * number of steps from one marked program to the next shows both. Returns the number of marked
+ * programs. */
 static unsigned draw_markers(FILE *file, const plot *p)
 {
-    const double apart = (p->x.to - p->x.from) / p->count;
-    const double radius = apart > 16 && !p->x.is_logarithmic ? MARKER : 3.2;
+    const double distance = (p->x.to - p->x.from) / p->count;
+    const double radius = distance > 16 && !p->x.is_logarithmic ? MARKER : 3.2;
     unsigned marked = 0;
     unsigned last = 0;
 
@@ -193,7 +192,8 @@ static unsigned draw_markers(FILE *file, const plot *p)
     return marked;
 }
 
-/* The icosahedron first: stand-12 lies all but upon it, and its cross can be seen on a diamond. */
+/* The icosahedron first: stand-12 is nearly at the same place, and its cross is visible on a
+ * diamond. */
 static void draw_known(FILE *file, const plot *p)
 {
     for (unsigned i = PLAN_PROGRAMS; i-- > 0;) {
@@ -206,7 +206,7 @@ static void draw_known(FILE *file, const plot *p)
     }
 }
 
-/* A place for one more entry, in this row or the next. */
+/* Reserves the space of one more entry, in this row or the next. */
 static void advance(double *x, double *y, const char *words, double width)
 {
     const double needed = 34 + CHARACTER * (double)strlen(words);
@@ -240,7 +240,7 @@ static unsigned list_entries(const plot *p, entry list[PLAN_KINDS + 2 + PLAN_PRO
     list[count++] = (entry){NULL, "c0 hollow", SVG_CIRCLE, MARKER, "not all six"};
     for (unsigned i = 0; i < PLAN_PROGRAMS; i++) {
         const int is_on_curve = i <= PLAN_STAND_24;
-        if (marks[i].name && (is_shown(p, i) || (is_on_curve && is_any_on_curve(p)))) {
+        if (marks[i].name && (is_shown(p, i) || (is_on_curve && is_any_on_curve_shown(p)))) {
             list[count++] =
                 (entry){NULL, marks[i].style[0], marks[i].shape, marks[i].radius, marks[i].name};
         }
@@ -248,7 +248,7 @@ static unsigned list_entries(const plot *p, entry list[PLAN_KINDS + 2 + PLAN_PRO
     return count;
 }
 
-/* The legend from `top` on; returns where it ends. Without a file it is only measured. */
+/* The legend from `top` on; returns where it ends. If file is null it is only measured. */
 static double draw_legend(FILE *file, const plot *p, double top)
 {
     entry list[PLAN_KINDS + 2 + PLAN_PROGRAMS];
@@ -351,16 +351,16 @@ static const char title[] = "Standard deviations against number of positions";
 void plan_svg_sweep(FILE *file, const plan_sweep *s)
 {
     char description[TEXT_MAX];
-    const plot p = begin_plot(s, ALONE - 24, TITLE);
+    const plot p = begin_plot(s, STANDALONE_WIDTH - 24, TITLE_HEIGHT);
 
     describe_sweep(&p, description, sizeof description);
-    svg_begin(file, ALONE, p.y.from + BELOW + NOTES, title, description);
+    svg_begin(file, STANDALONE_WIDTH, p.y.from + BOTTOM_HEIGHT + NOTES_HEIGHT, title, description);
     svg_group_begin(file, 12, 0);
     svg_text(file, "ink title", SVG_START, 0, 27, "Standard deviations of the 3 x N programs");
-    const unsigned marked = draw_chart(file, &p, TITLE);
-    svg_text(file, "soft small", SVG_START, 0, p.y.from + BELOW + 12,
+    const unsigned marked = draw_chart(file, &p, TITLE_HEIGHT);
+    svg_text(file, "soft small", SVG_START, 0, p.y.from + BOTTOM_HEIGHT + 12,
              "1 means, with a noise of 1e-6 of the field: 1e-6 of the field, 1e-6, 1 µrad.");
-    svg_text(file, "soft small", SVG_START, 0, p.y.from + BELOW + 29,
+    svg_text(file, "soft small", SVG_START, 0, p.y.from + BOTTOM_HEIGHT + 29,
              marked < p.count
                  ? "Each value is the largest of three. Not every program has a marker."
                  : "Each value is the largest of three.");
@@ -374,7 +374,7 @@ void plan_svg_sweep_inline(FILE *file, const plan_sweep *s, double width)
     const plot p = begin_plot(s, width, 0);
 
     describe_sweep(&p, description, sizeof description);
-    svg_begin_inline(file, width, p.y.from + BELOW, title, description);
+    svg_begin_inline(file, width, p.y.from + BOTTOM_HEIGHT, title, description);
     (void)draw_chart(file, &p, 0);
     svg_end(file);
 }

@@ -12,11 +12,11 @@
 #include "invcal/expert.h"
 #include "maths/eigen.h"
 
-#define NO_RANK 1e-9 /* of the largest eigenvalue */
-#define IMPROVED 1.1 /* sigma before over sigma after: less is not mentioned */
+#define RANK_TOLERANCE 1e-9 /* of the largest eigenvalue */
+#define IMPROVEMENT_MIN 1.1 /* sigma before over sigma after, to be listed */
 #define TOKEN_MAX 32
-#define LEAST_DEGREES 1.0
-#define MOST_DEGREES 720.0
+#define DEGREES_MIN 1.0
+#define DEGREES_MAX 720.0
 
 enum { ALL = INVCAL_IMU_PARAMETERS, NAMED = 2 };
 
@@ -51,8 +51,8 @@ static int make_tour(turns_plan *p, unsigned turns)
     return EXIT_GOOD;
 }
 
-/* The tour, and back the same way. */
-static int make_return(turns_plan *p)
+/* The tour, and the same turns back. */
+static int make_round_trip(turns_plan *p)
 {
     (void)make_tour(p, INVCAL_TOUR);
     for (unsigned i = INVCAL_TOUR; i > 0; i--) {
@@ -66,7 +66,7 @@ static int make_return(turns_plan *p)
 
 static void begin_sums(const turns_plan *p, invcal_turns *turns)
 {
-    const turns_request *r = &p->asked;
+    const turns_request *r = &p->request;
     const invcal_imu_settings settings = {
         .noise = r->noise, .rate_noise = r->rate_noise, .instability = r->instability};
 
@@ -74,7 +74,7 @@ static void begin_sums(const turns_plan *p, invcal_turns *turns)
     turns->seconds = r->turn;
 }
 
-/* greedyN: N turns, each the one that adds most. */
+/* greedyN: N turns, each the most informative one. */
 static int make_greedy(turns_plan *p, const char *number)
 {
     const size_t digits = strspn(number, "0123456789");
@@ -97,7 +97,7 @@ static int make_greedy(turns_plan *p, const char *number)
 
 /* ---- lists -------------------------------------------------------------------------------------- */
 
-/* "+x", "+x-y", "-x-y+z": a direction. Returns 0 if it is none. */
+/* A direction: "+x", "+x-y", "-x-y+z". Returns 0 if the word is not one. */
 static int read_up(const char *word, invcal_real up[3])
 {
     double squares = 0;
@@ -121,7 +121,7 @@ static int read_up(const char *word, invcal_real up[3])
     return squares > 0;
 }
 
-/* "x:360", "-y:90": a turn. Returns 0 if it is none. */
+/* A turn: "x:360", "-y:90". Returns 0 if the word is not one. */
 static int read_turn(const char *word, invcal_turn *turn)
 {
     const int is_back = *word == '-';
@@ -134,7 +134,7 @@ static int read_turn(const char *word, invcal_turn *turn)
     }
     turn->axis[*word - 'x'] = is_back ? -1 : 1;
     turn->degrees = strtod(word + 2, &end);
-    return *end == '\0' && turn->degrees >= LEAST_DEGREES && turn->degrees <= MOST_DEGREES;
+    return *end == '\0' && turn->degrees >= DEGREES_MIN && turn->degrees <= DEGREES_MAX;
 }
 
 static int add_word(turns_plan *p, const char *word, invcal_real up[3])
@@ -151,7 +151,7 @@ static int add_word(turns_plan *p, const char *word, invcal_real up[3])
         }
     } else if (read_turn(word, &turn)) {
         invcal_turns sums;
-        (void)invcal_turns_begin(&sums, up, NULL); /* for what is up after it */
+        (void)invcal_turns_begin(&sums, up, NULL); /* to find the up direction after it */
         (void)invcal_turns_add(&sums, &turn);
         memcpy(turn.up, sums.up, sizeof turn.up);
     } else {
@@ -165,7 +165,7 @@ static int add_word(turns_plan *p, const char *word, invcal_real up[3])
     return append(p, &turn);
 }
 
-/* Words with commas between; a direction in front is where it begins, else z is up. */
+/* Words separated by commas. If the first one is a direction, it is up at the start; else z is. */
 static int make_list(turns_plan *p, const char *list)
 {
     invcal_real up[3] = {0, 0, 1};
@@ -202,7 +202,7 @@ static int make(turns_plan *p, const char *word)
         return make_tour(p, INVCAL_TOUR_FULL);
     }
     if (strcmp(word, "tour24") == 0) {
-        return make_return(p);
+        return make_round_trip(p);
     }
     if (strncmp(word, "greedy", 6) == 0) {
         return make_greedy(p, word + 6);
@@ -210,7 +210,7 @@ static int make(turns_plan *p, const char *word)
     return make_list(p, strcmp(word, "faces") == 0 ? faces : word);
 }
 
-/* ---- what it determines ------------------------------------------------------------------------- */
+/* ---- evaluation --------------------------------------------------------------------------------- */
 
 static unsigned bits_in(unsigned bits)
 {
@@ -222,13 +222,13 @@ static unsigned bits_in(unsigned bits)
     return count;
 }
 
-/* The parameters whose sigma falls most. */
-static unsigned find_improved(const double before[ALL], const double after[ALL])
+/* The parameters whose sigma falls most, as bits. */
+static unsigned find_most_improved(const double before[ALL], const double after[ALL])
 {
     unsigned improved = 0;
 
     for (unsigned k = 0; k < NAMED; k++) {
-        double best = IMPROVED;
+        double best = IMPROVEMENT_MIN;
         unsigned which = ALL;
         for (unsigned i = 0; i < ALL; i++) {
             if (!(improved >> i & 1u) && before[i] > best * (1 + 1e-6) * after[i]) {
@@ -243,27 +243,27 @@ static unsigned find_improved(const double before[ALL], const double after[ALL])
 
 static double turn_seconds(const turns_plan *p, unsigned n)
 {
-    return p->asked.turn * fmax(1, fabs(p->step[n].turn.degrees) / 90);
+    return p->request.turn * fmax(1, fabs(p->step[n].turn.degrees) / 90);
 }
 
 static void find_spectrum(turns_plan *p, const invcal_turns *sums)
 {
     double value[ALL];
-    double most = 0;
-    double least = HUGE_VAL;
+    double max = 0;
+    double min = HUGE_VAL;
 
     eigenvalues(sums->sum, ALL, value);
     for (unsigned i = 0; i < ALL; i++) {
-        most = fmax(most, value[i]);
-        least = fmin(least, value[i]);
+        max = fmax(max, value[i]);
+        min = fmin(min, value[i]);
     }
     for (unsigned i = 0; i < ALL; i++) {
-        p->rank += value[i] > NO_RANK * most;
+        p->rank += value[i] > RANK_TOLERANCE * max;
     }
-    p->condition = most / least;
+    p->condition = max / min;
 }
 
-static void say_refusal(turns_plan *p)
+static void write_refusal(turns_plan *p)
 {
     char list[TURNS_LIST_MAX];
     char words[TURNS_WORDS_MAX];
@@ -275,7 +275,7 @@ static void say_refusal(turns_plan *p)
              parameter_list_imu(p->open, list, sizeof list), turns_words(&p->next, up, words));
 }
 
-static void judge(turns_plan *p)
+static void evaluate(turns_plan *p)
 {
     double sigma[2][ALL];
     uint32_t open;
@@ -284,13 +284,13 @@ static void judge(turns_plan *p)
 
     begin_sums(p, &sums);
     (void)invcal_turns_sigma(&sums, NULL, sigma[0], &open);
-    p->seconds = p->asked.rest * (p->count + 1);
+    p->seconds = p->request.rest * (p->count + 1);
     for (unsigned i = 0; i < p->count; i++) {
         turns_step *step = &p->step[i];
         (void)invcal_turns_add(&sums, &step->turn); /* its axis and degrees are checked */
         status = invcal_turns_sigma(&sums, NULL, sigma[1], &open);
         step->open = status == INVCAL_OK ? 0 : bits_in(open);
-        step->improves = find_improved(sigma[0], sigma[1]);
+        step->improves = find_most_improved(sigma[0], sigma[1]);
         memcpy(sigma[0], sigma[1], sizeof sigma[0]);
         p->seconds += turn_seconds(p, i);
     }
@@ -301,16 +301,16 @@ static void judge(turns_plan *p)
     invcal_turns_next(&sums, &p->next);
 }
 
-/* A move that is too long is refused when it is made. */
+/* A calibration would refuse a move that is too long. */
 static int check_time(const turns_plan *p)
 {
     for (unsigned i = 0; i < p->count; i++) {
-        if (turn_seconds(p, i) > TURNS_LONGEST) {
+        if (turn_seconds(p, i) > TURNS_SECONDS_MAX) {
             return message_usage("plan",
                                  "--move %g: turn %u of %s would take %.3g s; the bias is known "
                                  "for %g s only: turn faster",
-                                 p->asked.turn, i + 1, p->program, turn_seconds(p, i),
-                                 TURNS_LONGEST);
+                                 p->request.turn, i + 1, p->program, turn_seconds(p, i),
+                                 TURNS_SECONDS_MAX);
         }
     }
     return EXIT_GOOD;
@@ -320,16 +320,16 @@ int turns_make(turns_plan *p, const char *word, const turns_request *request)
 {
     memset(p, 0, sizeof *p);
     p->program = word;
-    p->asked = *request;
+    p->request = *request;
     p->start[2] = 1;
     int failure = make(p, word);
     failure = failure ? failure : check_time(p);
     if (failure) {
         return failure;
     }
-    judge(p);
+    evaluate(p);
     if (!p->is_determined) {
-        say_refusal(p);
+        write_refusal(p);
         return EXIT_DATA;
     }
     return EXIT_GOOD;

@@ -50,7 +50,7 @@ static void write_each(json_writer *w, const char *name, const turns_plan *p, do
 
 void turns_json(FILE *file, const turns_plan *p)
 {
-    const turns_request *r = &p->asked;
+    const turns_request *r = &p->request;
     json_writer w;
 
     json_begin(&w, file);

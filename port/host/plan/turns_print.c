@@ -32,7 +32,7 @@ static void print_turns(FILE *file, const turns_plan *p)
 
 static void print_sigma(FILE *file, const turns_plan *p)
 {
-    const turns_request *r = &p->asked;
+    const turns_request *r = &p->request;
     const display_unit field = unit_style_field(r->units, 1);
     char number[FIGURE_MAX];
 
@@ -65,7 +65,7 @@ void turns_print(FILE *file, const turns_plan *p)
     wrapped_printf(
         file, 0, "%s%s:%s %u turn%s, %u rests; %s: %.4g s in each rest, %.4g s per quarter turn",
         paint_on(file, PAINT_BOLD), p->program, paint_off(file), p->count, p->count == 1 ? "" : "s",
-        p->count + 1, plan_time_text(p->seconds, text), p->asked.rest, p->asked.turn);
+        p->count + 1, plan_time_text(p->seconds, text), p->request.rest, p->request.turn);
     print_turns(file, p);
     if (p->is_determined) {
         print_sigma(file, p);

@@ -12,25 +12,25 @@
 #include "text/parameter.h"
 #include "text/figure.h"
 
-#define LABEL 18.0 /* pixels above a box */
+#define LABEL_HEIGHT 18.0 /* of a number above a box */
 #define TEXT_MAX 1600
 
 /* The largest sigma of some parameters, in units. */
-static const char *largest(const turns_plan *p, unsigned bits, char text[TURNS_WORDS_MAX])
+static const char *largest_sigma(const turns_plan *p, unsigned bits, char text[TURNS_WORDS_MAX])
 {
     char number[FIGURE_MAX];
-    double most = 0;
+    double max = 0;
     unsigned which = 0;
 
     for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
-        if (bits >> i & 1u && p->sigma[i] > most) {
-            most = p->sigma[i];
+        if (bits >> i & 1u && p->sigma[i] > max) {
+            max = p->sigma[i];
             which = i;
         }
     }
-    const display_unit unit = plan_unit(turns_kind(which), p->asked.units);
+    const display_unit unit = plan_unit(turns_kind(which), p->request.units);
     snprintf(text, TURNS_WORDS_MAX, "%s %s",
-             figure_digits(unit.scale * p->asked.noise * most, 3, number), unit.unit);
+             figure_digits(unit.scale * p->request.noise * max, 3, number), unit.unit);
     return text;
 }
 
@@ -68,7 +68,8 @@ static void write_verdict(page *p, const turns_plan *plan)
         sentence, sizeof sentence,
         "%u turns determine all 18 parameters: the scale of the gyroscope to %s, its angles to %s "
         "(one standard deviation).",
-        plan->count, largest(plan, GYRO_SCALE, scale), largest(plan, GYRO_ANGLES, angles));
+        plan->count, largest_sigma(plan, GYRO_SCALE, scale),
+        largest_sigma(plan, GYRO_ANGLES, angles));
     page_verdict(p, PAGE_GOOD, "✓ Good", sentence, "turn the device as the work sheet says.");
 }
 
@@ -86,7 +87,7 @@ static void write_figures(page *p, const turns_plan *plan)
 
     page_figures_begin(p);
     for (unsigned i = 0; i < sizeof kinds / sizeof kinds[0] && plan->is_determined; i++) {
-        page_figure(p, largest(plan, kinds[i].bits, text), kinds[i].what);
+        page_figure(p, largest_sigma(plan, kinds[i].bits, text), kinds[i].what);
     }
     snprintf(text, sizeof text, "%u", plan->count);
     page_figure(p, text, "turns");
@@ -94,23 +95,23 @@ static void write_figures(page *p, const turns_plan *plan)
     page_figures_end(p);
 }
 
-/* How the device lies in each rest. */
+/* The orientation of the device in each rest. */
 static void draw_boxes(FILE *file, const void *data, double width)
 {
     const turns_plan *p = data;
-    const unsigned across = (unsigned)(width / BOX_WIDTH);
-    const unsigned down = (p->count + across) / across;
-    const double high = BOX_HEIGHT + LABEL;
+    const unsigned columns = (unsigned)(width / BOX_WIDTH);
+    const unsigned rows = (p->count + columns) / columns;
+    const double height = BOX_HEIGHT + LABEL_HEIGHT;
     char number[16];
 
-    svg_begin_inline(file, width, down * high, "Orientation of the device",
+    svg_begin_inline(file, width, rows * height, "Orientation of the device",
                      "The device as a box in each rest, as in the words of the work sheet.");
     for (unsigned n = 0; n <= p->count; n++) {
-        const double x = n % across * BOX_WIDTH;
-        const double y = (unsigned)(n / across) * high;
+        const double x = n % columns * BOX_WIDTH;
+        const double y = (unsigned)(n / columns) * height;
         snprintf(number, sizeof number, "%u", n);
-        svg_text(file, "ink heading", SVG_START, x, y + LABEL, number);
-        box_draw(file, x, y + LABEL, n == 0 ? p->start : p->step[n - 1].turn.up);
+        svg_text(file, "ink heading", SVG_START, x, y + LABEL_HEIGHT, number);
+        box_draw(file, x, y + LABEL_HEIGHT, n == 0 ? p->start : p->step[n - 1].turn.up);
     }
     svg_end(file);
 }
@@ -128,7 +129,7 @@ static void write_sheet(page *p, const turns_plan *plan)
     page_say(p,
              "Start with %s. Hold still for %.4g s, turn within %.4g s per quarter turn, and hold "
              "still again.",
-             turns_up_words(up, side), plan->asked.rest, plan->asked.turn);
+             turns_up_words(up, side), plan->request.rest, plan->request.turn);
     page_wide_picture(p, "Orientation of the device, seen from the front: 0 is the start.",
                       draw_boxes, plan);
     page_table_begin(p, &sheet);
@@ -163,7 +164,7 @@ static void write_sigma(page *p, const turns_plan *plan)
     for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
         const char *const cells[] = {parameter_words_imu(i), text[0], text[1]};
         snprintf(text[0], sizeof text[0], "%s", figure_digits(plan->sigma[i], 4, number));
-        largest(plan, 1u << i, text[1]);
+        largest_sigma(plan, 1u << i, text[1]);
         if (plan->open >> i & 1u) {
             page_bad_cells(p, &sheet, cells);
         } else {
@@ -176,7 +177,7 @@ static void write_sigma(page *p, const turns_plan *plan)
 
 void turns_report(FILE *file, const turns_plan *plan, const char *command)
 {
-    const turns_request *r = &plan->asked;
+    const turns_request *r = &plan->request;
     const display_unit field = unit_style_field(r->units, 1);
     char title[TURNS_LIST_MAX];
     page p;

@@ -6,8 +6,8 @@
 
 #include "text/figure.h"
 
-#define JOINT "\302\240"   /* U+00A0: a number and its unit stay on one line */
-#define LONGEST_WORDS 1e15 /* seconds; more digits of hours mean nothing */
+#define NO_BREAK_SPACE "\302\240" /* U+00A0, between a number and its unit */
+#define SECONDS_MAX 1e15          /* beyond it, hours have too many digits */
 
 const char *const plan_kinds[PLAN_KINDS] = {"offsets", "scale errors", "angles"};
 
@@ -40,18 +40,20 @@ const char *plan_angle_text(double degrees, char text[PLAN_WORDS_MAX])
 
 const char *plan_time_text(double seconds, char text[PLAN_WORDS_MAX])
 {
-    if (!(seconds >= 59.5 && seconds < LONGEST_WORDS)) {
-        snprintf(text, PLAN_WORDS_MAX, "%.3g" JOINT "s", seconds);
+    if (!(seconds >= 59.5 && seconds < SECONDS_MAX)) {
+        snprintf(text, PLAN_WORDS_MAX, "%.3g" NO_BREAK_SPACE "s", seconds);
         return text;
     }
     const unsigned long long whole = (unsigned long long)(seconds + 0.5);
     if (whole < 3600) {
-        snprintf(text, PLAN_WORDS_MAX, "%llu" JOINT "min" JOINT "%02llu" JOINT "s", whole / 60,
+        snprintf(text, PLAN_WORDS_MAX,
+                 "%llu" NO_BREAK_SPACE "min" NO_BREAK_SPACE "%02llu" NO_BREAK_SPACE "s", whole / 60,
                  whole % 60);
     } else {
         const unsigned long long minutes = (unsigned long long)(seconds / 60 + 0.5);
-        snprintf(text, PLAN_WORDS_MAX, "%llu" JOINT "h" JOINT "%02llu" JOINT "min", minutes / 60,
-                 minutes % 60);
+        snprintf(text, PLAN_WORDS_MAX,
+                 "%llu" NO_BREAK_SPACE "h" NO_BREAK_SPACE "%02llu" NO_BREAK_SPACE "min",
+                 minutes / 60, minutes % 60);
     }
     return text;
 }
@@ -76,14 +78,14 @@ const char *plan_sigma_text(unsigned kind, double sigma, double noise, unit_styl
     if (noise > 0) {
         const display_unit unit = plan_unit(kind, style);
         figure_digits(unit.scale * noise * sigma, 3, number);
-        snprintf(text, PLAN_WORDS_MAX, "%s" JOINT "%s", number, unit.unit);
+        snprintf(text, PLAN_WORDS_MAX, "%s" NO_BREAK_SPACE "%s", number, unit.unit);
     } else {
         snprintf(text, PLAN_WORDS_MAX, "%s", figure_digits(sigma, 3, number));
     }
     return text;
 }
 
-const char *plan_times(double noise)
+const char *plan_noise_suffix(double noise)
 {
     return noise > 0 ? "" : ", × noise";
 }

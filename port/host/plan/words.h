@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * plan/words.h: what a set of positions is worth, in words and with units.
+ * plan/words.h: figures of a set of positions as text, with their units.
  */
 #ifndef PLAN_WORDS_H
 #define PLAN_WORDS_H
 
-#include "plan/found.h"
+#include "plan/results.h"
 
 #define PLAN_WORDS_MAX 128
 
@@ -29,15 +29,15 @@ display_unit plan_unit(unsigned kind, unit_style style);
 double plan_sigma(const criteria *c, unsigned kind);
 double plan_sigma_largest(const criteria *c);
 
-/* A sigma that is given over the noise: "0.0183 mg", or, if `noise` of a position mean over the
- * field is unknown (0), "0.408", of which plan_times says what it means. Returns text. */
+/* `sigma` over the noise of a position mean, as text: "0.0183 mg", or, if `noise`, over the field,
+ * is unknown (0), "0.408". Returns text. */
 const char *plan_sigma_text(unsigned kind, double sigma, double noise, unit_style style,
                             char text[PLAN_WORDS_MAX]);
 
-/* To follow it: "", or, if the noise is unknown, ", × noise". */
-const char *plan_times(double noise);
+/* The unit of such a text in a heading: "", or, if the noise is unknown, ", × noise". */
+const char *plan_noise_suffix(double noise);
 
-/* Why a set does not point all six axes along gravity: a clause. */
+/* Why no position of a set points some axis along gravity: a clause. */
 const char *plan_missing_reason(const design *d);
 
 #endif

@@ -20,15 +20,15 @@ void canvas_put(canvas *c, unsigned line, unsigned column, int colour, const cha
 
 /* ---- text -------------------------------------------------------------------------------------- */
 
-/* Characters that every terminal shows in one column: no controls, no marks that combine, none from right to
- * left, none that are wide. */
+/* Characters that every terminal shows in one column: no control, combining, right-to-left or wide
+ * ones. */
 static int is_narrow(unsigned long code)
 {
     return (code >= 0x20 && code < 0x7F) || (code > 0xA0 && code < 0x300 && code != 0xAD) ||
            (code >= 0x370 && code < 0x483) || (code >= 0x48A && code < 0x530);
 }
 
-/* The next character, and where the one after it begins. */
+/* Copies the next character to glyph. Returns the position of the one after it. */
 static const char *next_glyph(const char *text, char glyph[5])
 {
     const unsigned length = utf8_length(text);
@@ -66,8 +66,9 @@ unsigned canvas_width(const char *text)
     return width;
 }
 
-/* The length of the words that fit into so many columns; of one that does not, a part. */
-static size_t fitting(const char *text, unsigned columns)
+/* The length of the words that fit into `columns`; if the first word does not fit, of its part that
+ * does. */
+static size_t fitting_length(const char *text, unsigned columns)
 {
     char glyph[5];
     const char *at = text;
@@ -89,7 +90,7 @@ void canvas_wrapped(canvas *c, unsigned line, unsigned lines, unsigned column, i
     char part[4 * CANVAS_COLUMNS + 1];
 
     for (unsigned n = 0; n < lines && *text != '\0'; n++) {
-        const size_t length = fitting(text, CANVAS_COLUMNS - column);
+        const size_t length = fitting_length(text, CANVAS_COLUMNS - column);
         snprintf(part, sizeof part, "%.*s", (int)length, text);
         (void)canvas_text(c, line + n, column, CANVAS_COLUMNS, colour, part);
         text += length;
@@ -97,7 +98,7 @@ void canvas_wrapped(canvas *c, unsigned line, unsigned lines, unsigned column, i
     }
 }
 
-/* ---- all of it --------------------------------------------------------------------------------- */
+/* ---- as text ----------------------------------------------------------------------------------- */
 
 static char *append(char *at, const char *text)
 {
@@ -118,7 +119,7 @@ static unsigned line_width(const canvas *c, unsigned line)
     return width;
 }
 
-static char *print_line(const canvas *c, unsigned line, FILE *talk, char *at)
+static char *print_line(const canvas *c, unsigned line, FILE *out, char *at)
 {
     const unsigned width = line_width(c, line);
     int current = CANVAS_PLAIN;
@@ -127,21 +128,21 @@ static char *print_line(const canvas *c, unsigned line, FILE *talk, char *at)
         const char *glyph = c->cell[line][column].glyph;
         const int next = *glyph ? c->cell[line][column].colour : CANVAS_PLAIN;
         if (next != current) {
-            at = append(at, current == CANVAS_PLAIN ? "" : paint_off(talk));
-            at = append(at, next == CANVAS_PLAIN ? "" : paint_on(talk, (paint)next));
+            at = append(at, current == CANVAS_PLAIN ? "" : paint_off(out));
+            at = append(at, next == CANVAS_PLAIN ? "" : paint_on(out, (paint)next));
             current = next;
         }
         at = append(at, *glyph ? glyph : " ");
     }
-    return append(at, current == CANVAS_PLAIN ? "" : paint_off(talk));
+    return append(at, current == CANVAS_PLAIN ? "" : paint_off(out));
 }
 
-const char *canvas_print(const canvas *c, FILE *talk, const char *line_end, char text[CANVAS_BYTES])
+const char *canvas_print(const canvas *c, FILE *out, const char *line_end, char text[CANVAS_BYTES])
 {
     char *at = text;
 
     for (unsigned line = 0; line < CANVAS_LINES; line++) {
-        at = append(print_line(c, line, talk, at), line_end);
+        at = append(print_line(c, line, out, at), line_end);
     }
     return text;
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * watch/canvas.h: a sheet of character cells, which is never wider or higher than it should be, whatever is
- * written on it.
+ * watch/canvas.h: a screen of character cells of fixed size; what does not fit is cut off.
  */
 #ifndef WATCH_CANVAS_H
 #define WATCH_CANVAS_H
@@ -11,15 +10,15 @@
 
 #include "text/paint.h"
 
-/* One line is left for the cursor, and one for the bar of a terminal multiplexer, of 24; one column, since a
- * cursor behind the last one is somewhere else on each terminal. */
+/* Of 24 lines, one is for the cursor, and one for the status bar of a terminal multiplexer. Of 80
+ * columns, the last is unused, since terminals differ in where the cursor is after it. */
 #define CANVAS_LINES 22u
 #define CANVAS_COLUMNS 79u
 
-/* Bytes that it takes at most: each cell a glyph of four, painted and unpainted. */
+/* Largest size as text: each cell a glyph of four bytes, with its colour set and reset. */
 #define CANVAS_BYTES (CANVAS_LINES * (CANVAS_COLUMNS * 20u + 8u))
 
-#define CANVAS_PLAIN (-1) /* no paint */
+#define CANVAS_PLAIN (-1) /* no colour */
 
 typedef struct {
     struct {
@@ -30,11 +29,12 @@ typedef struct {
 
 void canvas_clear(canvas *c);
 
-/* Puts one character, of width one. What is outside is left out. `colour` is a paint of paint.h, or CANVAS_PLAIN. */
+/* Puts one character, of width one; ignored outside of the canvas. `colour` is a paint of paint.h,
+ * or CANVAS_PLAIN. */
 void canvas_put(canvas *c, unsigned line, unsigned column, int colour, const char *glyph);
 
-/* Writes a text of UTF-8 up to column `end`. What is no Latin, Greek or Cyrillic letter or sign, and may be of any
- * width, is shown as '?'. Returns the column after it. */
+/* Writes UTF-8 text up to column `end`. Characters that may not be one column wide, all but Latin,
+ * Greek and Cyrillic letters and signs, are shown as '?'. Returns the column after the text. */
 unsigned canvas_text(canvas *c, unsigned line, unsigned column, unsigned end, int colour,
                      const char *text);
 
@@ -42,12 +42,11 @@ unsigned canvas_text(canvas *c, unsigned line, unsigned column, unsigned end, in
 void canvas_wrapped(canvas *c, unsigned line, unsigned lines, unsigned column, int colour,
                     const char *text);
 
-/* How many columns a text takes. */
+/* The number of columns of a text. */
 unsigned canvas_width(const char *text);
 
-/* As text, each line but for spaces at its end, and `line_end` after it. Paint is that of paint.h for
- * `talk`. */
-const char *canvas_print(const canvas *c, FILE *talk, const char *line_end,
-                         char text[CANVAS_BYTES]);
+/* The canvas as text: lines without trailing spaces, each followed by `line_end`. Colours are those
+ * of paint.h for `out`. */
+const char *canvas_print(const canvas *c, FILE *out, const char *line_end, char text[CANVAS_BYTES]);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * watch/frame.h: the picture of a live calibration on a screen of characters.
+ * watch/frame.h: the screen of a live calibration, as characters.
  */
 #ifndef WATCH_FRAME_H
 #define WATCH_FRAME_H

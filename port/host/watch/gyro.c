@@ -4,12 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-#define LEAST 5u  /* rests: with fewer, neither unit nor axes can be found */
-#define SURE 12u  /* from this many on an error is certain */
-#define SPARE 6u  /* equations that confirm it */
-#define NEAR 0.97 /* cosine of 14 degrees */
+#define RESTS_MIN 5u      /* with fewer, neither unit nor axes can be found */
+#define CERTAIN_RESTS 12u /* from here on, an error is certain */
+#define DOF_MIN 6u        /* redundant equations */
+#define NEAR_COSINE 0.97  /* of 14 degrees */
 
-/* More moves do not help: it is reported at once. */
+/* Errors that more moves do not correct, and that are reported at once. */
 static int is_mistake(const char *word)
 {
     return strcmp(word, "axes") == 0 || strcmp(word, "unit") == 0 || strcmp(word, "stuck") == 0;
@@ -18,12 +18,12 @@ static int is_mistake(const char *word)
 /* Half the 95 % interval of the worst of these parameters. */
 static double worst(const gyro_fit *g, int is_scale)
 {
-    double most = 0;
+    double max = 0;
 
     for (unsigned i = 0; i < INVCAL_GYRO_PARAMETERS; i++) {
-        most = (i % 4 == 0) == is_scale ? fmax(most, g->imu.sigma[i]) : most;
+        max = (i % 4 == 0) == is_scale ? fmax(max, g->imu.sigma[i]) : max;
     }
-    return g->interval * most;
+    return g->interval * max;
 }
 
 /* ---- moves ------------------------------------------------------------------------------------- */
@@ -38,17 +38,17 @@ static unsigned count_moves(const gyro_fit *g)
     return count;
 }
 
-static int is_known(const watch_gyro *w, unsigned position)
+static int is_reported(const watch_gyro *w, unsigned position)
 {
-    for (unsigned i = 0; w->known[i] != 0; i++) {
-        if (w->known[i] == position) {
+    for (unsigned i = 0; w->reported[i] != 0; i++) {
+        if (w->reported[i] == position) {
             return 1;
         }
     }
     return 0;
 }
 
-/* Moves that do not count, if that has not been told. */
+/* Refused moves that have not been reported yet. */
 static void find_refused(watch_gyro *w, const gyro_fit *g)
 {
     unsigned now[INVCAL_MAX_MOVES + 1] = {0};
@@ -63,19 +63,19 @@ static void find_refused(watch_gyro *w, const gyro_fit *g)
             continue;
         }
         now[count++] = rest->position + 1;
-        if (!is_known(w, rest->position + 1)) {
+        if (!is_reported(w, rest->position + 1)) {
             snprintf(w->refused + length, sizeof w->refused - length,
                      "%sthe move from position %u to %u is refused: %s", length > 0 ? "; " : "",
                      rest[-1].position + 1, rest->position + 1,
                      gyro_move_reason(g, &g->move[i], why));
         }
     }
-    memcpy(w->known, now, sizeof now);
+    memcpy(w->reported, now, sizeof now);
 }
 
 /* ---- turns ------------------------------------------------------------------------------------- */
 
-/* One more rest, and the shortest turn to it. From the opposite side there is none: what was before is lost. */
+/* Adds a rest, and the shortest turn to it. If that is not unique, begins again with this rest. */
 static void add_rest(watch_gyro *w, const double up[3])
 {
     invcal_turn turn;
@@ -86,22 +86,22 @@ static void add_rest(watch_gyro *w, const double up[3])
     }
 }
 
-/* To the nearest of the faces, edges and corners of a cube, if it is near. */
+/* Replaces a direction by the nearest face, edge or corner of a cube, if it is near one. */
 static void snap(double up[3])
 {
     double best[3] = {0, 0, 0};
-    double most = NEAR;
+    double max = NEAR_COSINE;
 
     for (int i = 0; i < 27; i++) {
         const int v[3] = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
         const double length = sqrt((double)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
         const double cosine = (v[0] * up[0] + v[1] * up[1] + v[2] * up[2]) / length;
-        for (unsigned k = 0; k < 3 && cosine > most; k++) { /* NaN is not */
+        for (unsigned k = 0; k < 3 && cosine > max; k++) { /* NaN is not */
             best[k] = v[k] / length;
         }
-        most = cosine > most ? cosine : most;
+        max = cosine > max ? cosine : max;
     }
-    if (most > NEAR) {
+    if (max > NEAR_COSINE) {
         memcpy(up, best, sizeof best);
     }
 }
@@ -129,20 +129,20 @@ int watch_gyro_next(const watch_gyro *w, const double *held, double target[3],
 
 static void judge(watch_gyro *w, const gyro_fit *g, unsigned rests)
 {
-    char known[80];
+    char moves[80];
 
-    w->is_mistake = g->word && (rests >= SURE || is_mistake(g->word));
-    snprintf(known, sizeof known, "gyroscope: %u of %u moves", count_moves(g), g->moves);
+    w->is_mistake = g->word && (rests >= CERTAIN_RESTS || is_mistake(g->word));
+    snprintf(moves, sizeof moves, "gyroscope: %u of %u moves", count_moves(g), g->moves);
     if (w->is_mistake) {
         snprintf(w->text, sizeof w->text, "gyroscope: %.*s", WATCH_GYRO_MAX - 20, g->reason);
     } else if (g->word) {
         snprintf(w->text, sizeof w->text, "%s, too few so far; turn about all three axes",
-                 g->moves > 0 ? known : "gyroscope: no moves");
+                 g->moves > 0 ? moves : "gyroscope: no moves");
     } else {
-        snprintf(w->text, sizeof w->text, "%s; scale ± %.2g %%, cross ± %.2g degrees%s", known,
+        snprintf(w->text, sizeof w->text, "%s; scale ± %.2g %%, cross ± %.2g degrees%s", moves,
                  100 * worst(g, 1), worst(g, 0) / UNIT_DEGREE,
                  g->imu.open ? "; turn about other axes, too" : "");
-        w->is_good = g->imu.verdict == INVCAL_GOOD && g->imu.dof >= SPARE;
+        w->is_good = g->imu.verdict == INVCAL_GOOD && g->imu.dof >= DOF_MIN;
     }
 }
 
@@ -156,7 +156,7 @@ void watch_gyro_take(watch_gyro *w, const gyro_log *t, const gyro_options *optio
     w->text[0] = '\0';
     w->refused[0] = '\0';
     w->is_good = 0;
-    if (t->readings == 0 || p->count < LEAST ||
+    if (t->readings == 0 || p->count < RESTS_MIN ||
         gyro_make(&g, t, options, rate, clip, p, &none, start) || !g.has_readings) {
         add_rest(w, up);
         return;

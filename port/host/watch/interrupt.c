@@ -8,11 +8,12 @@
 
 #include "cli/input.h"
 
-/* The stream, and an empty file that takes its place when somebody interrupts. */
+/* The stream, and an empty file that replaces it after an interrupt. */
 static volatile sig_atomic_t stream_file;
 static volatile sig_atomic_t empty_file;
 
-/* A read that waits is interrupted and ends the stream, see table.c; the next one finds the end. */
+/* A blocked read is interrupted and ends the stream, see table.c; any later one is at the end of
+ * file. */
 static void stop(int signal_number)
 {
     (void)signal_number;

@@ -10,35 +10,35 @@
 
 #define SIGMA_MAX 200
 
-static watch_news shown; /* on the line that changes */
+static watch_event shown; /* on the overwritten line */
 
 static int is_terminal(const watch_state *now)
 {
-    return isatty(fileno(now->talk));
+    return isatty(fileno(now->out));
 }
 
-/* A line that stays; what was on the changing line goes. */
+/* Clears the overwritten line; a permanent one follows. */
 static void end_line(const watch_state *now)
 {
     if (is_terminal(now)) {
-        fprintf(now->talk, "\r%60s\r", "");
+        fprintf(now->out, "\r%60s\r", "");
     }
 }
 
-/* The changing line: only on a terminal, and only if there is news. */
-static void show(const watch_state *now, watch_news what)
+/* The overwritten line, only on a terminal. */
+static void show(const watch_state *now, watch_event event)
 {
-    if (now->is_refused || (what == WATCH_MOVING && shown == what)) {
+    if (now->is_refused || (event == WATCH_MOVING && shown == event)) {
         return;
     }
-    shown = what;
+    shown = event;
     end_line(now);
-    if (what == WATCH_MOVING) {
-        fprintf(now->talk, "  moving");
+    if (event == WATCH_MOVING) {
+        fprintf(now->out, "  moving");
     } else if (now->phase == WATCH_READY) {
-        fprintf(now->talk, "  %s", now->good);
+        fprintf(now->out, "  %s", now->good);
     } else {
-        fprintf(now->talk, "  hold still ... %3u %%", now->progress);
+        fprintf(now->out, "  hold still ... %3u %%", now->progress);
     }
 }
 
@@ -53,24 +53,24 @@ static void say_begun(const watch_state *now)
             snprintf(limit, sizeof limit, "; longer does not help: the sigma of a mean is %.2g",
                      now->hold_floor);
         }
-        wrapped_printf(now->talk, 2, "hold each position for %.3g s, from the measured noise%s",
+        wrapped_printf(now->out, 2, "hold each position for %.3g s, from the measured noise%s",
                        now->hold, limit);
     }
-    wrapped_printf(now->talk, 0, "%s: %s", plain_copy(now->name, name), now->recognised);
+    wrapped_printf(now->out, 0, "%s: %s", plain_copy(now->name, name), now->recognised);
     if (now->is_magnetometer) {
-        wrapped_printf(now->talk, 0, "turn it slowly until every side has pointed along the field");
+        wrapped_printf(now->out, 0, "turn it slowly until every side has pointed along the field");
     }
 }
 
-/* Where to turn next, if there is anywhere. */
+/* Where to turn next, if there is a next position. */
 static void say_next(const watch_state *now)
 {
     if (*now->next) {
-        wrapped_printf(now->talk, 6, "next: %s", now->next);
+        wrapped_printf(now->out, 6, "next: %s", now->next);
     }
 }
 
-/* How exactly everything is known, once it is known; else "". */
+/* The uncertainties, once they are known; else "". */
 static const char *sigma_text(const watch_state *now, char text[SIGMA_MAX])
 {
     size_t used = 0;
@@ -87,22 +87,22 @@ static const char *sigma_text(const watch_state *now, char text[SIGMA_MAX])
 
 static void say_wrong(const watch_state *now)
 {
-    if (now->astray > 0) {
-        wrapped_printf(now->talk, 2, "%swrong position:%s %s. It is used anyway",
-                       paint_on(now->talk, PAINT_YELLOW), paint_off(now->talk), now->wrong);
+    if (now->wrong_count > 0) {
+        wrapped_printf(now->out, 2, "%swrong position:%s %s. It is used anyway",
+                       paint_on(now->out, PAINT_YELLOW), paint_off(now->out), now->wrong);
     }
-    if (now->astray == WATCH_ASTRAY) {
-        wrapped_printf(now->talk, 2,
+    if (now->wrong_count == WATCH_WRONG_HINT) {
+        wrapped_printf(now->out, 2,
                        "%u wrong in a row: check for alpha and beta exchanged, a reversed sense, "
                        "or a shifted zero",
-                       WATCH_ASTRAY);
+                       WATCH_WRONG_HINT);
     }
 }
 
 static void say_end(const watch_state *now, const char *word, const char *what)
 {
-    fprintf(now->talk, "%s%s%s %s; end the stream (Ctrl-C)\n", paint_on(now->talk, PAINT_GREEN),
-            word, paint_off(now->talk), what);
+    fprintf(now->out, "%s%s%s %s; end the stream (Ctrl-C)\n", paint_on(now->out, PAINT_GREEN), word,
+            paint_off(now->out), what);
 }
 
 static void say_taken(const watch_state *now)
@@ -111,21 +111,20 @@ static void say_taken(const watch_state *now)
 
     end_line(now);
     if (now->is_magnetometer) {
-        wrapped_printf(now->talk, 2, "%u of 18 directions%s", now->taken, sigma_text(now, text));
+        wrapped_printf(now->out, 2, "%u of 18 directions%s", now->taken, sigma_text(now, text));
     } else {
-        wrapped_printf(now->talk, 2, "position %u taken%s", now->taken, sigma_text(now, text));
+        wrapped_printf(now->out, 2, "position %u taken%s", now->taken, sigma_text(now, text));
     }
     say_wrong(now);
     if (*now->gyro.text) {
-        wrapped_line(now->talk, 0, 2, now->gyro.text);
+        wrapped_line(now->out, 0, 2, now->gyro.text);
     }
     if (*now->gyro.refused) {
-        wrapped_printf(now->talk, 2, "%sgyroscope:%s %s", paint_on(now->talk, PAINT_YELLOW),
-                       paint_off(now->talk), now->gyro.refused);
+        wrapped_printf(now->out, 2, "%sgyroscope:%s %s", paint_on(now->out, PAINT_YELLOW),
+                       paint_off(now->out), now->gyro.refused);
     }
-    if (now->outcome == WATCH_ENOUGH) {
-        say_end(now,
-                "enough:", watch_is_anything_wanted(now) ? "the target is reached" : "it is good");
+    if (now->outcome == WATCH_GOAL_REACHED) {
+        say_end(now, "enough:", watch_has_goal(now) ? "the target is reached" : "it is good");
     } else if (now->outcome == WATCH_FINISHED) {
         say_end(now, "finished:", "the program is complete");
     }
@@ -134,8 +133,8 @@ static void say_taken(const watch_state *now)
 static void say_refused(const watch_state *now)
 {
     end_line(now);
-    wrapped_printf(now->talk, 2, "%s%s%s %s", paint_on(now->talk, PAINT_RED),
-                   now->is_magnetometer ? "disturbed:" : "refused:", paint_off(now->talk),
+    wrapped_printf(now->out, 2, "%s%s%s %s", paint_on(now->out, PAINT_RED),
+                   now->is_magnetometer ? "disturbed:" : "refused:", paint_off(now->out),
                    now->refusal);
 }
 
@@ -143,21 +142,21 @@ static void say_ended(const watch_state *now)
 {
     end_line(now);
     if (*now->missing) {
-        wrapped_printf(now->talk, 2, "positions of the program not visited: %s", now->missing);
+        wrapped_printf(now->out, 2, "positions of the program not visited: %s", now->missing);
     }
-    fprintf(now->talk, "\n");
+    fprintf(now->out, "\n");
 }
 
-void lines_tell(const watch_state *now, watch_news what)
+void lines_update(const watch_state *now, watch_event event)
 {
-    switch (what) {
+    switch (event) {
     case WATCH_BEGUN:
         say_begun(now);
         say_next(now);
         break;
     case WATCH_READY:
         if (!is_terminal(now)) {
-            wrapped_line(now->talk, 0, 2, now->good);
+            wrapped_line(now->out, 0, 2, now->good);
         }
         break;
     case WATCH_TAKEN:
@@ -173,14 +172,14 @@ void lines_tell(const watch_state *now, watch_news what)
     case WATCH_BROKEN:
         end_line(now);
         break;
-    case WATCH_PASSED:
+    case WATCH_TICK:
         return;
     default:
         break;
     }
-    if ((what == WATCH_MOVING || what == WATCH_SETTLING || what == WATCH_READY) &&
+    if ((event == WATCH_MOVING || event == WATCH_SETTLING || event == WATCH_READY) &&
         is_terminal(now)) {
-        show(now, what);
+        show(now, event);
     }
-    fflush(now->talk);
+    fflush(now->out);
 }

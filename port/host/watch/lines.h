@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * watch/lines.h: a live calibration in lines, one below the other. On a terminal the progress of a rest is
- * shown on one line that changes.
+ * watch/lines.h: a live calibration as lines of text. On a terminal, one line is overwritten with
+ * the progress of a rest.
  */
 #ifndef WATCH_LINES_H
 #define WATCH_LINES_H
 
 #include "watch/state.h"
 
-void lines_tell(const watch_state *now, watch_news what);
+void lines_update(const watch_state *now, watch_event event);
 
 #endif

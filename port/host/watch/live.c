@@ -15,35 +15,35 @@
 #include "watch/screen.h"
 #include "watch/zero.h"
 
-#define HOLD_MAX 60       /* seconds: the time from the first rest is limited to this */
-#define HOLD_LONGEST 3600 /* seconds that can be demanded */
-#define CHECKS 3u         /* degrees of freedom, before it may be enough */
-#define TICK 0.1          /* seconds of the log from one WATCH_PASSED to the next, at least */
+#define HOLD_MAX 60      /* seconds: limit of the time from the noise of the first rest */
+#define HOLD_LIMIT 3600  /* seconds: limit of the time from an Allan deviation */
+#define DOF_MIN 3u       /* degrees of freedom before a goal can be reached */
+#define TICK_SECONDS 0.1 /* of the log, from one WATCH_TICK to the next, at least */
 
 /* All are too large for the stack. */
 static samples live_log;
 static recording live_recording;
 static invcal_session session;
-static live_program followed; /* if the wish has a set */
-static watch_state now;       /* what the tellers read */
+static live_program followed; /* if the options have a set */
+static watch_state now;       /* for the view */
 
 typedef struct {
     positions *p;
-    const live_wish *wish;
+    const live_options *options;
     rests_summary *summary;
-    watch_teller tell;
-    gyro_log *gyro; /* what a gyroscope reads meanwhile; null: there is none, or it is not wanted */
+    watch_view update;
+    gyro_log *gyro; /* readings of the gyroscope; null: there is none, or it is ignored */
     zero_finder zero;
     invcal_calibration known; /* the calibration so far, or the nominal one */
-    double told_at;           /* seconds of the log: the last WATCH_PASSED; */
-    double sum[3];            /* what has been read since then, counts, */
-    double summed;            /* in so many samples */
-    int is_enough;            /* what is wanted has been reached */
-} stage;
+    double reported_at;       /* seconds of the log at the last WATCH_TICK */
+    double sum[3];            /* of the readings since then, counts; */
+    double summed;            /* and their number */
+    int is_goal_reached;
+} state;
 
-/* ---- where the device points, and where it is to --------------------------------------------------- */
+/* ---- directions -------------------------------------------------------------------------------- */
 
-/* A unit vector. Returns 1; 0 if the calibration makes none of these counts. */
+/* The up direction, a unit vector. Returns 1; 0 if the calibrated length is 0 or not finite. */
 static int find_up(const invcal_calibration *known, const double counts[3], double up[3])
 {
     double length = 0;
@@ -58,7 +58,7 @@ static int find_up(const invcal_calibration *known, const double counts[3], doub
     return length > 0 && length < HUGE_VAL;
 }
 
-static void tell_time(stage *s, const sample *latest)
+static void tick(state *s, const sample *latest)
 {
     double counts[3];
 
@@ -67,7 +67,7 @@ static void tell_time(stage *s, const sample *latest)
     }
     s->summed++;
     now.seconds = latest->clock;
-    if (latest->clock - s->told_at < TICK) {
+    if (latest->clock - s->reported_at < TICK_SECONDS) {
         return;
     }
     for (unsigned i = 0; i < 3; i++) {
@@ -75,16 +75,16 @@ static void tell_time(stage *s, const sample *latest)
         s->sum[i] = 0;
     }
     s->summed = 0;
-    s->told_at = latest->clock;
+    s->reported_at = latest->clock;
     now.has_up = find_up(&s->known, counts, now.up);
     now.skipped = live_log.skipped;
-    s->tell(&now, WATCH_PASSED);
+    s->update(&now, WATCH_TICK);
 }
 
 /* Where to turn next. A rest that is READY and still held counts as taken. */
-static void aim(const stage *s, int is_ready)
+static void aim(const state *s, int is_ready)
 {
-    if (!s->wish->set) {
+    if (!s->options->set) {
         const double *held = is_ready && s->gyro && now.has_up ? now.up : NULL;
         if (!watch_gyro_next(&now.gyro, held, now.target, now.next)) {
             invcal_session_next(&session, now.target);
@@ -94,80 +94,81 @@ static void aim(const stage *s, int is_ready)
         snprintf(now.good, sizeof now.good, "good: move on to %s", now.next);
         return;
     }
-    const program *p = is_ready ? live_program_foreseen(&followed) : &followed.now;
-    now.has_target = p->asked < p->set->count;
+    const program *p = is_ready ? live_program_predicted(&followed) : &followed.program;
+    now.has_target = p->next < p->set->count;
     if (now.has_target) {
-        memcpy(now.target, p->set->position[p->asked].vertical, sizeof now.target);
+        memcpy(now.target, p->set->position[p->next].vertical, sizeof now.target);
     }
     (void)program_next_text(p, now.next);
     (void)live_program_good_text(&followed, p, now.good, sizeof now.good);
 }
 
-/* The device moves or rests. A refusal has been reported, and is over once it moves. */
-static void tell_phase(stage *s, watch_news what)
+/* The device moves or rests. A refusal, already reported, ends when it moves. */
+static void update_phase(state *s, watch_event event)
 {
     now.progress = invcal_session_progress(&session);
-    now.phase = what == WATCH_SETTLING && now.progress >= 100 ? WATCH_READY : what;
-    if (what == WATCH_MOVING) {
+    now.phase = event == WATCH_SETTLING && now.progress >= 100 ? WATCH_READY : event;
+    if (event == WATCH_MOVING) {
         now.is_refused = 0;
     }
     if (now.phase == WATCH_READY) {
         aim(s, 1);
     }
-    s->tell(&now, what);
+    s->update(&now, event);
 }
 
-/* ---- how long to stay -------------------------------------------------------------------------- */
+/* ---- how long to hold -------------------------------------------------------------------------- */
 
-static void hold(double seconds)
+static void set_hold(double seconds)
 {
     invcal_session_hold(&session, (uint32_t)ceil(1000 * seconds));
 }
 
-/* The first rest gives the noise: T = s^2 / (sigma^2 rate), s^2 that of a sample, the mean over the
- * axes. That is white noise. Returns whether the rest has been held as long. */
-static int is_held_long_enough(const stage *s)
+/* The noise of the first rest, assumed white, gives the time: T = s^2 / (sigma^2 rate), s^2 the
+ * variance of a sample, averaged over the axes. Returns 1 if the rest has been held that long. */
+static int is_held_long_enough(const state *s)
 {
     const invcal_calibration *c = &session.nominal;
-    const double sigma = s->wish->mean_sigma / s->wish->field;
+    const double sigma = s->options->mean_sigma / s->options->field;
     invcal_rest rest;
     double square = 0;
 
-    if (!(sigma > 0) || s->wish->noise || now.taken > 0 ||
+    if (!(sigma > 0) || s->options->noise || now.taken > 0 ||
         !invcal_rests_get(&session.rests, &rest)) {
         return 1;
     }
     for (unsigned i = 0; i < 9; i++) {
         square += c->matrix[i / 3][i % 3] * c->matrix[i / 3][i % 3] / 3;
     }
-    hold(fmin(HOLD_MAX, square * rest.variance / (sigma * sigma) / live_log.rate));
+    set_hold(fmin(HOLD_MAX, square * rest.variance / (sigma * sigma) / live_log.rate));
     return invcal_session_progress(&session) == 100;
 }
 
-/* Holds each position as long as the axis that takes longest. */
-static int hold_by_noise(const live_wish *wish)
+/* Holds each position as long as the slowest axis requires. */
+static int hold_by_noise(const live_options *options)
 {
     for (unsigned i = 0; i < 3; i++) {
         invcal_dwell d;
-        if (invcal_noise_dwell(&wish->noise[i], wish->mean_sigma / wish->field, &d) != INVCAL_OK ||
-            d.seconds > HOLD_LONGEST) {
+        if (invcal_noise_dwell(&options->noise[i], options->mean_sigma / options->field, &d) !=
+                INVCAL_OK ||
+            d.seconds > HOLD_LIMIT) {
             message("--allan: with this noise, a mean with a sigma of %g takes more than %d s: "
                     "increase --mean-sigma",
-                    wish->mean_sigma, HOLD_LONGEST);
+                    options->mean_sigma, HOLD_LIMIT);
             return EXIT_USAGE;
         }
         now.hold = fmax(now.hold, d.seconds);
         if (d.end == INVCAL_DWELL_FLOOR) {
-            now.hold_floor = fmax(now.hold_floor, d.sigma * wish->field);
+            now.hold_floor = fmax(now.hold_floor, d.sigma * options->field);
         }
     }
-    hold(now.hold);
+    set_hold(now.hold);
     return EXIT_GOOD;
 }
 
-/* ---- what becomes of a rest -------------------------------------------------------------------- */
+/* ---- the end of a rest ------------------------------------------------------------------------- */
 
-static int take_rest(stage *s)
+static int take_rest(state *s)
 {
     invcal_rest rest;
 
@@ -176,21 +177,22 @@ static int take_rest(stage *s)
                : EXIT_GOOD;
 }
 
-/* The noise of the samples does not show how steadily the device was held: further positions do. */
+/* Only redundant positions show how steadily the device was held; the noise of the samples does
+ * not. */
 static int is_checked(void)
 {
-    return now.status == INVCAL_OK && now.quality.dof >= CHECKS;
+    return now.status == INVCAL_OK && now.quality.dof >= DOF_MIN;
 }
 
-/* The positions so far determine a calibration, and with the next they may be enough. */
+/* The positions so far determine a calibration, which the next one may confirm. */
 static int is_determined(void)
 {
     return watch_knows_sigma(&now) && now.quality.verdict != INVCAL_WEAK &&
-           now.quality.dof + 1u >= CHECKS;
+           now.quality.dof + 1u >= DOF_MIN;
 }
 
-/* A target that is 0 is any. */
-static int reaches_target(const live_wish *wish)
+/* A target of 0 means no limit. */
+static int reaches_target(const live_options *options)
 {
     double target[3];
     int is_wanted = 0;
@@ -199,17 +201,17 @@ static int reaches_target(const live_wish *wish)
         return 0;
     }
     for (unsigned i = 0; i < 3; i++) {
-        is_wanted = is_wanted || wish->target[i] > 0;
-        target[i] = wish->target[i] > 0 ? wish->target[i] : INVCAL_REAL_MAX;
+        is_wanted = is_wanted || options->target[i] > 0;
+        target[i] = options->target[i] > 0 ? options->target[i] : INVCAL_REAL_MAX;
     }
-    if (wish->need > 0 && !invcal_session_meets(&session, wish->need, wish->field_sigma)) {
+    if (options->need > 0 && !invcal_session_meets(&session, options->need, options->field_sigma)) {
         return 0;
     }
     return !is_wanted || invcal_session_reaches(&session, target);
 }
 
-/* What the positions so far come to. */
-static void judge(stage *s)
+/* Solves the positions so far. */
+static void judge(state *s)
 {
     invcal_calibration calibration;
 
@@ -217,7 +219,7 @@ static void judge(stage *s)
     s->known = watch_knows_sigma(&now) && now.quality.verdict != INVCAL_WEAK ? calibration
                                                                              : session.nominal;
     now.accuracy =
-        now.status == INVCAL_OK ? invcal_accuracy(&now.quality, s->wish->field_sigma) : 0;
+        now.status == INVCAL_OK ? invcal_accuracy(&now.quality, s->options->field_sigma) : 0;
     now.covered = 0;
     for (unsigned n = 0; n < session.count; n++) {
         now.covered += (unsigned)find_up(&s->known, session.mean[n], now.direction[now.covered]);
@@ -237,20 +239,20 @@ static invcal_calibration of_input_units(const invcal_calibration *of_counts)
     return c;
 }
 
-/* The residuals of few positions may be small by chance: their noise is that of the samples, as at the end. One that
- * is 0, or absurd, is not stated. */
-static void state_noise(const stage *s)
+/* Residuals of a few positions may be small by chance, so noise is that of the samples, as at the
+ * end. The session ignores a value of 0 or out of range. */
+static void state_noise(const state *s)
 {
     const invcal_calibration nominal = of_input_units(&session.nominal);
     positions so_far = *s->p;
 
     rests_noise(&so_far);
-    (void)invcal_session_noise(&session, s->wish->stated > 0 ? s->wish->stated
-                                                             : positions_noise(&so_far, &nominal));
+    (void)invcal_session_noise(
+        &session, s->options->stated > 0 ? s->options->stated : positions_noise(&so_far, &nominal));
 }
 
-/* A gyroscope that is on its way is waited for. */
-static int is_good(stage *s)
+/* With a gyroscope, waits until it is determined, too. */
+static int is_good(state *s)
 {
     const invcal_calibration start = of_input_units(&s->known);
 
@@ -258,51 +260,51 @@ static int is_good(stage *s)
         double up[3];
         const double *last = &s->p->mean[3 * (size_t)(s->p->count - 1)];
         (void)find_up(&start, last, up);
-        watch_gyro_take(&now.gyro, s->gyro, &s->wish->gyro, samples_whole_rate(&live_log),
-                        s->wish->clip, s->p, &start, up);
+        watch_gyro_take(&now.gyro, s->gyro, &s->options->gyro, samples_whole_rate(&live_log),
+                        s->options->clip, s->p, &start, up);
     }
     return now.gyro.is_good ||
            (is_checked() && invcal_session_is_good(&session) && *now.gyro.text == '\0');
 }
 
-static watch_outcome judge_outcome(stage *s, int is_complete)
+static watch_outcome judge_outcome(state *s, int is_complete)
 {
-    const int is_wanted = watch_is_anything_wanted(&now);
+    const int is_wanted = watch_has_goal(&now);
     const int is_good_now = is_good(s);
 
-    now.is_good = is_wanted ? reaches_target(s->wish) : is_good_now;
+    now.is_good = is_wanted ? reaches_target(s->options) : is_good_now;
     if (is_complete) {
         return WATCH_FINISHED;
     }
-    if (!s->is_enough && is_wanted && now.is_good) {
-        s->is_enough = 1;
-        return WATCH_ENOUGH;
+    if (!s->is_goal_reached && is_wanted && now.is_good) {
+        s->is_goal_reached = 1;
+        return WATCH_GOAL_REACHED;
     }
     return WATCH_USED;
 }
 
-static int take(stage *s)
+static int take(state *s)
 {
     const int failure = take_rest(s);
 
     now.taken++;
     now.last = WATCH_TAKEN;
-    zero_renew(&s->zero, is_determined(), &session);
+    zero_update(&s->zero, is_determined(), &session);
     state_noise(s);
     judge(s);
-    now.outcome = judge_outcome(s, s->wish->set && live_program_take(&followed));
-    if (s->wish->set) {
-        now.astray = followed.astray;
+    now.outcome = judge_outcome(s, s->options->set && live_program_take(&followed));
+    if (s->options->set) {
+        now.wrong_count = followed.wrong_count;
         (void)live_program_wrong_text(&followed, now.wrong);
     }
     aim(s, 0);
     now.phase = WATCH_MOVING;
-    s->tell(&now, WATCH_TAKEN);
+    s->update(&now, WATCH_TAKEN);
     return failure;
 }
 
-/* A rest may be refused while it is held and again when it is left: that is reported once. */
-static void tell_refused(stage *s, int is_left)
+/* A rest may be refused while it is held, and again when it is left; only the first is reported. */
+static void report_refused(state *s, int is_left)
 {
     if (now.is_refused) {
         now.is_refused = 0;
@@ -315,10 +317,10 @@ static void tell_refused(stage *s, int is_left)
         now.phase = WATCH_MOVING;
     }
     aim(s, 0);
-    s->tell(&now, WATCH_REFUSED);
+    s->update(&now, WATCH_REFUSED);
 }
 
-static int refuse(stage *s)
+static int refuse(state *s)
 {
     const invcal_status reason = invcal_session_reason(&session);
     const int is_rest = reason < INVCAL_REST_SHORT || reason > INVCAL_REST_SAME;
@@ -327,14 +329,14 @@ static int refuse(stage *s)
 
     if (!is_rest) {
         rests_refuse(s->summary, reason, &live_recording);
-    } else if (is_left) { /* the calibration may think otherwise of it */
+    } else if (is_left) { /* the final calibration may still use it */
         failure = take_rest(s);
     }
-    tell_refused(s, is_left);
+    report_refused(s, is_left);
     return failure;
 }
 
-static int digest(stage *s, invcal_event event)
+static int handle_event(state *s, invcal_event event)
 {
     switch (event) {
     case INVCAL_TAKEN:
@@ -342,13 +344,13 @@ static int digest(stage *s, invcal_event event)
     case INVCAL_REFUSED:
         return refuse(s);
     case INVCAL_READY:
-        tell_phase(s, is_held_long_enough(s) ? WATCH_READY : WATCH_SETTLING);
+        update_phase(s, is_held_long_enough(s) ? WATCH_READY : WATCH_SETTLING);
         break;
     case INVCAL_SETTLING:
-        tell_phase(s, WATCH_SETTLING);
+        update_phase(s, WATCH_SETTLING);
         break;
     case INVCAL_MOVING:
-        tell_phase(s, WATCH_MOVING);
+        update_phase(s, WATCH_MOVING);
         break;
     default:
         break;
@@ -358,16 +360,16 @@ static int digest(stage *s, invcal_event event)
 
 /* ---- the stream -------------------------------------------------------------------------------- */
 
-static int begin(stage *s)
+static int begin_session(state *s)
 {
-    const live_wish *wish = s->wish;
-    const double *clip = wish->clip;
+    const live_options *options = s->options;
+    const double *clip = options->clip;
     char text[SENSORS_TEXT_MAX];
 
-    if (!zero_fits_sensor(wish, &live_log, text)) {
+    if (!zero_fits_sensor(options, &live_log, text)) {
         return message_usage("watch", "%s: %s", live_log.table.name, text);
     }
-    if (!zero_begin(&s->zero, wish, &live_log, s->p, &followed, &s->known) ||
+    if (!zero_begin(&s->zero, options, &live_log, s->p, &followed, &s->known) ||
         invcal_session_begin(&session, &s->known, samples_whole_rate(&live_log)) != INVCAL_OK ||
         (clip && invcal_session_rails(&session, samples_count(&live_log, clip[0]),
                                       samples_count(&live_log, clip[1])) != INVCAL_OK)) {
@@ -375,35 +377,35 @@ static int begin(stage *s)
                 live_log.table.name, live_log.rate);
         return EXIT_FILE;
     }
-    return wish->noise ? hold_by_noise(wish) : EXIT_GOOD;
+    return options->noise ? hold_by_noise(options) : EXIT_GOOD;
 }
 
-/* What the stream was taken for: if a column is wrong, the user can stop at once. */
-static void recognise(const stage *s)
+/* Describes the recognised columns: if one is wrong, the user can stop at once. */
+static void recognise(const state *s)
 {
     recognition seen = s->p->seen;
 
-    if (s->wish->unit != UNIT_UNKNOWN) {
-        seen.unit = s->wish->unit;
+    if (s->options->unit != UNIT_UNKNOWN) {
+        seen.unit = s->options->unit;
         seen.unit_from = UNIT_FROM_OPTION;
     }
     (void)columns_describe(&seen, now.recognised, sizeof now.recognised);
 }
 
-static void tell_begin(stage *s)
+static void start(state *s)
 {
     recording_begin(&live_recording, &live_log);
-    if (s->wish->set) {
-        live_program_begin(&followed, s->wish->set, &session, s->p, live_log.unit,
-                           !zero_is_free(&s->zero));
+    if (s->options->set) {
+        live_program_begin(&followed, s->options->set, &session, s->p, live_log.unit,
+                           !zero_is_unstated(&s->zero));
     }
     recognise(s);
     judge(s);
     aim(s, 0);
-    s->tell(&now, WATCH_BEGUN);
+    s->update(&now, WATCH_BEGUN);
 }
 
-static int feed(stage *s, const sample *latest)
+static int feed(state *s, const sample *latest)
 {
     int failure = EXIT_GOOD;
 
@@ -418,49 +420,49 @@ static int feed(stage *s, const sample *latest)
     const invcal_event event = invcal_session_feed(&session, latest->raw);
     if (event != INVCAL_NOTHING) {
         recording_filled(&live_recording);
-        failure = digest(s, event);
+        failure = handle_event(s, event);
     }
-    tell_time(s, latest);
+    tick(s, latest);
     return failure;
 }
 
-static int watch(stage *s)
+static int run(state *s)
 {
     sample latest;
     int more = 0;
     int failure = EXIT_GOOD;
 
-    tell_begin(s);
+    start(s);
     while (!failure && (more = samples_next(&live_log, &latest)) == 1) {
         failure = feed(s, &latest);
     }
     if (!failure && more == 0) {
-        failure = digest(s, invcal_session_finish(&session));
+        failure = handle_event(s, invcal_session_finish(&session));
     }
     if (more < 0 || failure) {
-        s->tell(&now, WATCH_BROKEN);
+        s->update(&now, WATCH_BROKEN);
         return failure ? failure : EXIT_FILE;
     }
-    if (s->wish->set) {
+    if (s->options->set) {
         (void)live_program_missing_text(&followed, now.missing);
     }
     now.phase = WATCH_ENDED;
-    s->tell(&now, WATCH_ENDED);
+    s->update(&now, WATCH_ENDED);
     return EXIT_GOOD;
 }
 
-int live_read(positions *p, const char *path, const live_wish *wish, gyro_log *gyro,
+int live_read(positions *p, const char *path, const live_options *options, gyro_log *gyro,
               rests_summary *summary)
 {
-    stage s = {.p = p, .wish = wish, .summary = summary, .told_at = -HUGE_VAL};
+    state s = {.p = p, .options = options, .summary = summary, .reported_at = -HUGE_VAL};
 
-    s.tell = screen_is_possible(wish->talk) ? screen_tell : lines_tell;
-    if (isatty(fileno(wish->talk))) {
-        fprintf(wish->talk, "waiting for samples\n");
-        fflush(wish->talk);
+    s.update = screen_is_possible(options->out) ? screen_update : lines_update;
+    if (isatty(fileno(options->out))) {
+        fprintf(options->out, "waiting for samples\n");
+        fflush(options->out);
     }
     interrupt_catch(path);
-    int failure = samples_open(&live_log, path, gyro ? COLUMNS_IMU : COLUMNS_LOG, wish->rate, 1);
+    int failure = samples_open(&live_log, path, gyro ? COLUMNS_IMU : COLUMNS_LOG, options->rate, 1);
     interrupt_stream(live_log.table.file);
 
     *p = (positions){.name = live_log.table.name, .has_noise = 1, .seen = live_log.where.seen};
@@ -468,18 +470,18 @@ int live_read(positions *p, const char *path, const live_wish *wish, gyro_log *g
                                .is_rate_known = live_log.is_rate_known,
                                .track = &live_recording,
                                .unit = live_log.unit};
-    now = (watch_state){.talk = wish->talk,
-                        .units = wish->units,
+    now = (watch_state){.out = options->out,
+                        .units = options->units,
                         .name = live_log.table.name,
                         .phase = WATCH_MOVING,
-                        .need = wish->need};
-    memcpy(now.target_sigma, wish->target, sizeof now.target_sigma);
+                        .need = options->need};
+    memcpy(now.target_sigma, options->target, sizeof now.target_sigma);
     if (!failure && gyro) {
         gyro_log_begin(gyro, &live_log);
         s.gyro = live_log.has_gyro ? gyro : NULL;
     }
-    failure = failure ? failure : begin(&s);
-    failure = failure ? failure : watch(&s);
+    failure = failure ? failure : begin_session(&s);
+    failure = failure ? failure : run(&s);
     interrupt_stream(NULL);
     samples_close(&live_log);
     rests_end(p, &live_log, summary);

@@ -9,16 +9,16 @@
 void live_program_begin(live_program *l, const design *set, const invcal_session *session,
                         const positions *taken, double unit, int is_zero_stated)
 {
-    program_begin(&l->now, set);
+    program_begin(&l->program, set);
     l->session = session;
     l->taken = taken;
     l->unit = unit;
     l->is_zero_stated = is_zero_stated;
-    l->wanted = set->count;
-    l->astray = 0;
+    l->requested = set->count;
+    l->wrong_count = 0;
 }
 
-/* ---- where a rest was -------------------------------------------------------------------------- */
+/* ---- the position of a rest -------------------------------------------------------------------- */
 
 /* The calibration so far, or the nominal one. */
 static invcal_calibration best_known(const live_program *l)
@@ -32,14 +32,15 @@ static invcal_calibration best_known(const live_program *l)
                : l->session->nominal;
 }
 
-/* The zero is not stated, and so few positions do not determine it: their directions may be anything. */
+/* The zero is not stated, and too few positions have been taken to determine it: any direction is
+ * possible. */
 static int is_zero_unknown(const live_program *l)
 {
     return !l->is_zero_stated && l->taken->count < LIVE_PROGRAM_FOLLOWED;
 }
 
-/* The position that a rest was at, a mean in counts. What is no position, as long as nobody knows the
- * zero, counts as the one asked for. */
+/* Finds the position of a rest, a mean in counts. As long as the zero is unknown, a rest at no
+ * position counts as the requested one. */
 static void visit(const live_program *l, program *p, const invcal_calibration *known,
                   const double counts[3])
 {
@@ -47,18 +48,18 @@ static void visit(const live_program *l, program *p, const invcal_calibration *k
 
     invcal_apply(known, counts, up);
     const unsigned found = program_find(p, up);
-    program_visit(p, found == PROGRAM_NOWHERE && is_zero_unknown(l) ? p->asked : found, up);
+    program_visit(p, found == PROGRAM_NO_POSITION && is_zero_unknown(l) ? p->next : found, up);
 }
 
-/* The last rest was not where it was asked to be. */
-static int is_astray(const program *now, unsigned asked)
+/* The last rest was not at the requested position. */
+static int is_wrong_position(const program *p, unsigned requested)
 {
-    return asked < now->set->count && now->here != asked && !now->is_again;
+    return requested < p->set->count && p->current != requested && !p->is_repeat;
 }
 
-/* A better calibration shows where earlier rests really were. Later it is hardly known
- * any better: then they are looked at again whenever there are twice as many, so that a stream of any
- * length takes the time that its length does. */
+/* A better calibration may correct the positions of earlier rests. With many rests it hardly
+ * improves, so they are all visited again only when their number has doubled: total time stays
+ * proportional to the length of the stream. */
 static unsigned first_to_visit(const live_program *l)
 {
     const unsigned count = l->taken->count;
@@ -69,41 +70,41 @@ static unsigned first_to_visit(const live_program *l)
 int live_program_take(live_program *l)
 {
     const invcal_calibration known = best_known(l);
-    const design *set = l->now.set;
+    const design *set = l->program.set;
     const unsigned first = first_to_visit(l);
 
-    l->wanted = l->now.asked;
+    l->requested = l->program.next;
     if (first == 0) {
-        program_begin(&l->now, set);
+        program_begin(&l->program, set);
     }
     for (unsigned n = first; n < l->taken->count; n++) {
         double counts[3];
         for (unsigned i = 0; i < 3; i++) {
             counts[i] = l->taken->mean[3 * (size_t)n + i] / l->unit;
         }
-        visit(l, &l->now, &known, counts);
+        visit(l, &l->program, &known, counts);
     }
-    l->astray = is_astray(&l->now, l->wanted) ? l->astray + 1 : 0;
-    return l->wanted < set->count && l->now.asked == set->count;
+    l->wrong_count = is_wrong_position(&l->program, l->requested) ? l->wrong_count + 1 : 0;
+    return l->requested < set->count && l->program.next == set->count;
 }
 
 int live_program_scale(const live_program *l, double zero[3], double *length)
 {
     const unsigned count = l->taken->count;
 
-    return count >= LIVE_PROGRAM_FOLLOWED && count <= l->now.set->count &&
-           program_scale(&l->now, l->taken->mean, count, zero, length) &&
+    return count >= LIVE_PROGRAM_FOLLOWED && count <= l->program.set->count &&
+           program_scale(&l->program, l->taken->mean, count, zero, length) &&
            hypot(hypot(zero[0], zero[1]), zero[2]) > FAR_ZERO * *length;
 }
 
-/* ---- what is said of it ------------------------------------------------------------------------ */
+/* ---- texts ------------------------------------------------------------------------------------- */
 
-const program *live_program_foreseen(const live_program *l)
+const program *live_program_predicted(const live_program *l)
 {
     static program soon; /* large */
     double counts[3];
 
-    soon = l->now;
+    soon = l->program;
     if (invcal_session_progress(l->session) == 100 &&
         invcal_rests_mean(&l->session->rests, counts)) {
         const invcal_calibration known = best_known(l);
@@ -118,8 +119,8 @@ const char *live_program_good_text(const live_program *l, const program *soon, c
     char angles[PROGRAM_TEXT_MAX];
     char but[64] = "";
 
-    if (is_astray(soon, l->now.asked)) {
-        snprintf(but, sizeof but, ", but not position %u", l->now.asked + 1);
+    if (is_wrong_position(soon, l->program.next)) {
+        snprintf(but, sizeof but, ", but not position %u", l->program.next + 1);
     }
     (void)program_angles_text(soon, angles);
     snprintf(text, size, "good%s: move on%s%s", but, *angles ? " to " : "", angles);
@@ -129,11 +130,11 @@ const char *live_program_good_text(const live_program *l, const program *soon, c
 const char *live_program_wrong_text(const live_program *l, char text[PROGRAM_TEXT_MAX])
 {
     text[0] = '\0';
-    return l->astray > 0 ? program_wrong_text(&l->now, l->wanted, text) : text;
+    return l->wrong_count > 0 ? program_wrong_text(&l->program, l->requested, text) : text;
 }
 
 const char *live_program_missing_text(const live_program *l, char text[PROGRAM_TEXT_MAX])
 {
     text[0] = '\0';
-    return l->now.asked < l->now.set->count ? program_missing_text(&l->now, text) : text;
+    return l->program.next < l->program.set->count ? program_missing_text(&l->program, text) : text;
 }

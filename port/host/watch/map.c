@@ -5,17 +5,17 @@
 
 #include "draw/sphere.h"
 
-#define ACROSS 2u /* dots of a Braille cell */
-#define DOWN 4u
-#define DOTS (ACROSS * MAP_COLUMNS) /* in the diameter, either way */
-#define RIM (1 - 2.0 / DOTS)        /* radius: the outermost dots */
+#define CELL_COLUMNS 2u /* dots of a Braille cell */
+#define CELL_ROWS 4u
+#define DIAMETER_DOTS (CELL_COLUMNS * MAP_COLUMNS) /* across and down */
+#define RIM_RADIUS (1 - 2.0 / DIAMETER_DOTS)       /* radius: the outermost dots */
 
-/* Which of `count` parts of the way from -1 to 1. */
-static unsigned part_of(double x, unsigned count)
+/* The index of x in `count` equal parts of -1 ... 1; 0 for a NaN. */
+static unsigned cell_of(double x, unsigned count)
 {
     const double part = floor((x + 1) / 2 * count);
 
-    return part >= 1 ? (unsigned)fmin(part, count - 1) : 0; /* of a NaN the first */
+    return part >= 1 ? (unsigned)fmin(part, count - 1) : 0;
 }
 
 map_place map_find(const double up[3])
@@ -25,8 +25,8 @@ map_place map_find(const double up[3])
     const double share = across > 0 ? radius / across : 0;
 
     return (map_place){.half = up[2] < -SPHERE_EQUATOR,
-                       .line = part_of(-share * up[1], MAP_LINES),
-                       .column = part_of(share * up[0], MAP_COLUMNS)};
+                       .line = cell_of(-share * up[1], MAP_LINES),
+                       .column = cell_of(share * up[0], MAP_COLUMNS)};
 }
 
 static int is_covered(const double up[3], const map_covered *covered)
@@ -47,12 +47,12 @@ static int is_lit(double x, double y, unsigned half, const map_covered *covered)
     const double stretch = sqrt(fmax(0, 2 - square));
     const double up[3] = {x * stretch, y * stretch, half ? square - 1 : 1 - square};
 
-    return square <= 1 && (square > RIM * RIM || is_covered(up, covered));
+    return square <= 1 && (square > RIM_RADIUS * RIM_RADIUS || is_covered(up, covered));
 }
 
 /* The dots of a Braille character are the bits of its code from U+2800 on; left then right, from the top. */
-static const unsigned char bit_of[ACROSS][DOWN] = {{0x01, 0x02, 0x04, 0x40},
-                                                   {0x08, 0x10, 0x20, 0x80}};
+static const unsigned char bit_of[CELL_COLUMNS][CELL_ROWS] = {{0x01, 0x02, 0x04, 0x40},
+                                                              {0x08, 0x10, 0x20, 0x80}};
 
 static void put_braille(canvas *c, unsigned line, unsigned column, unsigned dots)
 {
@@ -68,12 +68,12 @@ void map_draw(canvas *c, unsigned line, unsigned column, unsigned half, const ma
 {
     unsigned char dots[MAP_LINES][MAP_COLUMNS] = {{0}};
 
-    for (unsigned j = 0; j < DOTS; j++) {
-        for (unsigned i = 0; i < DOTS; i++) {
-            const double x = (2.0 * i + 1) / DOTS - 1;
-            const double y = 1 - (2.0 * j + 1) / DOTS;
+    for (unsigned j = 0; j < DIAMETER_DOTS; j++) {
+        for (unsigned i = 0; i < DIAMETER_DOTS; i++) {
+            const double x = (2.0 * i + 1) / DIAMETER_DOTS - 1;
+            const double y = 1 - (2.0 * j + 1) / DIAMETER_DOTS;
             if (is_lit(x, y, half, covered)) {
-                dots[j / DOWN][i / ACROSS] |= bit_of[i % ACROSS][j % DOWN];
+                dots[j / CELL_ROWS][i / CELL_COLUMNS] |= bit_of[i % CELL_COLUMNS][j % CELL_ROWS];
             }
         }
     }

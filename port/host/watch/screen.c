@@ -11,34 +11,35 @@
 #include "watch/frame.h"
 
 /* Lines of the terminal; 0 if it is too small, or it is unknown. */
-static unsigned lines_of(FILE *talk)
+static unsigned terminal_lines(FILE *out)
 {
     struct winsize size;
 
-    return ioctl(fileno(talk), TIOCGWINSZ, &size) == 0 && size.ws_row > CANVAS_LINES &&
+    return ioctl(fileno(out), TIOCGWINSZ, &size) == 0 && size.ws_row > CANVAS_LINES &&
                    size.ws_col > CANVAS_COLUMNS
                ? size.ws_row
                : 0;
 }
 
-int screen_is_possible(FILE *talk)
+int screen_is_possible(FILE *out)
 {
     const char *terminal = getenv("TERM");
 
-    return talk == stdout && isatty(fileno(talk)) && terminal && *terminal != '\0' &&
-           strcmp(terminal, "dumb") != 0 && strcmp(terminal, "linux") != 0 && lines_of(talk) > 0;
+    return out == stdout && isatty(fileno(out)) && terminal && *terminal != '\0' &&
+           strcmp(terminal, "dumb") != 0 && strcmp(terminal, "linux") != 0 &&
+           terminal_lines(out) > 0;
 }
 
 /* In one write, unless a signal comes between. */
-static void put_out(FILE *talk, const char *text)
+static void write_all(FILE *out, const char *text)
 {
     size_t left = strlen(text);
 
-    fflush(talk);
+    fflush(out);
     while (left > 0) {
-        const ssize_t written = write(fileno(talk), text, left);
+        const ssize_t written = write(fileno(out), text, left);
         if (written < 0 && errno != EINTR) {
-            return; /* what is printed at the end says so */
+            return; /* the output at the end reports the error */
         }
         text += written > 0 ? written : 0;
         left -= written > 0 ? (size_t)written : 0;
@@ -53,19 +54,19 @@ static void put_out(FILE *talk, const char *text)
 
 static struct {
     int is_ringing; /* with the next frame */
-    int has_rung;   /* for the rest that goes on */
+    int has_rung;   /* for the current rest */
     int is_good;    /* has been reported */
-} told;
+} bell;
 
-/* A bell for each turn of things: the person looks at the device. */
-static void listen(const watch_state *now, watch_news what)
+/* A bell for each important event, since the user looks at the device. */
+static void update_bell(const watch_state *now, watch_event event)
 {
-    const int is_ready = now->phase == WATCH_READY && !now->is_refused && !told.has_rung;
-    const int is_good = now->is_good && !told.is_good;
+    const int is_ready = now->phase == WATCH_READY && !now->is_refused && !bell.has_rung;
+    const int is_good = now->is_good && !bell.is_good;
 
-    told.is_ringing = told.is_ringing || is_ready || is_good || what == WATCH_REFUSED;
-    told.has_rung = what != WATCH_TAKEN && what != WATCH_REFUSED && (told.has_rung || is_ready);
-    told.is_good = now->is_good;
+    bell.is_ringing = bell.is_ringing || is_ready || is_good || event == WATCH_REFUSED;
+    bell.has_rung = event != WATCH_TAKEN && event != WATCH_REFUSED && (bell.has_rung || is_ready);
+    bell.is_good = now->is_good;
 }
 
 static void draw(const watch_state *now)
@@ -74,37 +75,37 @@ static void draw(const watch_state *now)
     static char text[CANVAS_BYTES + 64];
 
     snprintf(text, sizeof text, HIDE_CURSOR HOME "%s" CLEAR_BELOW SHOW_CURSOR "%s",
-             lines_of(now->talk) > 0
+             terminal_lines(now->out) > 0
                  ? frame_print(now, CLEAR_LINE "\n", frame)
                  : "the window is too small: 80 columns and 24 lines are needed" CLEAR_LINE "\n",
-             told.is_ringing ? "\a" : "");
-    put_out(now->talk, text);
-    told.is_ringing = 0;
+             bell.is_ringing ? "\a" : "");
+    write_all(now->out, text);
+    bell.is_ringing = 0;
 }
 
-/* What stood on the screen is scrolled up, not drawn upon. */
-static void begin(FILE *talk)
+/* Scrolls the present contents up, so that they are not overwritten. */
+static void begin(FILE *out)
 {
-    memset(&told, 0, sizeof told);
-    for (unsigned i = lines_of(talk); i > 0; i--) {
-        fputc('\n', talk);
+    memset(&bell, 0, sizeof bell);
+    for (unsigned i = terminal_lines(out); i > 0; i--) {
+        fputc('\n', out);
     }
-    put_out(talk, HOME CLEAR_BELOW);
+    write_all(out, HOME CLEAR_BELOW);
 }
 
-void screen_tell(const watch_state *now, watch_news what)
+void screen_update(const watch_state *now, watch_event event)
 {
-    if (what == WATCH_BEGUN) {
-        begin(now->talk);
+    if (event == WATCH_BEGUN) {
+        begin(now->out);
     }
-    listen(now, what);
-    if (what == WATCH_PASSED || what == WATCH_ENDED) {
+    update_bell(now, event);
+    if (event == WATCH_TICK || event == WATCH_ENDED) {
         draw(now);
     }
-    if (what == WATCH_ENDED && *now->missing) {
-        fprintf(now->talk, "positions of the program not visited: %s\n", now->missing);
+    if (event == WATCH_ENDED && *now->missing) {
+        fprintf(now->out, "positions of the program not visited: %s\n", now->missing);
     }
-    if (what == WATCH_ENDED) {
-        fprintf(now->talk, "\n");
+    if (event == WATCH_ENDED) {
+        fprintf(now->out, "\n");
     }
 }

@@ -5,12 +5,12 @@
 
 #include "text/figure.h"
 
-#define NORMAL 1.959964 /* sigma that hold 95 % where the noise is known, as in session.c */
+#define NORMAL 1.959964 /* coverage factor for 95 % with known noise, as in session.c */
 
 const char *const watch_kinds[WATCH_KINDS] = {"offsets", "scales", "angles"};
 
 /* The arc cosine is too coarse near 0 and 180. */
-double watch_to_go(const watch_state *now)
+double watch_degrees_to_go(const watch_state *now)
 {
     const double *a = now->up;
     const double *b = now->target;
@@ -36,12 +36,12 @@ double watch_interval(const watch_state *now, unsigned kind)
     return invcal_coverage(now->quality.sigma_dof) * fmax(sigma[0], fmax(sigma[1], sigma[2]));
 }
 
-double watch_wanted(const watch_state *now, unsigned kind)
+double watch_goal(const watch_state *now, unsigned kind)
 {
     return NORMAL * now->target_sigma[kind];
 }
 
-int watch_is_anything_wanted(const watch_state *now)
+int watch_has_goal(const watch_state *now)
 {
     const double *target = now->target_sigma;
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal watch: leads through a calibration while the samples come in.
+ * invcal watch: guides the user through a calibration while the samples come in.
  */
 #include <string.h>
 
@@ -13,84 +13,85 @@
 #include "watch/live.h"
 #include "watch/wave.h"
 
-/* Where there is talk: to stdout, with JSON to stderr, and with --quiet nowhere, which is to be
+/* The guidance goes to stdout, with JSON to stderr, and with --quiet to the null device, which is
+ * returned to be
  * closed. */
-static FILE *begin_talk(const request *r, live_wish *wish)
+static FILE *open_output(const request *r, live_options *options)
 {
-    FILE *nowhere = r->value[OPT_QUIET] ? fopen("/dev/null", "w") : NULL;
+    FILE *null_device = r->value[OPT_QUIET] ? fopen("/dev/null", "w") : NULL;
 
-    wish->talk = nowhere ? nowhere : r->value[OPT_JSON] ? stderr : stdout;
-    return nowhere;
+    options->out = null_device ? null_device : r->value[OPT_JSON] ? stderr : stdout;
+    return null_device;
 }
 
-static void end_talk(FILE *nowhere)
+static void close_output(FILE *null_device)
 {
-    if (nowhere) {
-        fclose(nowhere);
+    if (null_device) {
+        fclose(null_device);
     }
 }
 
-/* What is asked of both. */
-static live_wish wish_of(const request *r)
+/* For both kinds of sensors. */
+static live_options common_options(const request *r)
 {
-    live_wish wish = {.rate = r->rate, .field = r->settings.field, .units = r->units};
+    live_options options = {.rate = r->rate, .field = r->settings.field, .units = r->units};
 
-    memcpy(wish.target, r->target, sizeof wish.target);
-    wish.need = r->need / r->settings.field;
-    wish.field_sigma = r->field_sigma / r->settings.field;
-    return wish;
+    memcpy(options.target, r->target, sizeof options.target);
+    options.need = r->need / r->settings.field;
+    options.field_sigma = r->field_sigma / r->settings.field;
+    return options;
 }
 
-/* The positions that a live stream rests in. */
+/* The rests of a live stream. */
 static int read_live(const request *r, positions *data, rests_summary *log, gyro_log *gyro)
 {
     invcal_calibration nominal;
     invcal_noise noise[3];
-    live_wish wish = wish_of(r);
+    live_options options = common_options(r);
 
-    wish.unit = r->unit;
-    wish.clip = r->value[OPT_CLIP] ? r->clip : NULL;
-    wish.gyro = r->gyro;
-    wish.set = r->program;
+    options.unit = r->unit;
+    options.clip = r->value[OPT_CLIP] ? r->clip : NULL;
+    options.gyro = r->gyro;
+    options.set = r->program;
     if (r->value[OPT_NOMINAL]) {
         const int failure = calibration_file_read(r->value[OPT_NOMINAL], &nominal);
         if (failure) {
             return failure;
         }
-        wish.nominal = &nominal;
+        options.nominal = &nominal;
     }
-    wish.sensor = r->sensor;
-    wish.zero = r->value[OPT_ZERO] ? r->zero : NULL;
-    wish.lsb = r->value[OPT_LSB] ? r->lsb : NULL;
-    wish.stated = r->settings.noise;
-    wish.mean_sigma = r->mean_sigma;
+    options.sensor = r->sensor;
+    options.zero = r->value[OPT_ZERO] ? r->zero : NULL;
+    options.lsb = r->value[OPT_LSB] ? r->lsb : NULL;
+    options.stated = r->settings.noise;
+    options.mean_sigma = r->mean_sigma;
     if (r->value[OPT_ALLAN]) {
         const int failure = noise_file_read(r->value[OPT_ALLAN], noise);
         if (failure) {
             return failure;
         }
-        wish.noise = noise;
+        options.noise = noise;
     }
-    FILE *nowhere = begin_talk(r, &wish);
+    FILE *null_device = open_output(r, &options);
     const int failure =
-        live_read(data, r->file, &wish, r->value[OPT_ACCELEROMETER_ONLY] ? NULL : gyro, log);
-    end_talk(nowhere);
+        live_read(data, r->file, &options, r->value[OPT_ACCELEROMETER_ONLY] ? NULL : gyro, log);
+    close_output(null_device);
     return failure;
 }
 
-/* A magnetometer that is waved. Of a field that is not stated a part is asked for by %, else a
- * number in the unit of the readings. */
+/* A magnetometer that is waved. If its field is not stated, --need is in % of it, or in the unit of
+ * the readings. */
 static int read_waved(const request *r, const invcal_calibration *nominal, positions *data,
                       magnetometer_log *log)
 {
-    live_wish wish = wish_of(r);
+    live_options options = common_options(r);
 
     if (!r->value[OPT_GRAVITY] && r->value[OPT_NEED] && !strchr(r->value[OPT_NEED], '%')) {
-        wish.field = 0;
+        options.field = 0;
     }
-    FILE *nowhere = begin_talk(r, &wish);
-    const int failure = wave_read(data, r->file, nominal, &wish, log);
-    end_talk(nowhere);
+    FILE *null_device = open_output(r, &options);
+    const int failure = wave_read(data, r->file, nominal, &options, log);
+    close_output(null_device);
     return failure;
 }
 

@@ -11,18 +11,18 @@
 #include "watch/lines.h"
 #include "watch/screen.h"
 
-#define TICK 0.1  /* seconds of the log from one WATCH_PASSED to the next, at least */
-#define KNOWN 100 /* samples, after which the cells are about right */
+#define TICK_SECONDS 0.1 /* of the log, from one WATCH_TICK to the next, at least */
+#define SAMPLES_MIN 100  /* before directions are shown */
 
 static watch_state now; /* large */
 
 typedef struct {
-    const live_wish *wish;
-    watch_teller tell;
-    double told_at; /* seconds of the log: the last WATCH_PASSED */
+    const live_options *options;
+    watch_view update;
+    double reported_at; /* seconds of the log at the last WATCH_TICK */
     int has_begun;
-    int is_enough; /* has been said */
-} stage;
+    int is_goal_reached;
+} state;
 
 /* The direction of a reading. Returns 0 if it has none. */
 static int find_direction(const invcal_calibration *c, const double raw[3], double out[3])
@@ -48,7 +48,7 @@ static void find_covered(const invcal_magnetometer *m)
     now.taken = now.covered;
 }
 
-/* North of the magnetic equator the field points down: then the opposite way is up. */
+/* North of the magnetic equator the field points down, so the opposite of the target is up. */
 static void aim(const invcal_magnetometer *m)
 {
     char words[INVCAL_WORDS];
@@ -59,41 +59,42 @@ static void aim(const invcal_magnetometer *m)
     snprintf(now.next, sizeof now.next, "hold it %s, and swing it around", invcal_words(up, words));
 }
 
-/* A target of 0 means any. */
-static int reaches_target(const live_wish *wish, double field)
+/* A target of 0 means no limit. */
+static int reaches_target(const live_options *options, double field)
 {
     const double *sigma = now.quality.sigma;
-    int reaches = !(wish->need > 0) || now.accuracy <= wish->need / (wish->field > 0 ? 1 : field);
+    int reaches =
+        !(options->need > 0) || now.accuracy <= options->need / (options->field > 0 ? 1 : field);
 
     for (unsigned k = 0; k < INVCAL_PARAMETERS; k++) {
-        const double target = wish->target[k / 3];
+        const double target = options->target[k / 3];
         reaches = reaches && (!(target > 0) || sigma[k] <= target);
     }
     return reaches;
 }
 
-/* The samples so far. */
-static void judge(const stage *s, const invcal_magnetometer *m)
+/* Solves the samples so far. */
+static void judge(const state *s, const invcal_magnetometer *m)
 {
     invcal_calibration calibration;
     invcal_magnetometer_found found = {.field = 0};
 
     now.status = invcal_magnetometer_solve(m, &calibration, &now.quality, &found);
     now.accuracy =
-        now.status == INVCAL_OK ? invcal_accuracy(&now.quality, s->wish->field_sigma) : 0;
+        now.status == INVCAL_OK ? invcal_accuracy(&now.quality, s->options->field_sigma) : 0;
     now.disturbed = now.status == INVCAL_OK
                         ? invcal_disturbance_text((invcal_disturbance)found.disturbance)
                         : "";
     now.is_guess = now.status != INVCAL_OK;
-    now.need =
-        s->wish->field > 0 || !(found.field > 0) ? s->wish->need : s->wish->need / found.field;
+    now.need = s->options->field > 0 || !(found.field > 0) ? s->options->need
+                                                           : s->options->need / found.field;
     now.is_good = now.status == INVCAL_OK && now.quality.verdict == INVCAL_GOOD && found.gap == 0 &&
-                  reaches_target(s->wish, found.field);
+                  reaches_target(s->options, found.field);
 }
 
 /* ---- the stream --------------------------------------------------------------------------------- */
 
-static void begin(stage *s, const magnetometer_moment *at)
+static void begin(state *s, const magnetometer_moment *at)
 {
     s->has_begun = 1;
     interrupt_stream(at->log->table.file);
@@ -101,84 +102,84 @@ static void begin(stage *s, const magnetometer_moment *at)
     (void)columns_describe(&at->log->where.seen, now.recognised, sizeof now.recognised);
     judge(s, at->magnetometer);
     aim(at->magnetometer);
-    s->tell(&now, WATCH_BEGUN);
+    s->update(&now, WATCH_BEGUN);
 }
 
-static void take(stage *s, const magnetometer_moment *at)
+static void take(state *s, const magnetometer_moment *at)
 {
     find_covered(at->magnetometer);
     judge(s, at->magnetometer);
     aim(at->magnetometer);
     now.last = WATCH_TAKEN;
     now.outcome = WATCH_USED;
-    s->tell(&now, WATCH_TAKEN);
+    s->update(&now, WATCH_TAKEN);
 }
 
 /* A tenth of a second has passed. */
-static void pass(stage *s, const magnetometer_moment *at)
+static void tick(state *s, const magnetometer_moment *at)
 {
     const char *before = now.disturbed;
 
-    s->told_at = at->latest->clock;
-    now.has_up = at->magnetometer->samples >= KNOWN &&
+    s->reported_at = at->latest->clock;
+    now.has_up = at->magnetometer->samples >= SAMPLES_MIN &&
                  find_direction(&at->magnetometer->work, at->raw, now.up);
     find_covered(at->magnetometer);
     judge(s, at->magnetometer);
     aim(at->magnetometer);
     if (strcmp(now.disturbed, before) != 0 && *now.disturbed != '\0') {
         now.refusal = now.disturbed;
-        s->tell(&now, WATCH_REFUSED);
+        s->update(&now, WATCH_REFUSED);
     }
-    if (now.is_good && !s->is_enough) {
-        s->is_enough = 1;
-        now.outcome = WATCH_ENOUGH;
-        s->tell(&now, WATCH_TAKEN);
+    if (now.is_good && !s->is_goal_reached) {
+        s->is_goal_reached = 1;
+        now.outcome = WATCH_GOAL_REACHED;
+        s->update(&now, WATCH_TAKEN);
     }
-    s->tell(&now, WATCH_PASSED);
+    s->update(&now, WATCH_TICK);
 }
 
-static void listen(const magnetometer_moment *at, void *who)
+static void on_sample(const magnetometer_moment *at, void *argument)
 {
-    stage *const s = who;
+    state *const s = argument;
 
     if (!s->has_begun) {
         begin(s, at);
     }
     now.seconds = at->latest->clock;
     now.skipped = at->log->skipped;
-    if (at->event == INVCAL_TAKEN && at->magnetometer->samples >= KNOWN) {
+    if (at->event == INVCAL_TAKEN && at->magnetometer->samples >= SAMPLES_MIN) {
         take(s, at);
     }
-    if (at->latest->clock - s->told_at >= TICK) {
-        pass(s, at);
+    if (at->latest->clock - s->reported_at >= TICK_SECONDS) {
+        tick(s, at);
     }
 }
 
 int wave_read(positions *p, const char *path, const invcal_calibration *nominal,
-              const live_wish *wish, magnetometer_log *out)
+              const live_options *options, magnetometer_log *out)
 {
-    stage s = {.wish = wish, .told_at = -HUGE_VAL};
-    const magnetometer_log_options how = {path, wish->rate, nominal, 1, listen, &s};
+    state s = {.options = options, .reported_at = -HUGE_VAL};
+    const magnetometer_log_options how = {path, options->rate, nominal, 1, on_sample, &s};
 
-    s.tell = screen_is_possible(wish->talk) ? screen_tell : lines_tell;
-    if (isatty(fileno(wish->talk))) {
-        fprintf(wish->talk, "waiting for samples\n");
-        fflush(wish->talk);
+    s.update = screen_is_possible(options->out) ? screen_update : lines_update;
+    if (isatty(fileno(options->out))) {
+        fprintf(options->out, "waiting for samples\n");
+        fflush(options->out);
     }
     interrupt_catch(path);
-    now = (watch_state){.talk = wish->talk,
-                        .units = wish->units,
+    now = (watch_state){.out = options->out,
+                        .units = options->units,
                         .is_magnetometer = 1,
                         .disturbed = "",
                         .phase = WATCH_MOVING,
                         .status = INVCAL_TOO_FEW,
-                        .need = wish->need};
-    memcpy(now.target_sigma, wish->target, sizeof now.target_sigma);
+                        .need = options->need};
+    memcpy(now.target_sigma, options->target, sizeof now.target_sigma);
     const int failure = magnetometer_log_read(p, &how, out);
     interrupt_stream(NULL);
     if (s.has_begun) {
         now.phase = WATCH_ENDED;
-        s.tell(&now, failure ? WATCH_BROKEN : WATCH_ENDED);
+        s.update(&now, failure ? WATCH_BROKEN : WATCH_ENDED);
     }
     return failure;
 }

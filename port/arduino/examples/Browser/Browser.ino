@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * An accelerometer that a page in a browser calibrates: it prints its readings, x,y,z in counts, and stores the
- * calibration that the page sends back. Open invcal.html (make web) in Chrome, Edge, Opera or a recent Firefox, press
- * "Serial port", turn the sensor as the page says, and press "Send to the board".
+ * An accelerometer that a page in a browser calibrates: it prints its readings, x,y,z in counts,
+ * and stores the calibration that the page sends back. Open invcal.html (make web) in Chrome, Edge,
+ * Opera or a recent Firefox, press "Serial port", turn the sensor as the page says, and press "Send
+ * to the board".
  *
- * What comes is one line, "invcal " and the record of store.h as hexadecimal digits:
+ * The page sends one line, "invcal " and the record of store.h as hexadecimal digits:
  *
  *     invcal ca0288000000...
  *
- * What your device does with it stands in Calibrate.ino: invcal_load and invcal_apply_counts.
+ * Calibrate.ino shows how your device uses it: invcal_load and invcal_apply_counts.
  */
 #include <invcal.h>
 #include <invcal/store.h>
@@ -16,7 +17,7 @@
 #include "sensor.h"
 #include "storage.h"
 
-const unsigned PATIENCE = 500; /* milliseconds without a character: the line was torn */
+const unsigned TIMEOUT = 500; /* milliseconds without a character: the line was cut off */
 
 /* Returns the next character; -1 if none comes. */
 static int next_character()
@@ -26,7 +27,7 @@ static int next_character()
     return Serial.readBytes(&c, 1) == 1 ? c : -1;
 }
 
-/* Returns 0 ... 15; -1 if that is no hexadecimal digit. */
+/* Returns 0 ... 15; -1 if it is not a hexadecimal digit. */
 static int digit(int c)
 {
     return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
@@ -45,7 +46,7 @@ static bool read_record(uint8_t bytes[INVCAL_RECORD_SIZE])
     return true;
 }
 
-/* A whole line at once: the buffer of an Uno holds 64 characters, less than come while a sample is waited for. */
+/* Reads a whole line at once: an Uno's buffer of 64 characters would overflow during one sample. */
 static void listen()
 {
     static const char word[] = "invcal ";
@@ -71,7 +72,7 @@ void setup()
     invcal_calibration calibration;
 
     Serial.begin(115200);
-    Serial.setTimeout(PATIENCE);
+    Serial.setTimeout(TIMEOUT);
     while (!sensor_begin()) {
         Serial.println(F("# sensor: no answer, or another chip"));
         delay(1000);

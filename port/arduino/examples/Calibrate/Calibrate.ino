@@ -4,9 +4,9 @@
  * as it says, and hold it still until it says "good". At the end the calibration is stored; from
  * then on calibrated readings are printed, after the next power-on too. Send c to calibrate again.
  *
- * It takes 28 KB of flash and 1.6 KB of RAM: an Uno will do. The sensor is in sensor.cpp, the memory in
- * storage.cpp: change them for other ones. For little memory it prints whole numbers, and its texts lie
- * in flash.
+ * It takes 28 KB of flash and 1.6 KB of RAM: enough on an Uno. The sensor is in sensor.cpp, the
+ * memory in storage.cpp: change these files for others. To save memory, it prints whole numbers,
+ * and its texts are in flash.
  */
 #include <invcal.h>
 #include <invcal/expert.h>
@@ -14,16 +14,16 @@
 #include "sensor.h"
 #include "storage.h"
 
-const unsigned SHOWN = 50; /* one calibrated sample in so many is shown */
+const unsigned SHOW_EVERY = 50; /* calibrated samples */
 
 static invcal_session session;
 static invcal_calibration calibration;
 static bool is_calibrated;
 
-/* Not compiled into loop, or its variables would lie on the stack while the others run. */
-#define APART __attribute__((noinline))
+/* Not inlined into loop, or its variables would be on the stack while the others run. */
+#define NOINLINE __attribute__((noinline))
 
-/* Never comes back: there is nothing left to do without a reset. */
+/* Never returns: only a reset helps. */
 static void stop(const __FlashStringHelper *text)
 {
     Serial.println(text);
@@ -64,8 +64,8 @@ static void begin_session()
     Serial.println(F("calibration begins"));
 }
 
-/* invcal_session_why says the same; but on an AVR it says it from RAM. */
-static const __FlashStringHelper *why()
+/* As invcal_session_why, whose texts are in RAM on an AVR. */
+static const __FlashStringHelper *refusal_text()
 {
     switch (invcal_session_reason(&session)) {
     case INVCAL_REST_SHORT:
@@ -85,7 +85,7 @@ static const __FlashStringHelper *why()
     }
 }
 
-static APART void save(const invcal_quality &quality)
+static NOINLINE void save(const invcal_quality &quality)
 {
     const bool done = invcal_save(&calibration_store, &calibration, &quality) == INVCAL_OK;
 
@@ -93,9 +93,10 @@ static APART void save(const invcal_quality &quality)
                         : F("calibration not stored: the EEPROM fails"));
 }
 
-/* Without positions that contradict the others. Nothing happens before that is good, and by residuals
- * enough. invcal_session_solve looks for drift and nonlinearity, too, for which an Uno has no space. */
-static APART void solve()
+/* Leaves out positions that contradict the others. Continues until the verdict is good, with
+ * redundancy. (invcal_session_solve also looks for drift and nonlinearity, for which an Uno has no
+ * space.) */
+static NOINLINE void solve()
 {
     invcal_quality quality;
 
@@ -125,13 +126,13 @@ static void calibrate(const int32_t raw[3])
         break;
     case INVCAL_REFUSED:
         Serial.print(F("refused: "));
-        Serial.println(why());
+        Serial.println(refusal_text());
         show_next();
         break;
     case INVCAL_TAKEN:
         Serial.print(F("positions taken: "));
         Serial.println(session.count);
-        invcal_save_session(&session_store, &session); /* to go on there after a reset */
+        invcal_save_session(&session_store, &session); /* to resume after a reset */
         solve();
         break;
     default:
@@ -141,20 +142,20 @@ static void calibrate(const int32_t raw[3])
 
 /* ---- from then on ----------------------------------------------------------------------------- */
 
-/* What your device does with it. */
+/* Your application. */
 static void measure(const int32_t raw[3])
 {
     static unsigned n;
     float a[3];
 
     invcal_apply_counts(&calibration, raw, a);
-    if (++n == SHOWN) {
+    if (++n == SHOW_EVERY) {
         n = 0;
         show(F("a, mg:"), a, 1000);
     }
 }
 
-APART void setup()
+NOINLINE void setup()
 {
     Serial.begin(115200);
     if (!sensor_begin()) {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * On an AVR such as the Uno's or the Mega's by its own registers: Wire would take 2 KB more of flash
- * and 200 bytes more of RAM. If another library shares the bus by Wire, delete the first half.
+ * On an AVR, as in the Uno and the Mega, with its own registers: Wire would take 2 KB more of
+ * flash and 200 bytes more of RAM. If another library uses the bus through Wire, delete the
+ * first half.
  */
 #include "i2c.h"
 

@@ -3,7 +3,7 @@
 
 #include "i2c.h"
 
-/* Of the register maps of the MPU-6000/6050, MPU-6500, MPU-9250 and MPU-9255. */
+/* From the register maps of the MPU-6000/6050, MPU-6500, MPU-9250 and MPU-9255. */
 enum {
     ADDRESS = 0x68, /* pin AD0 low; 0x69 if it is high */
     SMPLRT_DIV = 0x19,
@@ -14,13 +14,13 @@ enum {
     ACCEL_XOUT_H = 0x3B, /* x, y, z: 2 bytes each, the high one first */
     PWR_MGMT_1 = 0x6B,
     WHO_AM_I = 0x75,
-    MPU6050 = 0x68, /* what WHO_AM_I says; the others' accelerometers are alike */
+    MPU6050 = 0x68, /* value of WHO_AM_I; the others have the same accelerometer */
     MPU6500 = 0x70,
     MPU9250 = 0x71,
     MPU9255 = 0x73
 };
 
-const unsigned PATIENCE = 100; /* milliseconds */
+const unsigned TIMEOUT = 100; /* milliseconds */
 
 static uint8_t chip;
 static unsigned latest; /* milliseconds, of the latest sample */
@@ -62,7 +62,7 @@ sensor_status sensor_next(int32_t raw[3])
     uint8_t bytes[6];
 
     do {
-        if ((unsigned)millis() - begin > PATIENCE || !get(INT_STATUS, bytes, 1)) {
+        if ((unsigned)millis() - begin > TIMEOUT || !get(INT_STATUS, bytes, 1)) {
             return SENSOR_SILENT;
         }
     } while (!(bytes[0] & 1));

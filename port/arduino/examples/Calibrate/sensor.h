@@ -15,7 +15,7 @@ const int32_t SENSOR_HIGH = 32767;
 enum sensor_status {
     SENSOR_OK,
     SENSOR_LOST,  /* a sample, but others were lost before it */
-    SENSOR_SILENT /* no sample in due time */
+    SENSOR_SILENT /* no sample in time */
 };
 
 /* Sets the chip up. False if there is no answer, or another chip. */

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * For the EEPROM of an AVR. Boards that keep one in flash want EEPROM.begin(size) in setup and
- * EEPROM.commit() at the end of erase_slot and program; what their own erasing does to the other
- * slot when power fails, their documentation must tell.
+ * For the EEPROM of an AVR. Boards that emulate one in flash need EEPROM.begin(size) in setup and
+ * EEPROM.commit() at the end of erase_slot and program; see their documentation for what their
+ * erasing does to the other slot when power fails.
  */
 #include "storage.h"
 
 #include <EEPROM.h>
 
-/* Two slots for the calibration, and behind them two for the session: of 1,024 bytes, the least that
- * there is, they hold 22 positions. With more a session is not stored any more. */
+/* Two slots for the calibration, then two for the session, which in the smallest EEPROM, of 1,024
+ * bytes, hold 22 positions. A session with more is not stored. */
 const int SMALLEST_EEPROM = 1024;
 const int CALIBRATION_SLOT = INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1);
 const int SESSION_SLOT = SMALLEST_EEPROM / 2 - CALIBRATION_SLOT;

@@ -20,7 +20,7 @@
 #error "this sketch takes 7 KB of RAM: a Mega, or a board that is not an AVR"
 #endif
 
-const unsigned SHOWN = 50; /* one calibrated sample of this many is shown */
+const unsigned SHOW_EVERY = 50; /* calibrated samples */
 
 static invcal_imu_session both;
 static invcal_imu_record calibration;
@@ -29,9 +29,9 @@ static unsigned at;   /* rests before the next one */
 static unsigned made; /* bit i: turn i of the tour was made, and was not refused */
 
 /* Not inlined into loop, or its variables would be on the stack while the others run. */
-#define APART __attribute__((noinline))
+#define NOINLINE __attribute__((noinline))
 
-/* Never returns: there is nothing left to do without a reset. */
+/* Never returns: only a reset helps. */
 static void stop(const __FlashStringHelper *text)
 {
     Serial.println(text);
@@ -94,7 +94,7 @@ static void begin_session()
 
 /* Nothing is stored before the verdict is good: until then, another tour. An AVR takes some seconds, and the
  * turn that is made meanwhile is refused. */
-static APART void solve()
+static NOINLINE void solve()
 {
     invcal_imu imu;
 
@@ -177,7 +177,7 @@ static void measure(const int32_t accelerometer[3], const int32_t gyro[3])
         const float *g = calibration.slope[i];
         rate[i] -= g[0] * a[0] + g[1] * a[1] + g[2] * a[2];
     }
-    if (++n == SHOWN) {
+    if (++n == SHOW_EVERY) {
         n = 0;
         show(F("a, mg:"), a, 1000);
         show(F("rate, mrad/s:"), rate, 1000);

@@ -28,7 +28,7 @@ const uint8_t BOTH = 0x78;      /* FIFO_EN: gyroscope x, y, z, and accelerometer
 const uint8_t RESTART = 0x44;   /* USER_CTRL: the queue on, and emptied */
 const uint8_t OVERFLOW = 0x10;  /* INT_STATUS */
 const uint8_t SAMPLE = 12;      /* bytes */
-const unsigned PATIENCE = 100;  /* milliseconds */
+const unsigned TIMEOUT = 100;  /* milliseconds */
 
 static bool set(uint8_t address, uint8_t value)
 {
@@ -70,7 +70,7 @@ imu_status imu_next(int32_t accelerometer[3], int32_t gyro[3])
     uint8_t bytes[SAMPLE];
 
     do {
-        if ((unsigned)millis() - begin > PATIENCE || !get(INT_STATUS, bytes, 1)) {
+        if ((unsigned)millis() - begin > TIMEOUT || !get(INT_STATUS, bytes, 1)) {
             return IMU_SILENT;
         }
         if (bytes[0] & OVERFLOW) { /* the rest of it may begin anywhere in a sample */

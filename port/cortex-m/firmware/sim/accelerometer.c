@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The world of the firmware of the accelerometer alone.
+ * The simulated world of the firmware of the accelerometer alone.
  */
 #include "flash.h"
 #include "sim.h"
@@ -10,7 +10,7 @@ const uint16_t hand_script[HAND_PLACES] = {
     [9] = KNOCKS,          [10] = SLOW_FLASH,        [11] = POWER_CUT,
 };
 
-invcal_status judge_load(invcal_record *record)
+invcal_status load_record(invcal_record *record)
 {
     uint8_t bytes[INVCAL_RECORD_SIZE];
     uint32_t size;
@@ -19,7 +19,7 @@ invcal_status judge_load(invcal_record *record)
     return status == INVCAL_OK ? invcal_record_decode(bytes, size, record) : status;
 }
 
-int judge_rest(void)
+int verify_others(void)
 {
     return 1;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The world of the firmware of both sensors.
+ * The simulated world of the firmware of both sensors.
  */
 #include <math.h>
 
@@ -8,8 +8,8 @@
 #include "invcal/gyro.h"
 #include "sim.h"
 
-#define BIAS 0.5f    /* counts, largest error of an offset of the gyroscope */
-#define SIGMA 0.002f /* the largest that is good */
+#define BIAS 0.5f    /* counts: largest error of an offset of the gyroscope */
+#define SIGMA 0.002f /* largest sigma */
 
 const uint16_t hand_script[HAND_PLACES] = {
     [3] = KNOCKS,     [4] = RESET_IN_MOVE, [6] = HURRIES,
@@ -18,7 +18,7 @@ const uint16_t hand_script[HAND_PLACES] = {
 
 static invcal_imu_record both;
 
-invcal_status judge_load(invcal_record *record)
+invcal_status load_record(invcal_record *record)
 {
     const invcal_status status = invcal_load_imu(&calibration_store, &both);
 
@@ -26,8 +26,8 @@ invcal_status judge_load(invcal_record *record)
     return status;
 }
 
-/* A perfect matrix makes the identity of the truth. */
-int judge_rest(void)
+/* The product of a perfect matrix and the true gain is the identity. */
+int verify_others(void)
 {
     int good = 1;
 
@@ -37,8 +37,9 @@ int judge_rest(void)
         for (unsigned k = 0; k < 3; k++) {
             product += both.gyro.matrix[r][k] * sim_gyro_truth.gain[k][c];
         }
-        good &= judge_one(invcal_imu_parameter_name(i), r == c ? 1 : 0, product, both.sigma[i]) &
-                (both.sigma[i] < SIGMA);
+        good &=
+            verify_parameter(invcal_imu_parameter_name(i), r == c ? 1 : 0, product, both.sigma[i]) &
+            (both.sigma[i] < SIGMA);
     }
     for (unsigned i = 0; i < 3; i++) {
         good &= fabsf(both.gyro.offset[i] - sim_gyro_truth.offset[i]) < BIAS;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * NOR flash: erasing sets all bits of a sector, programming clears some, and a granule is
- * programmed once between two erasures. A driver that breaks a rule gets a failure.
+ * NOR flash: erasing sets all bits of a sector, programming clears some, and a granule may be
+ * programmed once between two erasures. A call that breaks a rule fails.
  */
 #include "flash.h"
 
@@ -13,12 +13,12 @@
 
 static struct {
     uint32_t magic;
-    uint8_t *weak; /* a granule that will fade; null: none */
+    uint8_t *weak; /* a granule that a reset will erase; null: none */
     uint8_t sector[FLASH_SECTORS][FLASH_SECTOR_SIZE];
     uint8_t is_programmed[FLASH_SECTORS][GRANULES];
 } flash SIM_NOINIT;
 
-/* As it comes from the factory. */
+/* New flash is erased. */
 static void power_on(void)
 {
     if (sim_is_new(&flash.magic)) {

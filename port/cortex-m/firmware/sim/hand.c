@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The person: reads what the firmware prints, and turns the device as it says, within some degrees;
- * and does a few things that people do. Power fails now and then, too.
+ * The user: reads what the firmware prints, and turns the device as it says, to within some
+ * degrees; makes typical mistakes; and is interrupted by power failures.
  */
 #include <math.h>
 #include <string.h>
@@ -12,34 +12,34 @@
 
 /* In steps of 1/200 s. */
 enum {
-    TURN = 240,       /* from place to place; */
-    HURRY = 60,       /* beyond the gyroscope's range */
-    MOVE_RESET = 190, /* of a turn: the rest before has been taken and stored */
-    TOO_SHORT = 260,  /* held by one who is in a hurry */
-    REACTION = 100,   /* to what is read */
+    TURN = 240,       /* from place to place */
+    HURRY = 60,       /* the same, beyond the gyroscope's range */
+    MOVE_RESET = 190, /* of a turn: when the last rest has been taken and stored */
+    TOO_SHORT = 260,  /* hold that is too short */
+    REACTION = 100,   /* time, to a message */
     KNOCK_AT = 80,
     KNOCK_END = 88,
-    ERASE = 8,        /* a sector of the flash; */
-    SLOW_ERASE = 600, /* an old one */
-    DONE = 400,       /* calibrated, and switched off and on, */
-    AGAIN = 1000,     /* and judged */
-    PATIENCE = 60000
+    ERASE = 8,        /* of a sector of the flash; */
+    SLOW_ERASE = 600, /* of a worn one */
+    DONE = 400,       /* from the calibration until power is switched off and on, */
+    VERIFY = 1000,    /* and until the result is verified */
+    TIMEOUT = 60000
 };
 
 static struct {
     uint32_t magic;
-    uint32_t time;             /* since power-on, and */
-    uint32_t turning, turn;    /* in the present turn, and its duration */
-    uint32_t held, reset_at;   /* at the present place */
-    float up[3];               /* the direction that points up, unit */
-    float vector[3];           /* of the turn */
-    float wobble[3];           /* on the way, rad/s */
-    float wish[3];             /* direction to point up next */
-    unsigned place;            /* how many have been visited */
-    unsigned erases;           /* of the flash since the last place, */
-    unsigned programs, cut_at; /* and programmings; power fails there */
-    unsigned leaving;          /* steps until it is taken up; 0: it is held */
-    unsigned done;             /* steps since it has been calibrated; 0: not yet */
+    uint32_t time;             /* since power-on */
+    uint32_t turning, turn;    /* time in the current turn, and its duration */
+    uint32_t held, reset_at;   /* time at the current place; when to reset */
+    float up[3];               /* the direction that points up, a unit vector */
+    float vector[3];           /* rotation vector of the turn */
+    float wobble[3];           /* during the turn, rad/s */
+    float target[3];           /* direction to point up next */
+    unsigned place;            /* number of places visited */
+    unsigned erases;           /* of the flash at this place, */
+    unsigned programs, cut_at; /* and programmings; the one at which power fails */
+    unsigned leaving;          /* steps until the next turn; 0: it is held */
+    unsigned done;             /* steps since the calibration; 0: not calibrated yet */
 } hand SIM_NOINIT;
 
 static void power_on(void)
@@ -47,11 +47,11 @@ static void power_on(void)
     if (sim_is_new(&hand.magic)) {
         memset((char *)&hand + sizeof hand.magic, 0, sizeof hand - sizeof hand.magic);
         hand.up[2] = 1;
-        hand.wish[2] = 1;
+        hand.target[2] = 1;
     }
 }
 
-static int happens(unsigned what)
+static int is_scripted(unsigned what)
 {
     return hand.place < HAND_PLACES && hand_script[hand.place] & what;
 }
@@ -80,9 +80,9 @@ static void to_unit(float v[3])
 
 /* ---- reading ---------------------------------------------------------------------------------- */
 
-/* "+z up, tilt 45 deg, +x rises": faces, edges and corners of the case are all that is asked for, so
- * the sum of the axes named is the direction. */
-static void understand(const char *words)
+/* "+z up, tilt 45 deg, +x rises": only faces, edges and corners of the case are requested, so the
+ * direction is the sum of the axes named. */
+static void parse_direction(const char *words)
 {
     float v[3] = {0, 0, 0};
 
@@ -93,22 +93,22 @@ static void understand(const char *words)
         v[at[1] - 'x'] = *at == '+' ? 1.0f : -1.0f;
     }
     to_unit(v);
-    memcpy(hand.wish, v, sizeof hand.wish);
+    memcpy(hand.target, v, sizeof hand.target);
 }
 
 static void read_line(const char *line)
 {
     if (strncmp(line, "next: ", 6) == 0) {
-        understand(line + 6);
+        parse_direction(line + 6);
     } else if (strncmp(line, "good", 4) == 0 || strncmp(line, "refused", 7) == 0) {
-        /* on the way to the next place it has been left already */
+        /* during a turn, the place has been left already */
         hand.leaving = hand.turning == hand.turn ? REACTION : 0;
     } else if (strncmp(line, "calibration stored", 18) == 0) {
         hand.done = 1;
     }
 }
 
-/* The linker puts these in place of uart_put. */
+/* The linker replaces uart_put by these (--wrap). */
 void __real_uart_put(char c);
 void __wrap_uart_put(char c);
 void __wrap_uart_put(char c)
@@ -129,7 +129,7 @@ void __wrap_uart_put(char c)
 
 /* ---- turning and holding: of libm only sqrtf, which gives the same bits on every machine --------- */
 
-/* Within a degree: four times the arc sine of a quarter of it. */
+/* The arc cosine, to a degree: four times the arc sine of a quarter of the angle. */
 static float angle_of(float cosine)
 {
     const float half = sqrtf((1 + cosine) / 2);
@@ -138,39 +138,39 @@ static float angle_of(float cosine)
     return 4 * sqrtf(square) * (1 + square / 6 + 0.075f * square * square);
 }
 
-/* The shortest way to the wish, roughly; or all the way round. */
+/* The shortest turn to the target, with an error; or a full turn. */
 static void plan_turn(void)
 {
     float to[3];
 
     for (unsigned i = 0; i < 3; i++) {
-        to[i] = hand.wish[i] + 0.05f * sim_noise();
-        hand.wobble[i] = happens(TURNS_BACK) ? 0 : 0.3f * sim_noise();
+        to[i] = hand.target[i] + 0.05f * sim_noise();
+        hand.wobble[i] = is_scripted(TURNS_BACK) ? 0 : 0.3f * sim_noise();
     }
     to_unit(to);
     cross(to, hand.up, hand.vector);
     to_unit(hand.vector);
-    const float angle = happens(TURNS_BACK) ? 6.2831853f : angle_of(dot(to, hand.up));
+    const float angle = is_scripted(TURNS_BACK) ? 6.2831853f : angle_of(dot(to, hand.up));
     for (unsigned i = 0; i < 3; i++) {
         hand.vector[i] *= angle;
     }
 }
 
-static void leave(void)
+static void start_turn(void)
 {
     hand.place++;
     plan_turn();
-    hand.turn = happens(HURRIES) ? HURRY : TURN;
+    hand.turn = is_scripted(HURRIES) ? HURRY : TURN;
     hand.turning = hand.held = hand.erases = hand.programs = hand.leaving = 0;
     hand.reset_at = 60 + sim_random() % 200;
     hand.cut_at = 3 + sim_random() % 4;
-    if (happens(HURRIES)) {
+    if (is_scripted(HURRIES)) {
         print("world: somebody hurries\n");
     }
 }
 
-/* The rate of this step; in the axes of the device, up turns the opposite way: by at most 0.05 rad, for
- * which two terms of the sine are exact. */
+/* The rate of this step. In the axes of the device, up rotates in the opposite sense, by at most
+ * 0.05 rad per step, for which two terms of the sine are exact. */
 static void turn(float rate[3])
 {
     const float tau = ((float)hand.turning + 0.5f) / (float)hand.turn;
@@ -189,7 +189,7 @@ static void turn(float rate[3])
         hand.up[i] += (1 - square / 6) * once[i] + (0.5f - square / 24) * twice[i];
     }
     hand.turning++;
-    if (happens(RESET_IN_MOVE) && hand.turning == MOVE_RESET) {
+    if (is_scripted(RESET_IN_MOVE) && hand.turning == MOVE_RESET) {
         print("world: reset in a move\n");
         sim_reset();
     }
@@ -198,26 +198,26 @@ static void turn(float rate[3])
 static void hold(float force[3])
 {
     hand.held++;
-    if (happens(PULLS) && hand.held == 1) {
+    if (is_scripted(PULLS) && hand.held == 1) {
         print("world: somebody pulls at the cable\n");
     }
-    for (unsigned i = 0; i < 3 && happens(PULLS); i++) {
+    for (unsigned i = 0; i < 3 && is_scripted(PULLS); i++) {
         force[i] *= 1.05f;
     }
-    if (happens(KNOCKS) && hand.held >= KNOCK_AT && hand.held < KNOCK_END) {
+    if (is_scripted(KNOCKS) && hand.held >= KNOCK_AT && hand.held < KNOCK_END) {
         force[0] += 6 * sim_noise(); /* beyond 4 g */
     }
-    if (happens(RESET) && hand.held == hand.reset_at) {
+    if (is_scripted(RESET) && hand.held == hand.reset_at) {
         print("world: reset\n");
         sim_reset();
     }
-    if ((happens(LEAVES_TOO_SOON) && hand.held == TOO_SHORT) ||
+    if ((is_scripted(LEAVES_TOO_SOON) && hand.held == TOO_SHORT) ||
         (hand.leaving > 0 && --hand.leaving == 0)) {
-        leave();
+        start_turn();
     }
 }
 
-/* Power is switched off and on once more; what is stored then must be found. */
+/* Power is switched off and on; then what is stored must be found. */
 static void wait_for_end(void)
 {
     hand.done++;
@@ -225,17 +225,17 @@ static void wait_for_end(void)
         print("world: off and on again\n");
         sim_reset();
     }
-    if (hand.done == AGAIN) {
-        judge();
+    if (hand.done == VERIFY) {
+        verify();
     }
 }
 
 void hand_step(float rate[3], float force[3])
 {
     power_on();
-    if (++hand.time == PATIENCE) {
+    if (++hand.time == TIMEOUT) {
         print("world: out of patience\n");
-        judge();
+        verify();
     }
     const int is_moving = hand.turning < hand.turn;
     memset(rate, 0, 3 * sizeof *rate);
@@ -257,7 +257,7 @@ void hand_step(float rate[3], float force[3])
 unsigned hand_erase(void)
 {
     power_on();
-    if (happens(SLOW_FLASH) && hand.erases++ == 0) {
+    if (is_scripted(SLOW_FLASH) && hand.erases++ == 0) {
         print("world: the flash takes 3 s\n");
         return SLOW_ERASE;
     }
@@ -268,10 +268,10 @@ program_fate hand_program(void)
 {
     power_on();
     hand.programs++;
-    if (happens(WEAK_FLASH) && hand.programs == 4) {
+    if (is_scripted(WEAK_FLASH) && hand.programs == 4) {
         return PROGRAM_WEAK;
     }
-    if (happens(POWER_CUT) && hand.programs == hand.cut_at) {
+    if (is_scripted(POWER_CUT) && hand.programs == hand.cut_at) {
         print("world: power fails while the flash is programmed\n");
         return PROGRAM_CUT;
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Chance, and the end of a life of the processor.
+ * Random numbers, and resets of the processor.
  */
 #include "sim.h"
 
@@ -9,7 +9,7 @@
 static struct {
     uint32_t magic;
     uint32_t random;
-} chance SIM_NOINIT;
+} generator SIM_NOINIT;
 
 int sim_is_new(uint32_t *magic)
 {
@@ -22,13 +22,13 @@ int sim_is_new(uint32_t *magic)
 /* Marsaglia's xorshift. */
 uint32_t sim_random(void)
 {
-    if (sim_is_new(&chance.magic)) {
-        chance.random = 2463534242u;
+    if (sim_is_new(&generator.magic)) {
+        generator.random = 2463534242u;
     }
-    chance.random ^= chance.random << 13;
-    chance.random ^= chance.random >> 17;
-    chance.random ^= chance.random << 5;
-    return chance.random;
+    generator.random ^= generator.random << 13;
+    generator.random ^= generator.random >> 17;
+    generator.random ^= generator.random << 5;
+    return generator.random;
 }
 
 /* The sum of four bytes: mean 510, variance 4 (256^2 - 1) / 12. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The chip behind the bus: its registers, its triads, its clock, its queue. Every fourth look at the queue's
- * status a step passes: time goes as fast as the firmware asks.
+ * The chip on the bus: registers, triads, clock, queue. Time advances by one step at every fourth
+ * read of the queue's status: as fast as the firmware polls.
  */
 #include "spi.h"
 
@@ -10,8 +10,8 @@
 #include "imu_registers.h"
 #include "sim.h"
 
-#define LOOKS 4         /* for one step */
-#define RESET_LOOKS 3   /* what a reset takes */
+#define READS_PER_STEP 4
+#define RESET_READS 3   /* until a reset is done */
 #define NOISE 8.0f      /* counts, 1 mg */
 #define GYRO_NOISE 3.3f /* counts, 0.05 degrees/s */
 
@@ -20,7 +20,7 @@ enum { WORD = 7 }; /* bytes of a sample in the queue */
 static struct {
     uint32_t magic;
     uint32_t steps; /* since power-on */
-    uint8_t looks;
+    uint8_t reads;
     uint8_t reset;
     uint8_t registers[IMU_REGISTERS];
     unsigned first, waiting; /* of the queue */
@@ -96,10 +96,10 @@ static void reset_chip(void)
 }
 
 /* Reads a register, with its side effects. */
-static uint8_t look(uint8_t address)
+static uint8_t read_register(uint8_t address)
 {
     if (address == IMU_FIFO_STATUS1) {
-        if (++chip.looks % LOOKS == 0) {
+        if (++chip.reads % READS_PER_STEP == 0) {
             sim_pass(1);
         }
         chip.registers[IMU_FIFO_STATUS1] = (uint8_t)chip.waiting;
@@ -122,13 +122,13 @@ static uint8_t look(uint8_t address)
     return value;
 }
 
-static void write(uint8_t address, uint8_t value)
+static void write_register(uint8_t address, uint8_t value)
 {
     if (address == IMU_CTRL1 || address == IMU_CTRL2 || address == IMU_FIFO_CTRL) {
         chip.registers[address] = value;
     } else if (address == IMU_CTRL3 && value & IMU_CTRL3_RESET) {
         chip.registers[address] = value;
-        chip.reset = RESET_LOOKS;
+        chip.reset = RESET_READS;
     } /* others are read-only */
 }
 
@@ -139,16 +139,16 @@ void spi_transfer(uint8_t *bytes, unsigned size)
 
     if (sim_is_new(&chip.magic)) {
         chip.steps = 0;
-        chip.looks = 0;
+        chip.reads = 0;
         chip.reset = 0;
         reset_chip();
     }
     for (unsigned i = 1; i < size; i++) {
         const uint8_t address = (uint8_t)((first + i - 1) % IMU_REGISTERS);
         if (is_read) {
-            bytes[i] = look(address);
+            bytes[i] = read_register(address);
         } else {
-            write(address, bytes[i]);
+            write_register(address, bytes[i]);
         }
     }
 }

@@ -13,7 +13,7 @@
 #include "invcal/store.h"
 #include "sensor.h"
 
-#define SHOWN 50u       /* one calibrated sample in so many is shown */
+#define SHOW_EVERY 50u  /* calibrated samples */
 #define PRINT_SAMPLES 0 /* 1: each sample of the session as x,y,z, for the page of make web */
 
 static invcal_session session;
@@ -43,7 +43,7 @@ static int load(invcal_calibration *calibration)
     nvs_handle_t flash;
 
     if (open_flash() != ESP_OK || nvs_open("invcal", NVS_READONLY, &flash) != ESP_OK) {
-        return 0; /* there is nothing yet */
+        return 0; /* nothing is stored yet */
     }
     const int is_found = nvs_get_blob(flash, "record", bytes, &size) == ESP_OK &&
                          invcal_record_decode(bytes, (uint32_t)size, &record) == INVCAL_OK;
@@ -86,7 +86,7 @@ static void save(const invcal_calibration *calibration, const invcal_quality *qu
 
 /* ---- the session ------------------------------------------------------------------------------ */
 
-static void tell_next(void)
+static void print_next(void)
 {
     char words[INVCAL_WORDS];
 
@@ -108,11 +108,11 @@ static invcal_status begin_session(void)
         return status;
     }
     printf("calibration begins\n");
-    tell_next();
+    print_next();
     return status;
 }
 
-static void tell(invcal_event event)
+static void print_event(invcal_event event)
 {
     const unsigned progress = invcal_session_progress(&session);
 
@@ -124,11 +124,11 @@ static void tell(invcal_event event)
         break;
     case INVCAL_READY:
         printf("good: move on\n");
-        tell_next();
+        print_next();
         break;
     case INVCAL_REFUSED:
         printf("refused: %s\n", invcal_session_why(&session));
-        tell_next();
+        print_next();
         break;
     case INVCAL_TAKEN:
         printf("positions taken: %u\n", (unsigned)session.count);
@@ -138,12 +138,13 @@ static void tell(invcal_event event)
     }
 }
 
-static void tell_vector(const char *name, const invcal_real v[3])
+static void print_vector(const char *name, const invcal_real v[3])
 {
     printf("%s %.5f %.5f %.5f\n", name, (double)v[0], (double)v[1], (double)v[2]);
 }
 
-/* Without positions that contradict the others. Returns 1 and stores it if it is good. */
+/* Leaves out positions that contradict the others. Stores the result if it is good, and returns 1
+ * then. */
 static int solve(invcal_calibration *calibration)
 {
     invcal_quality quality;
@@ -163,10 +164,10 @@ static int solve(invcal_calibration *calibration)
     invcal_sigma_offset(&quality, &session.nominal, sigma);
     invcal_deviation(calibration, &session.nominal, x);
     printf("verdict: %s\n", invcal_verdict_text((invcal_verdict)quality.verdict));
-    tell_vector("offset, counts:", calibration->offset);
-    tell_vector("sigma:", sigma);
-    tell_vector("scale errors:", &x[INVCAL_DK_X]);
-    tell_vector("sigma:", &quality.sigma[INVCAL_DK_X]);
+    print_vector("offset, counts:", calibration->offset);
+    print_vector("sigma:", sigma);
+    print_vector("scale errors:", &x[INVCAL_DK_X]);
+    print_vector("sigma:", &quality.sigma[INVCAL_DK_X]);
     if (quality.verdict != INVCAL_GOOD) {
         return 0;
     }
@@ -174,7 +175,7 @@ static int solve(invcal_calibration *calibration)
     return 1;
 }
 
-/* Begins again until the result is good. Returns 0 if the sensor or the setup is of no use. */
+/* Repeats the session until the result is good. Returns 0 if sensor or setup fail. */
 static int calibrate(invcal_calibration *calibration)
 {
     int32_t raw[3];
@@ -195,13 +196,13 @@ static int calibrate(invcal_calibration *calibration)
             if (PRINT_SAMPLES) {
                 printf("%d,%d,%d\n", (int)raw[0], (int)raw[1], (int)raw[2]);
             }
-            tell(invcal_session_feed(&session, raw));
+            print_event(invcal_session_feed(&session, raw));
         }
     } while (!solve(calibration));
     return 1;
 }
 
-/* What your device does with it. Comes back only if the sensor falls silent. */
+/* Your application. It returns only if the sensor stops responding. */
 static void measure(const invcal_calibration *calibration)
 {
     int32_t raw[3];
@@ -209,8 +210,8 @@ static void measure(const invcal_calibration *calibration)
     for (unsigned n = 1; sensor_next(raw, &temperature) != SENSOR_SILENT; n++) {
         invcal_real a[3];
         invcal_apply_counts(calibration, raw, a);
-        if (n % SHOWN == 0) {
-            tell_vector("a, g:", a);
+        if (n % SHOW_EVERY == 0) {
+            print_vector("a, g:", a);
         }
     }
 }

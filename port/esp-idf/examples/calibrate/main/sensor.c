@@ -7,9 +7,9 @@
 
 #define SDA 21 /* pins of your board */
 #define SCL 22
-#define PATIENCE 100 /* milliseconds */
+#define TIMEOUT 100 /* milliseconds */
 
-/* Of the register maps of the MPU-6000/6050, MPU-6500, MPU-9250 and MPU-9255. */
+/* From the register maps of the MPU-6000/6050, MPU-6500, MPU-9250 and MPU-9255. */
 enum {
     ADDRESS = 0x68, /* pin AD0 low; 0x69 if it is high */
     SMPLRT_DIV = 0x19,
@@ -19,7 +19,7 @@ enum {
     ACCEL_XOUT_H = 0x3B,  /* x, y, z, temperature: 2 bytes each, the high one first */
     PWR_MGMT_1 = 0x6B,
     WHO_AM_I = 0x75,
-    MPU6050 = 0x68, /* what WHO_AM_I says; the others' accelerometers are alike */
+    MPU6050 = 0x68, /* value of WHO_AM_I; the others have the same accelerometer */
     MPU6500 = 0x70,
     MPU9250 = 0x71,
     MPU9255 = 0x73
@@ -33,12 +33,12 @@ static int set(uint8_t address, uint8_t value)
 {
     const uint8_t bytes[2] = {address, value};
 
-    return i2c_master_transmit(device, bytes, sizeof bytes, PATIENCE) == ESP_OK;
+    return i2c_master_transmit(device, bytes, sizeof bytes, TIMEOUT) == ESP_OK;
 }
 
 static int get(uint8_t address, uint8_t *bytes, size_t size)
 {
-    return i2c_master_transmit_receive(device, &address, 1, bytes, size, PATIENCE) == ESP_OK;
+    return i2c_master_transmit_receive(device, &address, 1, bytes, size, TIMEOUT) == ESP_OK;
 }
 
 static int open_bus(void)
@@ -67,7 +67,8 @@ static int is_known(void)
     return chip == MPU6050 || chip == MPU6500 || chip == MPU9250 || chip == MPU9255;
 }
 
-/* Twice as many samples as are read, so that none is read twice: the chip has a clock of its own. */
+/* The chip samples at twice the rate, so that no sample is read twice, as its clock is
+ * independent. */
 sensor_status sensor_begin(void)
 {
     const int is_there = open_bus() && get(WHO_AM_I, &chip, 1) && is_known();

@@ -4,8 +4,8 @@
  * console says, and hold it still until it says "good". At the end the calibration is stored; from
  * then on, and after every reset, calibrated readings are printed.
  *
- * The session takes samples as integers. Sensors here deliver m/s^2 and millionths; what is fed are
- * units of 10 um/s^2, fine against the noise, and wide enough for 16 g.
+ * The session takes integers. Sensors in Zephyr deliver m/s^2 and millionths; the session gets
+ * units of 10 um/s^2, which is below the noise, and enough for 16 g.
  */
 #include <errno.h>
 #include <string.h>
@@ -23,7 +23,7 @@
 #define UNITS 100000 /* for 1 m/s^2 */
 #define G INVCAL_REAL(9.80665)
 #define COUNTS (UNITS * G) /* units for 1 g */
-#define SHOWN 50u          /* one calibrated sample in so many is shown */
+#define SHOW_EVERY 50u     /* calibrated samples */
 #define PRINT_SAMPLES 0    /* 1: each sample of the session as x,y,z, for the page of make web */
 
 static const struct device *const accelerometer = DEVICE_DT_GET(DT_ALIAS(accel0));
@@ -40,7 +40,7 @@ static int begin_sensor(void)
         printk("sensor: not ready\n");
         return -ENODEV;
     }
-    /* Not every driver can; then the devicetree has to say it. */
+    /* Some drivers cannot; then state the rate in the devicetree. */
     if (sensor_attr_set(accelerometer, SENSOR_CHAN_ACCEL_XYZ, SENSOR_ATTR_SAMPLING_FREQUENCY,
                         &rate) != 0) {
         printk("sensor: rate not set\n");
@@ -78,7 +78,7 @@ static int load_record(const char *key, size_t size, settings_read_cb read, void
 
     if (strcmp(key, "record") == 0 && size == sizeof bytes &&
         read(argument, bytes, sizeof bytes) == (ssize_t)sizeof bytes) {
-        (void)invcal_record_decode(bytes, sizeof bytes, record); /* else it stays as it is */
+        (void)invcal_record_decode(bytes, sizeof bytes, record); /* unchanged after a failure */
     }
     return 0;
 }
@@ -112,7 +112,7 @@ static void save(const invcal_calibration *calibration, const invcal_quality *qu
 
 /* ---- the session ------------------------------------------------------------------------------ */
 
-static void tell_next(void)
+static void print_next(void)
 {
     char words[INVCAL_WORDS];
 
@@ -131,11 +131,11 @@ static invcal_status begin_session(void)
         return status;
     }
     printk("calibration begins\n");
-    tell_next();
+    print_next();
     return status;
 }
 
-static void tell(invcal_event event)
+static void print_event(invcal_event event)
 {
     const unsigned progress = invcal_session_progress(&session);
 
@@ -147,11 +147,11 @@ static void tell(invcal_event event)
         break;
     case INVCAL_READY:
         printk("good: move on\n");
-        tell_next();
+        print_next();
         break;
     case INVCAL_REFUSED:
         printk("refused: %s\n", invcal_session_why(&session));
-        tell_next();
+        print_next();
         break;
     case INVCAL_TAKEN:
         printk("positions taken: %u\n", (unsigned)session.count);
@@ -161,12 +161,13 @@ static void tell(invcal_event event)
     }
 }
 
-static void tell_vector(const char *name, const invcal_real v[3])
+static void print_vector(const char *name, const invcal_real v[3])
 {
     printk("%s %.5f %.5f %.5f\n", name, (double)v[0], (double)v[1], (double)v[2]);
 }
 
-/* Without positions that contradict the others. Returns 1 and stores it if it is good. */
+/* Leaves out positions that contradict the others. Stores the result if it is good, and returns 1
+ * then. */
 static int solve(invcal_calibration *calibration)
 {
     invcal_quality quality;
@@ -186,10 +187,10 @@ static int solve(invcal_calibration *calibration)
     invcal_sigma_offset(&quality, &session.nominal, sigma);
     invcal_deviation(calibration, &session.nominal, x);
     printk("verdict: %s\n", invcal_verdict_text((invcal_verdict)quality.verdict));
-    tell_vector("offset, 10 um/s^2:", calibration->offset);
-    tell_vector("sigma:", sigma);
-    tell_vector("scale errors:", &x[INVCAL_DK_X]);
-    tell_vector("sigma:", &quality.sigma[INVCAL_DK_X]);
+    print_vector("offset, 10 um/s^2:", calibration->offset);
+    print_vector("sigma:", sigma);
+    print_vector("scale errors:", &x[INVCAL_DK_X]);
+    print_vector("sigma:", &quality.sigma[INVCAL_DK_X]);
     if (quality.verdict != INVCAL_GOOD) {
         return 0;
     }
@@ -197,7 +198,7 @@ static int solve(invcal_calibration *calibration)
     return 1;
 }
 
-/* Begins again until the result is good. Returns an error of the sensor, or 0. */
+/* Repeats the session until the result is good. Returns an error of the sensor, or 0. */
 static int calibrate(invcal_calibration *calibration)
 {
     int32_t raw[3];
@@ -217,7 +218,7 @@ static int calibrate(invcal_calibration *calibration)
             if (PRINT_SAMPLES) {
                 printk("%d,%d,%d\n", (int)raw[0], (int)raw[1], (int)raw[2]);
             }
-            tell(invcal_session_feed(&session, raw));
+            print_event(invcal_session_feed(&session, raw));
         }
     } while (!solve(calibration));
     return 0;
@@ -240,15 +241,15 @@ int main(void)
     if (error == 0 && invcal_scale(&calibration, G) != INVCAL_OK) { /* to m/s^2, no sooner */
         error = -EINVAL;
     }
-    for (unsigned n = 1; error == 0; n++) { /* what your device does with it */
+    for (unsigned n = 1; error == 0; n++) { /* your application */
         invcal_real a[3];
         const int due = next_sample(raw);
         if (due < 0) {
             return due;
         }
         invcal_apply_counts(&calibration, raw, a);
-        if (n % SHOWN == 0) {
-            tell_vector("a, m/s^2:", a);
+        if (n % SHOW_EVERY == 0) {
+            print_vector("a, m/s^2:", a);
         }
     }
     return error;

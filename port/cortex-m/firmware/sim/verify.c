@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The end: what is stored, compared with what the triad really is.
+ * The end of the run: compares what is stored with the true parameters.
  */
 #include <math.h>
 
@@ -10,10 +10,10 @@
 #include "print.h"
 #include "sim.h"
 
-#define SIGMAS 4.0f    /* that a stored number may be off */
-#define READING 0.001f /* that a calibrated reading of 1 g may be off */
+#define SIGMAS 4.0f    /* largest error of a stored number */
+#define READING 0.001f /* largest error of a calibrated reading of 1 g */
 
-int judge_one(const char *name, float truth, float stored, float sigma)
+int verify_parameter(const char *name, float truth, float stored, float sigma)
 {
     const float off = (stored - truth) / sigma;
 
@@ -29,7 +29,7 @@ int judge_one(const char *name, float truth, float stored, float sigma)
     return sigma > 0 && fabsf(off) <= SIGMAS;
 }
 
-/* The offsets in counts, and the nine parameters by the data sheet's scale. */
+/* The offsets in counts, and the other parameters relative to the data sheet's scale. */
 static int are_parameters_good(const invcal_record *record)
 {
     static const invcal_real zero[3] = {0, 0, 0};
@@ -42,19 +42,19 @@ static int are_parameters_good(const invcal_record *record)
 
     invcal_deviation(&record->calibration, &nominal, x);
     for (unsigned i = 0; i < 3; i++) {
-        good &= judge_one(offset[i], sim_truth.offset[i], record->calibration.offset[i],
-                          record->sigma[i] * IMU_COUNTS);
+        good &= verify_parameter(offset[i], sim_truth.offset[i], record->calibration.offset[i],
+                                 record->sigma[i] * IMU_COUNTS);
     }
     for (unsigned i = 0; i < 3; i++) {
         const unsigned r = INVCAL_DK_X + i;
         const float dk = sim_truth.gain[i][i] / IMU_COUNTS - 1;
-        good &= judge_one(invcal_parameter_name(r), dk, x[r], record->sigma[r]);
+        good &= verify_parameter(invcal_parameter_name(r), dk, x[r], record->sigma[r]);
     }
     for (unsigned i = 0; i < 3; i++) {
         const unsigned r = INVCAL_GAMMA_XY + i;
         const unsigned a = pair[i][0], b = pair[i][1];
         const float gamma = (sim_truth.gain[a][b] + sim_truth.gain[b][a]) / IMU_COUNTS;
-        good &= judge_one(invcal_parameter_name(r), gamma, x[r], record->sigma[r]);
+        good &= verify_parameter(invcal_parameter_name(r), gamma, x[r], record->sigma[r]);
     }
     return good;
 }
@@ -82,10 +82,10 @@ static int are_readings_good(const invcal_calibration *calibration)
     return worst <= READING;
 }
 
-void judge(void)
+void verify(void)
 {
     invcal_record record;
-    const invcal_status status = judge_load(&record);
+    const invcal_status status = load_record(&record);
 
     if (status != INVCAL_OK) {
         print("world: no calibration was stored: ");
@@ -94,7 +94,7 @@ void judge(void)
         board_exit(1);
     }
     const int good =
-        are_parameters_good(&record) & are_readings_good(&record.calibration) & judge_rest();
+        are_parameters_good(&record) & are_readings_good(&record.calibration) & verify_others();
     print(good ? "world: the stored calibration is good\n"
                : "world: the stored calibration is not good\n");
     board_exit(!good);

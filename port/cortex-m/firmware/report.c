@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#include "tell.h"
+#include "report.h"
 
 #include <math.h>
 
 #include "invcal/expert.h"
 #include "print.h"
 
-void tell(const char *what, const char *text)
+void report(const char *what, const char *text)
 {
     print(what);
     print(": ");
@@ -14,7 +14,7 @@ void tell(const char *what, const char *text)
     print("\n");
 }
 
-void tell_count(const char *what, unsigned count)
+void report_count(const char *what, unsigned count)
 {
     print(what);
     print(": ");
@@ -22,38 +22,38 @@ void tell_count(const char *what, unsigned count)
     print("\n");
 }
 
-void tell_next(const invcal_session *session)
+void report_next(const invcal_session *session)
 {
     char words[INVCAL_WORDS];
 
-    tell("next", invcal_session_next_words(session, words));
+    report("next", invcal_session_next_words(session, words));
 }
 
-void tell_event(const invcal_session *session, invcal_event event)
+void report_event(const invcal_session *session, invcal_event event)
 {
     const unsigned progress = invcal_session_progress(session);
 
     switch (event) {
     case INVCAL_SETTLING:
         if (progress > 0 && progress < 100) {
-            tell_count("hold still, percent", progress);
+            report_count("hold still, percent", progress);
         }
         break;
     case INVCAL_READY:
         print("good: move on\n");
         break;
     case INVCAL_REFUSED:
-        tell("refused", invcal_session_why(session));
+        report("refused", invcal_session_why(session));
         break;
     case INVCAL_TAKEN:
-        tell_count("position taken", session->count);
+        report_count("position taken", session->count);
         break;
     default:
         break; /* moving */
     }
 }
 
-static void tell_vector(const char *name, const invcal_real v[3], unsigned digits)
+static void report_vector(const char *name, const invcal_real v[3], unsigned digits)
 {
     print(name);
     for (unsigned i = 0; i < 3; i++) {
@@ -63,31 +63,31 @@ static void tell_vector(const char *name, const invcal_real v[3], unsigned digit
     print("\n");
 }
 
-void tell_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal,
-                      const invcal_quality *quality)
+void report_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal,
+                        const invcal_quality *quality)
 {
     invcal_real sigma[3];
     invcal_real x[INVCAL_PARAMETERS];
 
     invcal_sigma_offset(quality, nominal, sigma);
     invcal_deviation(calibration, nominal, x);
-    tell("verdict", invcal_verdict_text((invcal_verdict)quality->verdict));
-    tell_vector("offset, counts:     ", calibration->offset, 2);
-    tell_vector("sigma:              ", sigma, 2);
+    report("verdict", invcal_verdict_text((invcal_verdict)quality->verdict));
+    report_vector("offset, counts:     ", calibration->offset, 2);
+    report_vector("sigma:              ", sigma, 2);
     for (unsigned i = 0; i < 3; i++) {
         invcal_real row[3];
         for (unsigned k = 0; k < 3; k++) {
             row[k] = 1e6f * calibration->matrix[i][k];
         }
-        tell_vector("matrix, ug per count:", row, 3);
+        report_vector("matrix, ug per count:", row, 3);
     }
-    tell_vector("scale errors:       ", &x[INVCAL_DK_X], 5);
-    tell_vector("sigma:              ", &quality->sigma[INVCAL_DK_X], 5);
-    tell_vector("cross terms, rad:   ", &x[INVCAL_GAMMA_XY], 5);
-    tell_vector("sigma:              ", &quality->sigma[INVCAL_GAMMA_XY], 5);
+    report_vector("scale errors:       ", &x[INVCAL_DK_X], 5);
+    report_vector("sigma:              ", &quality->sigma[INVCAL_DK_X], 5);
+    report_vector("cross terms, rad:   ", &x[INVCAL_GAMMA_XY], 5);
+    report_vector("sigma:              ", &quality->sigma[INVCAL_GAMMA_XY], 5);
 }
 
-void tell_reading(const invcal_real a[3])
+void report_reading(const invcal_real a[3])
 {
     print("a, g:");
     for (unsigned i = 0; i < 3; i++) {

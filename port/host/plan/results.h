@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * plan/found.h: what `invcal plan` has found, and the ways to report it.
+ * plan/results.h: results of `invcal plan`, and their output as text, JSON, CSV, pictures and pages.
  */
-#ifndef PLAN_FOUND_H
-#define PLAN_FOUND_H
+#ifndef PLAN_RESULTS_H
+#define PLAN_RESULTS_H
 
 #include <stdio.h>
 
 #include "design/choice.h"
 
-/* A sigma of more than so many times the noise of a position mean is too weak for invcal
- * calibrate. */
+/* invcal calibrate calls a parameter weak if its sigma is more than this many times the noise of a
+ * position mean. */
 #define PLAN_WEAK 10.0
 
 /* One of the paper's programs in a sweep over N. */
@@ -20,18 +20,18 @@ typedef struct {
     uint8_t axes;
 } plan_row;
 
-/* The sweep, and the known programs, which a picture shows as well. */
+/* The sweep, and the known programs for comparison. */
 typedef struct {
     const plan_row *rows;
     unsigned count;
     const struct plan_programs *programs;
 } plan_sweep;
 
-/* The bits of the axes that a set does not point along gravity. */
-unsigned plan_missing(uint8_t axes);
+/* Bits of the axes that no position points along gravity, from the bits of those that one does. */
+unsigned plan_missing_axes(uint8_t axes);
 
-/* Tables for people. The request holds time, noise and limits; `c` is the choice that has led to
- * the set, or null. A set that is not solvable is shown without its sigma. */
+/* Tables. The request holds time, noise and limits; `c` is the choice that led to the set, or null.
+ * A set that is not solvable is shown without its sigma. */
 void plan_print(FILE *file, const design *d, const choice_request *request, const choice *c);
 void plan_print_sweep(FILE *file, const plan_sweep *s);
 void plan_print_comparison(FILE *file, const design *a, const design *b,
@@ -44,22 +44,21 @@ void plan_json_comparison(FILE *file, const design *a, const design *b,
                           const choice_request *request);
 
 /* The positions of a set as a table for a stand's controller: number, alpha, beta, dwell, x, y, z.
- * Angles have nine decimals at most, and up is that of these angles: read by angles_file.h and written
- * again, it is the same to the byte. */
+ * Angles have at most nine decimals, and x, y, z are computed from the rounded angles: the table
+ * read by angles_file.h and written again is the same to the byte. */
 void plan_csv(FILE *file, const design *d, const design_cost *cost);
 
-/* A refusal without a set. */
+/* A refusal for which there is no set. */
 void plan_json_refusal(FILE *file, const char *reason, uint16_t undetermined);
 
-/* Pictures, as a whole SVG document: the directions of a set on the two halves of the sphere; the
- * paper's Fig. 2, sigma against the number of positions, with the known programs next to the curves; the
- * ratios of two sets. */
+/* Pictures as SVG files: the directions of a set on the two halves of the sphere; the paper's
+ * figure 2, sigma against the number of positions, with the known programs; the ratios of two sets. */
 void plan_svg_directions(FILE *file, const design *d);
 void plan_svg_sweep(FILE *file, const plan_sweep *s);
 void plan_svg_comparison(FILE *file, const design *a, const design *b,
                          const choice_request *request);
 
-/* The latter two as a part of a page. */
+/* The latter two as part of a page. */
 void plan_svg_sweep_inline(FILE *file, const plan_sweep *s, double width);
 void plan_svg_comparison_inline(FILE *file, const design *a, const design *b,
                                 const choice_request *request, double width);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The forms in which a calibration is used: a constant for a program, a line for a board.
-
-// The argument of the library's invcal_apply.
+// The result as C source, and as a line for a board.
 export function constant(session) {
     const { offset, matrix } = session.result;
     const row = (v) => `{${v.map((x) => Number(x.toPrecision(9))).join(", ")}}`;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Parameters of turns: their kinds.
+ * The kinds of the 18 parameters.
  */
 #include "plan/turns.h"
 
