@@ -12,12 +12,11 @@
 #include "stand/output.h"
 #include "text/append.h"
 
-#define POSITIONS_GOOD 12u /* positions to recommend */
-#define RATE_LOW 25.0      /* samples per second below which rests must be longer than 2 s */
-#define LISTED_MAX 10u     /* rests that are listed */
-#define REST_FRACTION_MIN                                                                          \
-    0.1                   /* part of the time at rest; below it the device was magnetometer_log */
-#define SAMPLES_FEW 1000u /* fewer rows than this may be positions */
+#define POSITIONS_GOOD 12u    /* positions to recommend */
+#define RATE_LOW 25.0         /* samples per second below which rests must be longer than 2 s */
+#define LISTED_MAX 10u        /* rests that are listed */
+#define REST_FRACTION_MIN 0.1 /* part of the time at rest; below it the device was waved */
+#define SAMPLES_FEW 1000u     /* fewer rows than this may be positions */
 
 static const char *status_name(invcal_status status)
 {
