@@ -6,10 +6,8 @@
 #ifndef WINDOWS_POSIX_H
 #define WINDOWS_POSIX_H
 
-#define tell io_tell /* not reserved in POSIX */
 #include <fcntl.h>
 #include <io.h>
-#undef tell
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
