@@ -160,8 +160,10 @@ static void fits(const char *words, double ratio, const char *expected)
 {
     const sensor_choice c = choose(words);
     char text[SENSORS_TEXT_MAX] = "";
+    char remedy[SENSORS_TEXT_MAX] = "";
 
-    TEST_ASSERT_EQUAL_INT_MESSAGE(expected == NULL, sensors_fit(&c, ratio, text), words);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(expected == NULL, sensors_fit(&c, ratio, text, remedy), words);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(expected == NULL, remedy[0] == '\0', words);
     if (expected) {
         TEST_ASSERT_NOT_NULL_MESSAGE(strstr(text, expected), text);
     }

@@ -68,10 +68,13 @@ static int find_nominal(const request *r, const positions *data, nominal_choice 
 }
 
 /* Refuses readings that the stated sensor cannot have at the stated range. */
-static int check_sensor(const request *r, const positions *data, const nominal_choice *n)
+static int check_sensor(const request *r, calibrate_result *result)
 {
+    const positions *data = result->data;
+    const nominal_choice *n = &result->nominal;
     const invcal_calibration *c = &n->calibration;
-    char text[SENSORS_TEXT_MAX];
+    char reason[SENSORS_TEXT_MAX];
+    char remedy[SENSORS_TEXT_MAX];
     double sum = 0;
 
     if (n->lsb != NOMINAL_SENSOR) {
@@ -83,9 +86,9 @@ static int check_sensor(const request *r, const positions *data, const nominal_c
         invcal_apply(c, &data->mean[3 * (size_t)k], v);
         sum += log(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / r->settings.field);
     }
-    return sensors_fit(&r->sensor, exp(sum / data->count), text)
+    return sensors_fit(&r->sensor, exp(sum / data->count), reason, remedy)
                ? EXIT_GOOD
-               : message_usage(r->syntax->command, "%s: %s", data->name, text);
+               : calibrate_refuse_readings(result, reason, remedy);
 }
 
 int resolve_nominal(const request *r, calibrate_result *result)
@@ -108,7 +111,7 @@ int resolve_nominal(const request *r, calibrate_result *result)
     }
     return nominal_make(r->value[OPT_ZERO] ? r->zero : zero, r->value[OPT_LSB] ? r->lsb : lsb,
                         r->settings.field, &n->calibration)
-               ? check_sensor(r, data, n)
+               ? check_sensor(r, result)
                : refuse_nominal(r, result);
 }
 

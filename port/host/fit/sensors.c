@@ -249,7 +249,8 @@ void sensors_limits(const sensor_choice *c, double field, double limit[INVCAL_PA
     }
 }
 
-int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX])
+int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX],
+                char remedy[SENSORS_TEXT_MAX])
 {
     const double counts = ratio * c->range->per_g;
     char key[SENSORS_TEXT_MAX];
@@ -266,10 +267,12 @@ int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX
         if (other < RANGE_TOLERANCE && other > 1 / RANGE_TOLERANCE) {
             append(text, SENSORS_TEXT_MAX, ": they match %s:%s", c->type->key,
                    c->type->range[k].name);
+            snprintf(remedy, SENSORS_TEXT_MAX, "state that range, or set the sensor to the stated one");
             return 0;
         }
     }
-    append(text, SENSORS_TEXT_MAX, ", at any of its ranges: state --zero and --lsb instead");
+    append(text, SENSORS_TEXT_MAX, ", at any of its ranges: a broken unit, or another sensor");
+    snprintf(remedy, SENSORS_TEXT_MAX, "state --zero and --lsb if it is right");
     return 0;
 }
 
