@@ -267,6 +267,46 @@ lsb() { # PATTERN VALUE
 }
 lsb 'is field per count, not counts per field: .* use --lsb 9\.80665/16384, which is 0\.00059855;' 16384
 lsb 'use --lsb 1/1666\.67, which is 0\.000599999;' 1666.67
+# The log has 16384 counts a g, of the data sheet; scale errors of 1 %.
+size() { # PATTERN VALUE [ARGUMENTS]
+    pattern=$1
+    shift
+    value=$1
+    shift
+    refuses "--lsb $value $*" 2 "^invcal: with --lsb $value the readings are $pattern" calibrate "$work/log.csv" \
+        --lsb "$value" "$@"
+}
+size '0\.50[0-9]* times the field: use --lsb 9\.80665/16384 \(m/s\^2 per count\); see' 9.80665/32768
+size '2\.0[0-9] times the field: use --lsb 9\.80665/16384 \(m/s\^2 per count\); see' 9.80665/8192
+size '0\.10[0-9] times the field: use --lsb 9\.80665/16384 \(m/s\^2 per count\), or --gravity 1 if it is in g; see' 1/16384
+size '0\.10[0-9] times the field: use --lsb 9\.80665/16384 \(m/s\^2 per count\), or --gravity 1 if' 1/16384 --latitude 47
+size '9\.8[0-9] times the field: use --lsb 1/16384 \(g per count\); see' 9.80665/16384 --gravity 1
+size '0\.20[0-9] times the field: by the data sheet it should be about 9\.80665/16384 \(m/s\^2 per count\); see' 1/8192
+size '2\.0[0-9] times the field: use' 9.80665/8192 --zero 0,0,0
+accepts "--gravity 1: --lsb in g" calibrate "$work/log.csv" --gravity 1 --lsb 1/16384
+accepts "--lsb of another axis each, whose mean is right" calibrate "$work/log.csv" \
+    --lsb 9.80665/8192,9.80665/32768,-9.80665/16384
+# What is wrong is the zero, which is not found out by a scale.
+awk -F, -v OFS=, 'NR > 1 { $2 += 32768; $3 += 32768; $4 += 32768 } 1' "$work/log.csv" > "$work/unsigned.csv"
+accepts "--lsb of unsigned counts" calibrate "$work/unsigned.csv" --lsb 9.80665/16384
+refuses "a zero that was forgotten" 1 'position 1 reads .* check --gravity, the nominal zero' \
+    calibrate "$work/unsigned.csv" --zero -160000,0,0 --lsb 9.80665/16384
+# Readings in another unit than stated.
+in_unit() { # FACTOR
+    awk -F, -v OFS=, -v f="$1" 'NR > 1 { for (i = 2; i <= 4; i++) $i *= f } 1' "$work/log.csv" > "$work/unit.csv"
+}
+cp "$work/log.csv" "$work/unit.csv"
+unit() { # PATTERN UNIT
+    refuses "--unit $2 of others: $1" 1 "unit\.csv: the readings are $1\$" calibrate "$work/unit.csv" --unit "$2"
+}
+unit '164[0-9][0-9] times the field in the stated unit, g; check --unit: counts' g
+unit '16\.[0-9] times the field in the stated unit, mg; check --unit: counts' mg
+in_unit 0.00059855
+unit '9\.8[0-9] times the field in the stated unit, g; check --unit: m/s2' g
+in_unit 0.000061035
+unit '0\.10[0-9] times the field in the stated unit, m/s²; check --unit: g' m/s2
+in_unit 0.061035
+unit '10[0-9][0-9] times the field in the stated unit, g; check --unit: mg or counts' g
 lsb "'9/0' is not a finite number" 9/0
 lsb "'9/x' is not a decimal number" 9/x
 lsb "'9/' is empty" 9/

@@ -116,7 +116,7 @@ prints 1 calibration_refusal calibrate "$work/flat.csv" --positions --gravity 1 
 awk 'BEGIN { srand(1); for (i = 0; i < 18; i++) print rand() "," rand() "," i % 3 * rand() }' \
     > "$work/noise.csv"
 prints 1 calibration_refusal calibrate "$work/noise.csv" --positions --gravity 1
-prints 1 calibration_refusal calibrate "$xsens" --positions --zero 0,0,0 --lsb 1
+prints 1 calibration_refusal calibrate "$xsens" --positions --unit g
 sed '2s/.*/1e200,1,1/' "$work/nine.csv" > "$work/huge.csv"
 prints 1 calibration_refusal calibrate "$work/huge.csv" --positions --zero 0,0,0 --lsb 1 --gravity 1
 

@@ -267,7 +267,8 @@ int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX
         if (other < RANGE_TOLERANCE && other > 1 / RANGE_TOLERANCE) {
             append(text, SENSORS_TEXT_MAX, ": they match %s:%s", c->type->key,
                    c->type->range[k].name);
-            snprintf(remedy, SENSORS_TEXT_MAX, "state that range, or set the sensor to the stated one");
+            snprintf(remedy, SENSORS_TEXT_MAX,
+                     "state that range, or set the sensor to the stated one");
             return 0;
         }
     }
