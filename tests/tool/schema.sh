@@ -193,7 +193,7 @@ prints 1 plan_moves plan --moves x:90,x:90
 
 prints 0 calibration calibrate "$xsens" --positions --zero 33123,33276,32360 --lsb 0.0024 --need 1mg \
     --tolerance 0.02,0.005,0.02
-prints 0 calibration calibrate "$work/nine.csv" --positions --gravity 1 --zero 0,0,0 --lsb 1 --tolerance 1,1,1 --need 1
+prints 0 calibration calibrate "$work/nine.csv" --positions --gravity 1 --zero 0,0,0 --lsb 1 --tolerance 0.4,0.4,0.4 --need 0.1
 
 # ---- what must not pass ------------------------------------------------------------------------
 

@@ -304,13 +304,15 @@ static const char *const help[] = {
     "  --slope D,K,G       standard deviations of the slopes to expect, per K: of offsets\n"
     "                      (over the field), scale errors, angles (rad); 0 means unknown.\n"
     "                      Needs the noise\n"
-    "  --tolerance D,K,G   limits of the data sheet for offsets (over the field), scale\n"
-    "                      errors and angles (rad): PASS if all nine errors are within them,\n"
+    "  --tolerance D,K,G   limits of the data sheet for offsets, scale errors and angles, as\n"
+    "                      50mg,3%,2deg; without units over the field, as ratios and in rad:\n"
+    "                      0.05,0.03,0.035. PASS if all nine errors are within them,\n"
     "                      including their 95 % uncertainty; else FAIL, naming those that are\n"
     "                      not. Needs --sensor, --unit, --zero and --lsb, or --nominal\n"
     "  --need U            largest acceptable error of calibrated lengths in 95 % of cases:\n"
     "                      1mg, 0.01m/s2, 0.1% (mg, g, ug, m/s2, %), or a number in the unit\n"
-    "                      of --gravity. PASS or FAIL, with the margin and what is missing\n"
+    "                      of --gravity; at most a tenth of the field. PASS or FAIL, with the\n"
+    "                      margin and what is missing\n"
     "  --strict            exit with 1, after writing all files, unless the verdict is good\n"
     "                      and --tolerance and --need pass\n",
     RECORD_OPTIONS,
