@@ -110,6 +110,36 @@ for heading in 'x,y,z' 'x (counts),y (counts),z (counts)'; do
     run apply "$work/counts.json" "$work/in"
     check "apply: no warning about $heading" is_empty "$work/stderr"
 done
+# Without a unit in the header their size shows it: a field of 10, scale 1; of three readings, two are off.
+echo '{"offset": [0, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gravity": 10, "unit": "m/s^2"}' > "$work/ten.json"
+sizes() { printf 'x,y,z\n%s,0,0\n0,%s,0\n0,0,%s\n' "$1" "$2" "$3" > "$work/in"; run apply "$work/ten.json" "$work/in" $4; }
+sizes 101 101 10
+check "apply: too large a result is reported" warns \
+    '.*in: most corrected readings are more than 10 times the field: the calibration was made from readings in m/s²,'
+sizes 0.9 10 0.9
+check "apply: and too small a one" warns '.*in: most corrected readings are less than 0\.1 times the field'
+sizes 101 101 10 --quiet
+check "apply --quiet: it is not" is_empty "$work/stderr"
+for size in '99 99 101' '1.1 1.1 0.1' '101 10 0.9'; do
+    # shellcheck disable=SC2086 # words
+    sizes $size
+    check "apply: but not $size" is_empty "$work/stderr"
+done
+echo '{"offset": [0, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gravity": [0, 0, 10]}' > "$work/ten.json"
+sizes 101 101 10
+check "apply: nor if the field is not known" is_empty "$work/stderr"
+# The calibration of a magnetometer, for columns that are not of one.
+echo '{"offset": [0, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gravity": 1, "unit": "uT", "magnetometer": {}}' \
+    > "$work/ten.json"
+for unit in 'g:g, or in gauss' 'mg:mg, or in milligauss' 'm/s2:a unit of another sensor'; do
+    printf 'x (%s),y (%s),z (%s)\n1,0,0\n' "${unit%%:*}" "${unit%%:*}" "${unit%%:*}" > "$work/in"
+    run apply "$work/ten.json" "$work/in"
+    check "apply: a magnetometer's to readings in ${unit%%:*}" warns \
+        ".*in: the header states readings in ${unit#*:}, but the calibration is of a magnetometer, from readings in µT:"
+done
+printf 'mx (G),my (G),mz (G)\n1,0,0\n' > "$work/in"
+run apply "$work/ten.json" "$work/in"
+check "apply: a magnetometer's own columns in gauss" warns '.*in: the header states readings in gauss, but the calibration was'
 "$tool" simulate --plan edges | awk -F, 'NR == 1 { print "x (ug),y (ug),z (ug)"; next }
     { print $2 * 61 "," $3 * 61 "," $4 * 61 }' > "$work/ug"
 run calibrate "$work/ug"

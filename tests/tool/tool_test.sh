@@ -530,7 +530,7 @@ check "apply: a calibration nested too deep" was_refused 3 'bad\.json:1: .* nest
 rm -f "$work/bad.csv" "$work/bad.json"
 awk 'BEGIN { print "t,x,y,z"; for (i = 0; i < 300000; i++) print i / 100 "," i ",1,2" }' \
     > "$work/long.csv"
-run_limited apply "$work/apply.json" "$work/long.csv"
+run_limited apply "$work/apply.json" "$work/long.csv" --quiet
 check "apply: a log of 300,000 readings" succeeded
 check "apply: as many readings out as in" [ "$(wc -l < "$work/stdout")" -eq 300001 ]
 echo 1,2,3,four >> "$work/long.csv"
