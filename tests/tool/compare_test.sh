@@ -205,6 +205,30 @@ accepts "two with temperature are compared at one of them" compare thermal.json 
 "$tool" simulate --plan grid:30:18 > "$work/raw.csv"
 "$tool" calibrate raw.csv --quiet --gravity 9.80665 --quadratic --out bent.json
 together "nonlinearity" 'includes nonlinearity' bent.json
+for range in 2g:16384 4g:8192; do
+    "$tool" simulate --plan edges --zero 0,0,0 --lsb "$(awk -v per=${range#*:} 'BEGIN { print 9.80665 / per }')" > raw.csv
+    "$tool" calibrate raw.csv --quiet --sensor "mpu6050:${range%:*}" --serial 9 --out "mpu${range%:*}.json"
+    "$tool" calibrate raw.csv --quiet --zero 0,0,0 --lsb "$(awk -v per=${range#*:} 'BEGIN { print 9.80665 / per }')" \
+        --serial 9 --out "stated${range%:*}.json"
+    "$tool" calibrate raw.csv --quiet --serial 9 --out "unstated${range%:*}.json"
+done
+"$tool" calibrate raw.csv --quiet --sensor mpu9250:4g --serial 9 --out other4g.json
+refuses "refused: ranges" 1 'mpu4g\.json: cannot be compared with mpu2g\.json: they were made with --sensor mpu6050:4g and mpu6050:2g' \
+    compare mpu2g.json mpu4g.json
+refuses "refused: ranges, though not of the first file" 1 'mpu4g\.json: cannot be compared with mpu2g\.json: ' \
+    compare unstated2g.json mpu2g.json mpu4g.json
+refuses "refused: sensors" 1 'made with --sensor mpu9250:4g and mpu6050:4g' compare mpu4g.json other4g.json --as fleet
+refuses "refused: stated scales" 1 'their nominal scales are 0\.00119[0-9]*,.* and 0\.000598' compare stated2g.json stated4g.json
+refuses "refused: a stated scale and a sensor" 1 'stated4g\.json: cannot be compared with mpu2g\.json: their nominal' \
+    compare unstated2g.json mpu2g.json stated4g.json
+accepts "one range, stated in two ways" compare mpu4g.json stated4g.json
+accepts "a nominal that is not stated is not refused" compare mpu4g.json unstated4g.json
+"$tool" calibrate raw.csv --quiet --nominal mpu4g.json --serial 9 --out earlier4g.json
+accepts "nor one that is an earlier calibration" compare stated4g.json earlier4g.json
+sed '/"nominal"/,/}/s/"lsb": \[[^]]*\]/"lsb": [1e-9, 1e-9, 1e-9]/' earlier4g.json > turned4g.json
+accepts "nor one whose axes may be others" compare stated4g.json turned4g.json
+"$tool" calibrate raw.csv --quiet --zero 10,20,-30 --lsb 0.0011,0.0012,0.0013 --serial 9 --out factory4g.json
+accepts "nor factory figures of each device" compare stated4g.json factory4g.json
 refuses "refused: three without a serial" 2 'one\.json: has no serial number' compare one.json other.json third.json
 refuses "refused: one without among others" 2 'one\.json: has no serial number' compare old.json one.json
 refuses "refused: one file" 2 'a second CAL\.json is missing' compare old.json
