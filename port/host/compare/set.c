@@ -314,11 +314,6 @@ static void sort_items(compare_result *r)
     for (unsigned k = 0; k < r->count; k += r->device[r->devices - 1].count) {
         add_device(r, k);
     }
-    for (unsigned k = 1; k < r->count; k++) {
-        if (r->item[k].device == r->item[k - 1].device) {
-            r->drift[k] = compare_drift_of(&r->item[k - 1], &r->item[k], r->field);
-        }
-    }
 }
 
 static int find(compare_result *r, compare_grouping grouping)
@@ -329,6 +324,7 @@ static int find(compare_result *r, compare_grouping grouping)
         return failure;
     }
     sort_items(r);
+    compare_drifts_find(r);
     if (r->devices > 1 && !compare_fleet_find(r)) {
         message("not enough memory for %u devices", r->devices);
         return EXIT_FILE;
