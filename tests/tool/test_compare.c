@@ -272,14 +272,14 @@ static void a_slow_drift_shows_against_the_first(void)
             TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1.5, drifts[k].in_sigma[INVCAL_DK_Z]);
             TEST_ASSERT_EQUAL_UINT(0, drifts[k].changed);
         }
-        TEST_ASSERT_EQUAL_STRING(count > 2 ? "Drifting" : "Steady", compare_word(&history));
+        TEST_ASSERT_EQUAL_STRING(count > 2 ? "Drifting" : "Steady", compare_verdict_word(&history));
     }
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, 6, one.whole.in_sigma[INVCAL_DK_Z]);
     TEST_ASSERT_EQUAL_UINT(1u << INVCAL_DK_Z, one.whole.changed);
     steps[0].sigma[INVCAL_DELTA_X] = (double)NAN;
     steps[0].x[INVCAL_DK_Z] = steps[HISTORY - 1].x[INVCAL_DK_Z];
     compare_drifts_find(&history);
-    TEST_ASSERT_EQUAL_STRING("Unknown", compare_word(&history));
+    TEST_ASSERT_EQUAL_STRING("Unknown", compare_verdict_word(&history));
 }
 
 /* With 18 degrees of freedom an eighteenth of 5 % is 3.4626 sigma, a ninth 3.1486. */
@@ -325,7 +325,7 @@ static void drift_is_seldom_reported_by_chance(void)
                 }
             }
             compare_drifts_find(&history);
-            alarms += compare_judge(&history) == COMPARE_STANDS_OUT;
+            alarms += compare_verdict(&history) == COMPARE_DIFFERENT;
         }
         /* 200 at most by Bonferroni, with a standard deviation of 14 */
         TEST_ASSERT_UINT_WITHIN(60, 180, alarms);
@@ -424,18 +424,19 @@ static void two_devices_are_too_few(void)
     make_fleet();
     fleet.devices = fleet.count = 3;
     TEST_ASSERT_TRUE(compare_fleet_find(&fleet));
-    TEST_ASSERT_EQUAL_STRING("Alike", compare_word(&fleet));
+    TEST_ASSERT_EQUAL_STRING("Alike", compare_verdict_word(&fleet));
     fleet.devices = fleet.count = 2;
-    TEST_ASSERT_EQUAL_STRING("Too few", compare_word(&fleet));
-    TEST_ASSERT_EQUAL(COMPARE_UNKNOWN, compare_judge(&fleet));
+    TEST_ASSERT_EQUAL_STRING("Too few", compare_verdict_word(&fleet));
+    TEST_ASSERT_EQUAL(COMPARE_UNKNOWN, compare_verdict(&fleet));
     fleet.drift = drifts;
     fleet.count = 3;
     device[1].count = 2;
     compare_drifts_find(&fleet);
-    TEST_ASSERT_EQUAL_STRING("Changed", compare_word(&fleet)); /* sigma of 0.1, steps of 1 */
+    TEST_ASSERT_EQUAL_STRING("Changed",
+                             compare_verdict_word(&fleet)); /* sigma of 0.1, steps of 1 */
     item[2] = item[1];
     compare_drifts_find(&fleet);
-    TEST_ASSERT_EQUAL_STRING("Steady", compare_word(&fleet));
+    TEST_ASSERT_EQUAL_STRING("Steady", compare_verdict_word(&fleet));
     free(fleet.fleet.outliers);
 }
 

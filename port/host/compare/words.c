@@ -198,20 +198,20 @@ static int is_too_few(const compare_result *r)
     return r->devices > 1 && r->devices < COMPARE_FLEET_MIN && r->count == r->devices;
 }
 
-compare_outcome compare_judge(const compare_result *r)
+compare_outcome compare_verdict(const compare_result *r)
 {
     int is_known;
 
     (void)histories(r, &is_known);
     return count_of(r, changed_bits) + count_of(r, drifted_bits) + count_of(r, outlier_bits) > 0
-               ? COMPARE_STANDS_OUT
+               ? COMPARE_DIFFERENT
            : is_known && !is_too_few(r) ? COMPARE_STEADY
                                         : COMPARE_UNKNOWN;
 }
 
-const char *compare_word(const compare_result *r)
+const char *compare_verdict_word(const compare_result *r)
 {
-    const compare_outcome outcome = compare_judge(r);
+    const compare_outcome outcome = compare_verdict(r);
 
     return outcome == COMPARE_STEADY       ? (r->devices >= COMPARE_FLEET_MIN ? "Alike" : "Steady")
            : outcome == COMPARE_UNKNOWN    ? (is_too_few(r) ? "Too few" : "Unknown")
