@@ -14,8 +14,8 @@
 
 #define READINGS_RATIO 1.5    /* readings over the field: no sensor has a larger scale error */
 #define IMPOSSIBLE_RATIO 10.0 /* the library refuses readings beyond it */
-#define MEANT_RATIO 1.1       /* scale errors by which the readings of a scale still match */
-#define RANGES 5              /* from 2 g to 64 g */
+#define MEANT_RATIO 1.15      /* readings that still match a scale: g is 1.23 times 8 */
+#define RANGES_RATIO 32.0     /* from 2 g to 64 g */
 
 /* The numbers are too large or too small to calculate with. */
 static int refuse_nominal(const request *r, calibrate_result *result)
@@ -160,9 +160,15 @@ static double scale_of(const invcal_calibration *nominal)
                 cbrt(nominal->matrix[2][2]));
 }
 
+/* No sensor has a larger scale error. */
+static int is_about_one(double x)
+{
+    return x > 1 / READINGS_RATIO && x < READINGS_RATIO;
+}
+
 /* How many times the field the readings are by the nominal scale. A wrong zero changes their
- * lengths, and an outlier the radius of their sphere, so the one nearer to 1 counts. NaN if there
- * is no sphere: a few positions do not show it. */
+ * lengths, and an outlier the radius of their sphere, so the one nearer to 1 counts; if they agree,
+ * the radius is more accurate. NaN if there is no sphere: a few positions do not show it. */
 static double size_of(const positions *data, const invcal_calibration *nominal, double field)
 {
     invcal_calibration fitted;
@@ -172,33 +178,28 @@ static double size_of(const positions *data, const invcal_calibration *nominal, 
     }
     const double by_radius = scale_of(nominal) / fitted.matrix[0][0] / field;
     const double by_length = median_length(data, nominal) / field;
-    return fabs(log(by_radius)) < fabs(log(by_length)) ? by_radius : by_length;
+    const double nearer = fabs(log(by_radius)) < fabs(log(by_length)) ? by_radius : by_length;
+    return !is_about_one(nearer) && is_about_one(by_radius / by_length) ? by_radius : nearer;
 }
 
-/* No sensor has a larger scale error. */
-static int is_about_one(double x)
+/* Whether readings of this size fit a scale that is `factor` times the stated one. */
+static int is_meant(double size, double factor)
 {
-    return x > 1 / READINGS_RATIO && x < READINGS_RATIO;
+    return size * factor < MEANT_RATIO && size * factor > 1 / MEANT_RATIO;
 }
 
 /* The scale that was meant, if the stated one is in g instead of m/s^2, or the reverse, or that of
  * another range, which are factors of 2 apart; 0: none of these. */
-static double meant_scale(double lsb, double size)
+static double meant_scale(double lsb, double size, double field)
 {
-    double meant = 0;
-    double nearest = log(MEANT_RATIO);
+    const double g = unit_field_si(field) > 0 ? UNIT_STANDARD_GRAVITY : 1;
+    const double range = exp2(-round(log2(size)));
 
-    for (int k = -RANGES; k <= RANGES + 2; k++) {
-        const double factor = k > RANGES + 1 ? UNIT_STANDARD_GRAVITY
-                              : k > RANGES   ? 1 / UNIT_STANDARD_GRAVITY
-                                             : pow(2, k);
-        const double off = fabs(log(size * factor));
-        if (off < nearest) {
-            nearest = off;
-            meant = lsb * factor;
-        }
-    }
-    return meant;
+    return is_meant(size, g)       ? lsb * g
+           : is_meant(size, 1 / g) ? lsb / g
+           : is_meant(size, range) && range <= RANGES_RATIO && range >= 1 / RANGES_RATIO
+               ? lsb * range
+               : 0;
 }
 
 /* Counts to a power of two, if they are within 5 % of one as most sensors, else to three digits. */
@@ -232,7 +233,7 @@ static int refuse_scale(const request *r, double lsb, double size)
     const double field = r->settings.field;
     const double g = unit_scale(UNIT_G, field) > 0 ? unit_scale(UNIT_G, field) : field;
     const double fitting = lsb / size;
-    const double meant = meant_scale(lsb, size);
+    const double meant = meant_scale(lsb, size, field);
     const int is_in_g =
         unit_is_gravity(field) && fabs(meant / lsb / UNIT_STANDARD_GRAVITY - 1) < 1e-9;
     char times[FIGURE_MAX];
