@@ -135,9 +135,9 @@ const char *compare_file_name(const compare_item *item, unsigned columns,
 const char *compare_date(const compare_item *item);
 
 /* The verdict. */
-typedef enum { COMPARE_STEADY, COMPARE_UNKNOWN, COMPARE_STANDS_OUT } compare_outcome;
-compare_outcome compare_judge(const compare_result *r);
-const char *compare_word(const compare_result *r);
+typedef enum { COMPARE_STEADY, COMPARE_UNKNOWN, COMPARE_DIFFERENT } compare_outcome;
+compare_outcome compare_verdict(const compare_result *r);
+const char *compare_verdict_word(const compare_result *r);
 const char *compare_sentence(const compare_result *r, char text[COMPARE_TEXT_MAX]);
 const char *compare_next(const compare_result *r);
 

@@ -234,8 +234,8 @@ void compare_print(FILE *file, const compare_result *r)
     if (r->devices > 1) {
         wrapped_line(file, 0, 0, compare_fleet_rule());
     }
-    snprintf(word, sizeof word, "%s:", compare_word(r));
-    fprintf(file, "\n%s%s%s ", paint_on(file, colour[compare_judge(r)]), word, paint_off(file));
+    snprintf(word, sizeof word, "%s:", compare_verdict_word(r));
+    fprintf(file, "\n%s%s%s ", paint_on(file, colour[compare_verdict(r)]), word, paint_off(file));
     wrapped_line(file, strlen(word) + 1, 0, compare_sentence(r, text));
     fprintf(file, "Next: ");
     wrapped_line(file, 6, 0, compare_next(r));

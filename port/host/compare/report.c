@@ -27,9 +27,10 @@ static void write_verdict(page *p, const compare_result *r)
     static const page_severity severity[] = {PAGE_GOOD, PAGE_CAUTION, PAGE_CAUTION};
     char word[64];
     char text[COMPARE_TEXT_MAX];
-    const compare_outcome outcome = compare_judge(r);
+    const compare_outcome outcome = compare_verdict(r);
 
-    snprintf(word, sizeof word, "%s %s", outcome == COMPARE_STEADY ? "✓" : "!", compare_word(r));
+    snprintf(word, sizeof word, "%s %s", outcome == COMPARE_STEADY ? "✓" : "!",
+             compare_verdict_word(r));
     page_verdict(p, severity[outcome], word, compare_sentence(r, text), compare_next(r));
 }
 

@@ -140,19 +140,19 @@ static unsigned histories(const compare_result *r, int *is_known)
     return count;
 }
 
-compare_outcome compare_judge(const compare_result *r)
+compare_outcome compare_verdict(const compare_result *r)
 {
     int is_known;
 
     (void)histories(r, &is_known);
-    return count_of(r, changed_bits) + count_of(r, outlier_bits) > 0 ? COMPARE_STANDS_OUT
+    return count_of(r, changed_bits) + count_of(r, outlier_bits) > 0 ? COMPARE_DIFFERENT
            : is_known                                                ? COMPARE_STEADY
                                                                      : COMPARE_UNKNOWN;
 }
 
-const char *compare_word(const compare_result *r)
+const char *compare_verdict_word(const compare_result *r)
 {
-    const compare_outcome outcome = compare_judge(r);
+    const compare_outcome outcome = compare_verdict(r);
 
     return outcome == COMPARE_STEADY       ? (r->devices > 1 ? "Alike" : "Steady")
            : outcome == COMPARE_UNKNOWN    ? "Unknown"
