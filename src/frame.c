@@ -112,6 +112,15 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
     return INVCAL_OK;
 }
 
+/* The sum of the readings a, each times c.up: their number if all agree. Returns its length. */
+static invcal_real sum_along(const invcal_frame *frame, const invcal_real up[3], invcal_real a[3])
+{
+    for (unsigned j = 0; j < 3; j++) {
+        a[j] = up[0] * frame->sum[0][j] + up[1] * frame->sum[1][j] + up[2] * frame->sum[2][j];
+    }
+    return INVCAL_SQRT(invcal_dot3(a, a));
+}
+
 /* With v = a x c: I + [v] + [v]^2 / (1 + a.c), [v]^2 = v v' - v.v I. Near half a turn a and c are
  * opposite, and v no longer shows the axis: more than 139 degrees, LEAST_LEVEL, are refused. The
  * mean direction is no reading of `up` if it is short: the rests contradict each other. */
@@ -125,10 +134,7 @@ invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up
     if (frame->count < 1) {
         return INVCAL_TOO_FEW;
     }
-    for (unsigned j = 0; j < 3; j++) {
-        a[j] = up[0] * frame->sum[0][j] + up[1] * frame->sum[1][j] + up[2] * frame->sum[2][j];
-    }
-    const invcal_real length = INVCAL_SQRT(invcal_dot3(a, a));
+    const invcal_real length = sum_along(frame, up, a);
     const invcal_real c = 1 + invcal_dot3(a, up) / length;
     if (!(c > LEAST_LEVEL && length >= LEAST_MEAN * invcal_number(frame->count))) {
         return INVCAL_UNDETERMINED;
