@@ -142,6 +142,7 @@ done
 check "the file of --out with a record is a calibration" fits calibration "$work/file1.json"
 prints 0 comparison compare "$work/file2.json" "$work/file3.json"
 prints 0 comparison compare "$work"/file?.json
+prints 0 comparison compare "$work"/file?.json --as history
 "$tool" calibrate "$work/nine.csv" --positions --gravity 9.81744 --quiet --unit counts --out "$work/blind.json"
 prints 0 comparison compare "$work/file1.json" "$work/blind.json" --as history
 "$tool" calibrate "$xsens" --positions --frame triangular --quiet --out "$work/turned.json"

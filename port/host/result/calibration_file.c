@@ -124,6 +124,7 @@ static int read_nominal_member(json_reader *r, const char *name, void *into)
            : is(name, "lsb")       ? read_sigma(r, c->lsb)
            : is(name, "zero_from") ? json_read_text(r, c->zero_from, sizeof c->zero_from)
            : is(name, "lsb_from")  ? json_read_text(r, c->lsb_from, sizeof c->lsb_from)
+           : is(name, "sensor")    ? json_read_text(r, c->sensor, sizeof c->sensor)
                                    : json_skip(r);
 }
 

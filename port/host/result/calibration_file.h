@@ -34,6 +34,7 @@ typedef struct {
     int has_cross_terms;                   /* the nominal calibration has cross terms */
     char zero_from[CALIBRATION_FILE_WORD]; /* source of zero: "given", "range", ... */
     char lsb_from[CALIBRATION_FILE_WORD];  /* source of lsb */
+    char sensor[CALIBRATION_FILE_WORD];    /* whose data sheet states them: "mpu6050:2g" */
     double sigma_offset[3];                /* standard deviations: input units */
     double sigma_dk[3];                    /* of scale errors */
     double sigma_gamma[3];                 /* of angles, rad */
