@@ -10,8 +10,8 @@
  *
  * The table limits this, not the sensor: half a degree of tilt makes 6 to 9 mrad. So put down all
  * faces, then all again, each turned by half a turn on the table: the tilt cancels to first order,
- * and `scatter`, the error of the directions, shows the tilt. A face turned at once would be refused
- * as the same orientation, INVCAL_REST_SAME, if the tilt is small.
+ * and `scatter`, the error of the directions, shows it. A face that is turned at once may be
+ * refused as the same orientation, INVCAL_REST_SAME, if the tilt is small.
  *
  *     invcal_frame frame;
  *     invcal_real r[3][3];
