@@ -89,4 +89,12 @@ refuses "case: over temperature, and what to do" 2 '--case: cannot be combined w
     calibrate "$work/straight.csv" --positions --case +z,+x --thermal 1
 refuses "case: beside another frame" 2 'leave out --frame' \
     calibrate "$work/straight.csv" --positions --case +z --frame triangular
+
+# The log of such a unit: x inverted, or x and y exchanged, while its axes are stated as they are.
+awk -F, -v OFS=, 'NR > 1 { $1 = -$1 } 1' "$work/straight.csv" > "$work/inverted.csv"
+awk -F, -v OFS=, 'NR > 1 { t = $1; $1 = $2; $2 = t } 1' "$work/straight.csv" > "$work/exchanged.csv"
+for how in inverted exchanged; do
+    refuses "case: an axis $how in the log is suspected" 1 'or an axis of the log is inverted or exchanged' \
+        calibrate "$work/$how.csv" --positions --unit g --gravity 1 --case +z,+x,+y
+done
 finish
