@@ -275,6 +275,15 @@ int calibrate_refuse(calibrate_result *r, const stand_options *angles, invcal_st
     return EXIT_DATA;
 }
 
+int calibrate_refuse_readings(calibrate_result *r, const char *reason, const char *remedy)
+{
+    refusal *why = begin_refusal(r, status_name(INVCAL_OUT_OF_RANGE), 0);
+
+    snprintf(why->reason, REFUSAL_MAX, "%s", reason);
+    snprintf(why->remedy, REFUSAL_MAX, "%s", remedy);
+    return EXIT_DATA;
+}
+
 int calibrate_refuse_drift(calibrate_result *r)
 {
     refusal *why = begin_refusal(r, status_name(INVCAL_TOO_FEW), (1u << INVCAL_PARAMETERS) - 1);

@@ -65,8 +65,8 @@ typedef struct {
  * matrix is singular. */
 int calibration_file_read(const char *path, invcal_calibration *out);
 
-/* The same with everything that apply needs: unit, is_magnetometer, has_thermal and thermal,
- * has_nonlinear and nonlinear, has_gyro and gyro. */
+/* The same with everything that apply needs: unit, gravity (NUMBER_UNKNOWN if it is no number),
+ * is_magnetometer, has_thermal and thermal, has_nonlinear and nonlinear, has_gyro and gyro. */
 int calibration_file_read_correction(const char *path, calibration_file *out);
 
 /* The same with all members. */

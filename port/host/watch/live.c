@@ -365,9 +365,10 @@ static int begin_session(state *s)
     const live_options *options = s->options;
     const double *clip = options->clip;
     char text[SENSORS_TEXT_MAX];
+    char remedy[SENSORS_TEXT_MAX];
 
-    if (!zero_fits_sensor(options, &live_log, text)) {
-        return message_usage("watch", "%s: %s", live_log.table.name, text);
+    if (!zero_fits_sensor(options, &live_log, text, remedy)) {
+        return message_usage("watch", "%s: %s; %s", live_log.table.name, text, remedy);
     }
     if (!zero_begin(&s->zero, options, &live_log, s->p, &followed, &s->known) ||
         invcal_session_begin(&session, &s->known, samples_whole_rate(&live_log)) != INVCAL_OK ||
