@@ -605,6 +605,21 @@ static void remember_names(const table *t, columns *out)
     seen->preamble = t->preamble;
 }
 
+/* Whether the header names x, y and z of any sensor. */
+static int names_axes(const table *t)
+{
+    int index[3];
+
+    read_headings(t);
+    return find_set(t, 0, (sensor_range){COLUMNS_OF_GYROSCOPE, COLUMNS_OF_ACCELEROMETER}, index) <
+           t->columns;
+}
+
+int columns_skip_text(table *t)
+{
+    return table_skip_text(t, names_axes);
+}
+
 /* ArduPilot interleaves the rows of all its sensors, with their number in column I. */
 static int find_instance(const table *t)
 {
@@ -760,14 +775,15 @@ static int has_axes(const table *t)
 
 int columns_find(table *t, columns_kind kind, columns *out)
 {
-    *out = (columns){
-        .per_second = 1,
-        .degrees = {1, 0},
-        .per_degree = {1, 1},
-        .accelerometer = {-1, -1, -1},
-        .gyro = {-1, -1, -1},
-        .instance = -1,
-        .seen = {.separator = table_separator(t), .is_magnetometer = kind == COLUMNS_MAGNETOMETER}};
+    *out = (columns){.per_second = 1,
+                     .degrees = {1, 0},
+                     .per_degree = {1, 1},
+                     .accelerometer = {-1, -1, -1},
+                     .gyro = {-1, -1, -1},
+                     .instance = -1,
+                     .seen = {.separator = table_separator(t),
+                              .text_lines = t->text_lines,
+                              .is_magnetometer = kind == COLUMNS_MAGNETOMETER}};
     if (table_comment_header(t) && !has_axes(t)) {
         table_drop_header(t);
     }
@@ -917,6 +933,10 @@ static void append_layout(const recognition *seen, char *text, size_t size)
     if (seen->preamble > 0) {
         append(text, size, ", %lu line%s of settings", seen->preamble,
                seen->preamble == 1 ? "" : "s");
+    }
+    if (seen->text_lines > 0) {
+        append(text, size, ", %lu line%s of text before the %s ignored", seen->text_lines,
+               seen->text_lines == 1 ? "" : "s", seen->header_line > 0 ? "header" : "readings");
     }
     if (seen->header_line > 0) {
         append(text, size, ", header in line %lu", seen->header_line);

@@ -25,6 +25,7 @@ typedef struct {
     const char *separator;     /* "commas", ... */
     unsigned long header_line; /* 0: none */
     unsigned long preamble;    /* number of lines of `name, value` before the header */
+    unsigned long text_lines;  /* number of lines of text before the header (table_skip_text) */
     unsigned long unit_line;   /* of a row of units; 0: none */
     int is_magnetometer;       /* a magnetometer was asked for */
     columns_sensor sensor;     /* of x, y and z, by their headings; else COLUMNS_OF_UNKNOWN */
@@ -78,6 +79,11 @@ typedef enum {
     "  phyphox and EuRoC are recognised by their headers, and those converted by ulog2csv\n"       \
     "  (PX4), blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot), rostopic echo -p\n"   \
     "  (ROS) and kalibr_bagextractor (Kalibr: timestamp, omega_x .., alpha_x ..).\n"
+
+/* Skips lines of text above the header or the first row; see table_skip_text. To be called first.
+ *
+ * Returns EXIT_GOOD; EXIT_FILE, with a message. */
+int columns_skip_text(table *t);
 
 /* Finds the columns of a table that has just been opened. If it has an accelerometer and a
  * magnetometer, x, y and z are those of the accelerometer, unless the kind is COLUMNS_MAGNETOMETER.

@@ -182,7 +182,7 @@ static int find_columns(samples *s)
 {
     unsigned long cut = 0;
 
-    if (!s->is_live && table_drop_cut_first(&s->table, &cut)) {
+    if (columns_skip_text(&s->table) || (!s->is_live && table_drop_cut_first(&s->table, &cut))) {
         return EXIT_FILE;
     }
     if (cut > 0) {
