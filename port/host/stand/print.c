@@ -140,7 +140,7 @@ void stand_print(FILE *file, const stand *s, const nominal_choice *nominal,
     wrapped_printf(file, LABEL, "stand         %u positions with angles (%s)%s", s->count, s->from,
                    text);
     if (s->convention != STAND_AS_STATED) {
-        snprintf(text, sizeof text, "Stand: %s", stand_advice(s->convention));
+        snprintf(text, sizeof text, "Stand: %s", stand_advice(s));
         wrapped_line(file, 0, 0, text);
         fprintf(file, "\n");
         return;
