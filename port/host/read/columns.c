@@ -391,6 +391,7 @@ static void find_unit_row(table *t, columns *out)
     out->seen.unit_from = UNIT_FROM_HEADER;
     if (time >= 0 && time_unit_of(t->field[time]) > 0) {
         out->per_second = time_unit_of(t->field[time]);
+        out->is_time_unit_known = 1;
     }
     if (temperature >= 0 && unit_parse_temperature(t->field[temperature]).scale > 0) {
         out->degrees = unit_parse_temperature(t->field[temperature]);
@@ -555,6 +556,7 @@ static void find_time_unit(const table *t, columns *out)
         const double stated = headings[at].per_second;
         const int is_nano = t->field[at][0] == '%' || is_of_kalibr(t);
         out->per_second = stated > 0 ? stated : is_nano ? 1e9 : is_micro ? 1e6 : 1;
+        out->is_time_unit_known = stated > 0 || is_nano || is_micro;
     }
 }
 

@@ -50,6 +50,7 @@ typedef struct {
     int gyro[3];              /* x y z of a gyroscope, unless it is ignored */
     int last;                 /* the largest of them */
     double per_second;        /* units of the time column in a second */
+    int is_time_unit_known;   /* by the heading or the kind of log; else seconds are assumed */
     temperature_unit degrees; /* of the temperature column */
     double per_degree[2];     /* units of the columns alpha and beta in a degree */
     int instance;             /* column with the number of the sensor of each row */
