@@ -82,16 +82,20 @@ dress "PX4 sensor_combined by ulog2csv" $ms2 'm/s^2' header \
     'CSV with commas, header in line 1; timestamp (µs), accelerometer_m_s2[0] accelerometer_m_s2[1] accelerometer_m_s2[2] in m/s²; gyroscope: gyro_rad[0] gyro_rad[1] gyro_rad[2] in rad/s; ignored: 3 other columns' \
     'timestamp,gyro_rad[0],gyro_rad[1],gyro_rad[2],gyro_integral_dt,accelerometer_timestamp_relative,accelerometer_m_s2[0],accelerometer_m_s2[1],accelerometer_m_s2[2],accelerometer_integral_dt' \
     "t * 1e6 + 123456789 \",0.1,0.2,0.3,4000,0,\" $ax \",4000\""
+check "PX4 sensor_combined: it is said to be corrected already" \
+    says 'warning: .*: sensor_combined of PX4 is already corrected by the autopilot: use sensor_accel$'
 dress "PX4 sensor_accel by ulog2csv" $ms2 'm/s^2' size \
     'CSV with commas, header in line 1; timestamp (µs), x y z in m/s² (by their size), temperature; ignored: 7 other columns' \
     'timestamp,timestamp_sample,device_id,x,y,z,temperature,error_count,clip_counter[0],clip_counter[1],clip_counter[2],samples' \
     "t * 1e6 \",\" t * 1e6 \",1310988,\" $ax \",35.5,0,0,0,0,8\""
+check "PX4 sensor_accel: it is not" is_empty "$work/stderr"
 dress "PX4 vehicle_acceleration by ulog2csv" $ms2 'm/s^2' size \
     'CSV with commas, header in line 1; timestamp (µs), xyz[0] xyz[1] xyz[2] in m/s² (by their size); ignored: 1 other column' \
     'timestamp,timestamp_sample,xyz[0],xyz[1],xyz[2]' "t * 1e6 \",\" t * 1e6 \",\" $ax"
 betaflight='loopIteration, time (us), axisP[0], rcCommand[3], vbatLatest (V), gyroADC[0], gyroADC[1], gyroADC[2]'
 behind='magADC[0], magADC[1], magADC[2], motor[0], flightModeFlags (flags)'
 bf_row='n ", " t * 1e6 ", 0, 1000, 16.1, 5, 6, 7, " x ", " y ", " z ", 1, 2, 3, 1070, ANGLE|HORIZON"'
+check "PX4 vehicle_acceleration: it is" says 'warning: .*: vehicle_acceleration of PX4 is already corrected '
 dress "blackbox_decode" 1 counts header \
     'CSV with commas, header in line 1; time (µs), accSmooth[0] accSmooth[1] accSmooth[2] in counts; gyroscope: gyroADC[0] gyroADC[1] gyroADC[2]; ignored: 9 other columns' \
     "$betaflight, accSmooth[0], accSmooth[1], accSmooth[2], $behind" "$bf_row"

@@ -310,6 +310,17 @@ static reading_unit unit_of_system(const table *t, const heading *x)
     return UNIT_UNKNOWN;
 }
 
+/* The topic of PX4 whose readings the calibration of the vehicle has corrected; null: none
+ * (VehicleIMU.cpp, Publish()). */
+static const char *find_corrected(const table *t, const heading *x)
+{
+    const int is_combined =
+        strcmp(x->key, "accelerometer") == 0 && has_key(t, "accelerometertimestamprelative");
+    const int is_filtered = strcmp(x->name, "xyz[0]") == 0 && has_key(t, "timestampsample");
+
+    return is_combined ? "sensor_combined" : is_filtered ? "vehicle_acceleration" : NULL;
+}
+
 /* The same of a gyroscope. */
 static double rate_unit_of_system(const heading *x)
 {
@@ -343,6 +354,7 @@ static int find_unit(const table *t, columns *out)
         }
     }
     out->seen.sensor = sensor_of(x);
+    out->seen.corrected = find_corrected(t, x);
     out->seen.unit = is_magnetic(out) ? x->magnetic
                      : x->states_unit ? x->unit
                                       : unit_of_system(t, x);

@@ -36,6 +36,7 @@ typedef struct {
     int is_gyro;      /* x, y and z themselves are those of a gyroscope, with unit rate_unit */
     char chosen[COLUMNS_OPTION_MAX]; /* the value of --columns; empty: not given */
     unsigned ignored;                /* number of columns that have a heading, but are ignored */
+    const char *corrected;           /* topic of an autopilot that has corrected them; null: raw */
     int states_foreign_unit;         /* the headings state a unit that unit.h does not know */
     reading_unit unit;               /* of x, y and z */
     unit_origin unit_from;           /* header or none; a caller that knows the unit may set it */
