@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "stand/stand.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +14,7 @@
 
 #define SCATTERED 0.01     /* rad: more than a stand with a scale has, unless */
 #define SCATTERED_NOISE 10 /* it is within this multiple of the noise of a mean */
+#define MANY_PART 8u       /* one position in 8 misset is many */
 #define RADIANS_MAX 12.6   /* two turns */
 #define SCATTER_MAX 0.05   /* rad: readings with more do not belong to these directions */
 
@@ -136,21 +138,31 @@ static invcal_status try_convention(stand *s, stand_convention convention,
                                                                         : status;
 }
 
-/* As stated, if that fits; else the first convention that does. */
+/* As stated, if that fits; else the first convention that does. If many positions would be misset, a
+ * convention with fewer of them is better: another one may fit what is left in a few planes. */
 static void find_convention(stand *s, const invcal_calibration *nominal)
 {
+    unsigned fewest = UINT_MAX;
+
+    s->convention = STAND_STRANGE;
     for (stand_convention r = STAND_AS_STATED; r < STAND_STRANGE; r++) {
         const invcal_status status = try_convention(s, r, nominal);
-        s->convention = r;
-        if (status == INVCAL_OK) {
-            return;
-        }
-        if (r == STAND_AS_STATED && (status == INVCAL_TOO_FEW || s->count < 6)) {
+        if (r == STAND_AS_STATED &&
+            (status == INVCAL_TOO_FEW || (status != INVCAL_OK && s->count < 6))) {
             s->convention = STAND_FEW;
             return;
         }
+        if (status == INVCAL_OK && s->missets < fewest) {
+            fewest = s->missets;
+            s->convention = r;
+        }
+        if (fewest <= s->count / MANY_PART) {
+            return;
+        }
     }
-    s->convention = STAND_STRANGE;
+    if (s->convention < STAND_STRANGE) {
+        (void)try_convention(s, s->convention, nominal); /* it fitted before */
+    }
 }
 
 /* ---- the vertical composition -------------------------------------------------------------------- */
