@@ -410,6 +410,12 @@ run apply "$work/simple.json" "$work/dress.csv"
 check "apply: a header in a comment below the text" \
     says 'warning: .*dress\.csv: 1 line of text before the header ignored$'
 
+for bytes in 'a,1,2\n' 'a,1,2\n# x y z\n'; do
+    printf "$bytes" > "$work/dress.csv"
+    refuses "apply: a line of text, and nothing else" 3 "dress\.csv:[12]: column 1 \(x\): 'a' is not a decimal number" \
+        apply "$work/simple.json" "$work/dress.csv"
+done
+
 # ---- an unknown temperature -----------------------------------------------------------------------
 
 # PX4 writes nan until a driver knows the temperature, others leave the cell empty: a column that is not needed

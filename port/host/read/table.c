@@ -640,13 +640,18 @@ static int try_next(table *t)
     save_row(t, row);
     t->first_line = 0; /* so that a comment below it is saved */
     const int more = read_row(t);
-    const char *copy = more == 1 ? copy_line(t, row) : NULL;
-    const unsigned found = more == 1 ? cut_fields(t, t->text, &at) : 0;
+    if (more != 1) {
+        memcpy(t->text, t->held, sizeof t->text); /* a comment may have been read */
+        t->line = t->first_line = line;
+        return more;
+    }
+    const char *copy = copy_line(t, row);
+    const unsigned found = cut_fields(t, t->text, &at);
     if (!copy || is_header_of(t, row, found)) {
         put_back(t, row, line, found);
         t->first_line = line;
-        t->has_next = more == 1;
-        return more < 0 ? -1 : 0;
+        t->has_next = 1;
+        return 0;
     }
     memcpy(t->text, copy, strlen(copy) + 1);
     t->separator = t->states_separator ? t->separator : '\0';
