@@ -58,6 +58,7 @@ check "stand: three of 5 degrees, which hide each other" each several \
 check "stand: no others are named" sh -c '[ "$(grep -c "^Misset" "$1")" -eq 3 ]' sh "$work/stdout"
 check "stand: of more than a quarter, none, and there is no answer" each many \
     'Stand: the angles are off by more than 10 mrad .*too many positions are misset to tell which' --stand
+check "stand: the scatter is" matches "$work/stdout" '^directions +[2-9][0-9]\.[0-9]* mrad'
 check "stand: no mounting is printed, nor J1" lacks "$work/stdout" '^mounting|by J1'
 check "stand: two swapped positions are named" each swapped \
     'Misset: position (5 .* swapped with position 12|12 .* swapped with position 5)\..*Misset: position (5|12) ' --stand
