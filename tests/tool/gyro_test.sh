@@ -301,6 +301,11 @@ check "clipped but for one move: turn more slowly, or a larger range" matches "$
 check "clipped but for one move: JSON names all moves" test "$(grep -c '"left_out": "at the end of the sensor.s range"' "$work/stdout")" -eq 16
 run calibrate "$work/clipped.csv"
 check "the last line names the gyroscope" test "$(tail -n 1 "$work/stdout" | grep -c '^The gyroscope is not calibrated. Next, for it: turn more slowly')" -eq 1
+# It reads -1 to 1, mostly 1, whatever the turn.
+change '{ for (k = 5; k <= 7; k++) { r = rand(); $k = r < 0.6 ? 1 : r < 0.7 ? -1 : 0 } }'
+solve "$work/changed.csv"
+check "noise of a count is not the end of the range" \
+    refused_as 'too few' '"reason": "the gyroscope reads no turns between the rests",$'
 run calibrate "$work/edges.csv"
 check "a good one is not in the last line" lacks "$work/stdout" '^The gyroscope is'
 # Nine rests that leave nothing of the accelerometer open, and one angle of the gyroscope.

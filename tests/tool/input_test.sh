@@ -82,16 +82,20 @@ dress "PX4 sensor_combined by ulog2csv" $ms2 'm/s^2' header \
     'CSV with commas, header in line 1; timestamp (µs), accelerometer_m_s2[0] accelerometer_m_s2[1] accelerometer_m_s2[2] in m/s²; gyroscope: gyro_rad[0] gyro_rad[1] gyro_rad[2] in rad/s; ignored: 3 other columns' \
     'timestamp,gyro_rad[0],gyro_rad[1],gyro_rad[2],gyro_integral_dt,accelerometer_timestamp_relative,accelerometer_m_s2[0],accelerometer_m_s2[1],accelerometer_m_s2[2],accelerometer_integral_dt' \
     "t * 1e6 + 123456789 \",0.1,0.2,0.3,4000,0,\" $ax \",4000\""
+check "PX4 sensor_combined: it is said to be corrected already" \
+    says 'warning: .*: sensor_combined of PX4 is already corrected by the autopilot: use sensor_accel$'
 dress "PX4 sensor_accel by ulog2csv" $ms2 'm/s^2' size \
     'CSV with commas, header in line 1; timestamp (µs), x y z in m/s² (by their size), temperature; ignored: 7 other columns' \
     'timestamp,timestamp_sample,device_id,x,y,z,temperature,error_count,clip_counter[0],clip_counter[1],clip_counter[2],samples' \
     "t * 1e6 \",\" t * 1e6 \",1310988,\" $ax \",35.5,0,0,0,0,8\""
+check "PX4 sensor_accel: it is not" is_empty "$work/stderr"
 dress "PX4 vehicle_acceleration by ulog2csv" $ms2 'm/s^2' size \
     'CSV with commas, header in line 1; timestamp (µs), xyz[0] xyz[1] xyz[2] in m/s² (by their size); ignored: 1 other column' \
     'timestamp,timestamp_sample,xyz[0],xyz[1],xyz[2]' "t * 1e6 \",\" t * 1e6 \",\" $ax"
 betaflight='loopIteration, time (us), axisP[0], rcCommand[3], vbatLatest (V), gyroADC[0], gyroADC[1], gyroADC[2]'
 behind='magADC[0], magADC[1], magADC[2], motor[0], flightModeFlags (flags)'
 bf_row='n ", " t * 1e6 ", 0, 1000, 16.1, 5, 6, 7, " x ", " y ", " z ", 1, 2, 3, 1070, ANGLE|HORIZON"'
+check "PX4 vehicle_acceleration: it is" says 'warning: .*: vehicle_acceleration of PX4 is already corrected '
 dress "blackbox_decode" 1 counts header \
     'CSV with commas, header in line 1; time (µs), accSmooth[0] accSmooth[1] accSmooth[2] in counts; gyroscope: gyroADC[0] gyroADC[1] gyroADC[2]; ignored: 9 other columns' \
     "$betaflight, accSmooth[0], accSmooth[1], accSmooth[2], $behind" "$bf_row"
@@ -105,6 +109,16 @@ dress "the explorer of Betaflight, with settings before" 1 counts header \
     'CSV with commas, 4 lines of settings, header in line 5; time (µs), accSmooth[0] accSmooth[1] accSmooth[2] in counts; ignored: 2 other columns' \
     '"Product","Blackbox flight data recorder by Nicholas Sherlock"\n"firmwareType",3\n"rollPID",42,85,35\n"Craft name",""\n"loopIteration","time","gyroADC[0]","accSmooth[0]","accSmooth[1]","accSmooth[2]"' \
     "n \",\" t * 1e6 \",7,\" $ax"
+dress "what a board sends when it starts" 1 counts size \
+    'CSV with commas, 2 lines of settings, 5 lines of text before the header ignored, header in line 9; ms (ms), ax ay az in counts (by their size)' \
+    'rst:0x1 (POWERON_RESET),boot:0x13\nmode:DIO, clock div:1\nets Jul 29 2019 12:21:46\nclk_drv:0x00,q_drv:0x00,d_drv:0x00\nentry 0x400805f0\nMPU6050 found\n\nReady!\nms,ax,ay,az' \
+    "t * 1000 \",\" $ax"
+dress "the same, without a header" 1 counts size \
+    'CSV with commas, 1 line of text before the readings ignored, no header; t (s), x y z in counts (by their size)' \
+    'MPU6050 found' "t \",\" $ax"
+dress "the same, and readings with tabs" 1 counts size \
+    'table with tabs, 1 line of text before the readings ignored, no header; t (s), x y z in counts (by their size)' \
+    'Hello, World!\nStarting, please, wait' "t \"\\t\" x \"\\t\" y \"\\t\" z"
 dress "commas with tabs behind" 1 counts size \
     'CSV with commas, header in line 1; x y z in counts (by their size)' 'x,\ty,\tz' 'x ",\t" y ",\t" z'
 dress "ArduPilot IMU by mavlogdump.py" $ms2 'm/s^2' header \
@@ -351,6 +365,15 @@ bad_line "Swiss thousands separators" "column 2 \(y\): '1'234' .* thousands sepa
 
 bad "a gyro alone" 'record both in one log. .*invcal allan --columns gyroADC\[0\],gyroADC\[1\],gyroADC\[2\]$' \
     'time (us),gyroADC[0],gyroADC[1],gyroADC[2],wx,wy,wz,gx,gy,gz\n0,1,2,3,4,5,6,7,8,9\n'
+bad "a header of as many names as there are readings, below text" \
+    'bad\.csv:2: the header names no columns x, y, z .*there are: u, v, w$' 'MPU6050 found\nu,v,w\n1,2,3\n4,5,6\n'
+bad "the same, separated by blanks" \
+    'bad\.csv:2: the header names no columns x, y, z .*there are: u, v, w$' 'MPU6050 found\nu v w\n1 2 3\n4 5 6\n'
+bad "a header of more names than readings" \
+    'bad\.csv:1: the header names no columns x, y, z .*there are: u, v, w, q$' 'u,v,w,q\n1,2,3\n4,5,6\n'
+bad "a header of unknown names and a line of units" \
+    'bad\.csv:1: the header names no columns x, y, z .*there are: u, v, w$' 'u,v,w\nm,m,m\n1,2,3\n4,5,6\n'
+bad "text only" 'bad\.csv:2: the header names no columns x, y, z .*there are: no, sensor$' 'MPU6050 found\nno sensor\n'
 bad "two axes" 'bad\.csv:1: the header names no columns x, y, z .*such as --columns 2,3,4; there are: ax, ay, gz$' \
     'ax,ay,gz\n1,2,3\n'
 bad "linear acceleration" \
@@ -372,6 +395,26 @@ refuses "the same without a header" 3 'convert it to seconds, or ignore the colu
     calibrate "$work/bad.csv"
 run apply "$work/simple.json" "$work/bad.csv" --columns 2,3,4
 check "the same, ignored" test "$(head -n 1 "$work/stdout")" = x,y,z
+
+# ---- text above the table -------------------------------------------------------------------------
+
+write_dress 1 'MPU6050 found\nReady!' "t \",\" $ax"
+run watch "$work/dress.csv" --json
+check "watch: text above the readings, the same calibration" \
+    near 0.05 "$(field offset)" "$plain_offset"
+run apply "$work/simple.json" "$work/dress.csv"
+check "apply: it says that text is ignored" says 'warning: .*dress\.csv: 2 lines of text before the readings ignored$'
+check "apply: and corrects all readings" test "$(wc -l < "$work/stdout")" -eq "$(wc -l < "$work/plain.csv")"
+printf 'MPU6050 found\n# ax ay az\n1 2 3\n' > "$work/dress.csv"
+run apply "$work/simple.json" "$work/dress.csv"
+check "apply: a header in a comment below the text" \
+    says 'warning: .*dress\.csv: 1 line of text before the header ignored$'
+
+for bytes in 'a,1,2\n' 'a,1,2\n# x y z\n'; do
+    printf "$bytes" > "$work/dress.csv"
+    refuses "apply: a line of text, and nothing else" 3 "dress\.csv:[12]: column 1 \(x\): 'a' is not a decimal number" \
+        apply "$work/simple.json" "$work/dress.csv"
+done
 
 # ---- an unknown temperature -----------------------------------------------------------------------
 
@@ -506,6 +549,12 @@ check "times in another form: the options in the manual" near 0.2 "$(field offse
 copy '' '"X: " x "\tY: [" y "] Z: " z'
 cp "$work/dress.csv" "$work/log.txt"
 remedied "words or brackets around" log.csv
+copy 't,ax,ay,az' 't "," (n < 16 ? "nan,NaN,nan" : x "," y "," z)'
+refuses "rows of nan are refused" 3 "log\.csv:2: column 2 \(x\): 'nan' is not a finite number" calibrate "$work/log.csv"
+remedied "rows of nan" clean.csv
+copy 't,ax,ay,az' 't "," x "," y "," z'
+tr '\n' '\r' < "$work/dress.csv" > "$work/log.csv"
+remedied "lines that end with CR alone" lines.csv
 # cut in a move, from 61 s to 63 s
 head -n 6200 "$work/plain.csv" > "$work/one.csv"
 sed -n '1p; 6201,$p' "$work/plain.csv" | awk -F, -v OFS=, 'NR > 1 { $1 -= 55 } { print }' > "$work/two.csv"

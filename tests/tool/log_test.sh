@@ -155,6 +155,13 @@ check "calibrate LOG: clipped rests are refused" matches "$work/stderr" 'no rest
 printf 't,x,y,z\n0,1,2,3\n1000,1,2,3\n2000,1,2,3\n3000,1,2,3\n' > "$work/ms.csv"
 refuses "calibrate LOG: times in milliseconds" 3 'times advance by 1000, which cannot be seconds' \
     calibrate "$work/ms.csv"
+printf 't_us,x,y,z\n0,1,2,3\n1000000,1,2,3\n2000000,1,2,3\n3000000,1,2,3\n' > "$work/ms.csv"
+refuses "calibrate LOG: one sample per second, the unit stated" 3 \
+    'ms\.csv:2: 1 sample per second is too slow: 8 are the minimum, 50 are good$' calibrate "$work/ms.csv"
+printf 't,x,y,z\n0,1,2,3\n5,1,2,3\n10,1,2,3\n15,1,2,3\n' > "$work/ms.csv"
+refuses "calibrate LOG: one sample in 5 s, or in 5 ms" 3 \
+    '0\.2 samples per second are too slow: .*; if the times are not in seconds, .*\(t_ms, t_us\), or state --rate$' \
+    calibrate "$work/ms.csv"
 awk -F, 'NR == 1 { print; next } NR < 3000 || NR > 3200' "$work/plain.csv" > "$work/gap.csv"
 run calibrate "$work/gap.csv" --json
 check "calibrate LOG: samples lost" right_offset plain 2

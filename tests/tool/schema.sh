@@ -97,7 +97,7 @@ prints 0 calibration calibrate "$work/thermal.csv" --positions --thermal 1 --gra
 "$tool" simulate --temperature 10,90 > "$work/drift.csv"
 prints 1 calibration_refusal calibrate "$work/drift.csv" --thermal 1
 
-for trouble in none misset swapped reversed zero; do
+for trouble in none misset many swapped reversed zero; do
     awk -v trouble=$trouble -v seed=1 -f "$here/stand.awk" > "$work/stand.csv"
     prints 0 calibration calibrate "$work/stand.csv" --positions --stand
 done

@@ -9,6 +9,8 @@
 #
 #   none       tilt       the unit is mounted 14 mrad off, about (1 2 -2)/3
 #   misset     position 8 is off by 10 mrad in alpha           fine      the same by 1 mrad
+#   several    positions 3 and 7 are off by 5 degrees in alpha, 11 by 5 degrees in beta
+#   many       every second position is off by 5 degrees in alpha
 #   swapped    positions 5 and 12 were visited in each other's place
 #   repeated   position 7 is also visited in place of 8        twice     an additional position
 #   columns    alpha and beta are exchanged                    reversed  beta has the opposite sense
@@ -57,6 +59,9 @@ function visit(n, a, b,    true_a, true_b) {
     true_a = a; true_b = b
     if (trouble == "misset" && n == 8) true_a += 0.01 / degree
     if (trouble == "fine" && n == 8) true_a += 0.001 / degree
+    if (trouble == "several" && (n == 3 || n == 7)) true_a += 5
+    if (trouble == "several" && n == 11) true_b += 5
+    if (trouble == "many" && n % 2 == 0) true_a += 5
     if (trouble == "swapped" && n == 5) { true_a = A[12]; true_b = B[12] }
     if (trouble == "swapped" && n == 12) { true_a = A[5]; true_b = B[5] }
     if (trouble == "repeated" && n == 8) { true_a = A[7]; true_b = B[7] }

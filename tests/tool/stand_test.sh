@@ -53,6 +53,13 @@ check "stand: a tilt of 14 mrad is the mounting, and causes no error" quiet tilt
 check "stand: it is known with its sigma" is_mounted tilt '0.26738 0.53476 -0.53476'
 check "stand: 10 mrad are named" each misset 'Misset: position 8 .* is off by (9\.[6-9]|10)[.0-9]* mrad: alpha by \+0\.5[0-9]*' --stand
 check "stand: 1 mrad, too" each fine 'Misset: position 8 .* is off by (0\.[789]|1\.)[0-9]* mrad' --stand
+check "stand: three of 5 degrees, which hide each other" each several \
+    'Misset: position 3 .* is off by 87\.[0-9]* mrad: .*Misset: position 7 .* 87\..*Misset: position 11 .* 8[67]\.' --stand
+check "stand: no others are named" sh -c '[ "$(grep -c "^Misset" "$1")" -eq 3 ]' sh "$work/stdout"
+check "stand: of more than a quarter, none, and there is no answer" each many \
+    'Stand: the angles are off by more than 10 mrad .*too many positions are misset to tell which' --stand
+check "stand: the scatter is" matches "$work/stdout" '^directions +[2-9][0-9]\.[0-9]* mrad'
+check "stand: no mounting is printed, nor J1" lacks "$work/stdout" '^mounting|by J1'
 check "stand: two swapped positions are named" each swapped \
     'Misset: position (5 .* swapped with position 12|12 .* swapped with position 5)\..*Misset: position (5|12) ' --stand
 check "stand: a repeated one is" each repeated 'Misset: position 8 .* reads like position 7: repeated' --stand
@@ -72,6 +79,20 @@ calibrate "$work/misset.1" --stand --json
 tr -d '\n ' < "$work/stdout" > "$work/words"
 check "stand: a misset position in JSON" matches "$work/words" \
     '"misset":\[\{"position":8,"kind":"misset","angle":0\.5[5-9]'
+calibrate "$work/many.1" --stand --json
+check "stand: too many of them" matches "$work/stdout" '"angles": "scattered"'
+calibrate "$work/many.1" --stand --frame stand
+check "stand: which give no frame" was_refused 1 'no frame of the stand: the angles are off by more than 10 mrad'
+awk -F, -v OFS=, 'NR > 1 { $4 *= atan2(0, -1) / 180; $5 *= atan2(0, -1) / 180 } { print }' "$work/tilt.1" > "$work/radians"
+calibrate "$work/radians" --stand
+check "stand: angles in radians are suspected" matches "$work/stdout" \
+    '^Stand: the angles do not fit the readings: are they in radians\? Head them alpha \(rad\) and beta \(rad\)\.$'
+sed '1s/alpha,beta/alpha (rad),beta (rad)/' "$work/radians" > "$work/headed"
+calibrate "$work/headed" --stand --json
+radians=$(sed -n 's/"mounting"://p' "$work/stdout" | head -n 1)
+calibrate "$work/tilt.1" --stand --json
+check "stand: and read, if their heading says so" \
+    near 1e-4 "$radians" "$(sed -n 's/"mounting"://p' "$work/stdout" | head -n 1)"
 calibrate "$work/swapped.1" --stand --json
 tr -d '\n ' < "$work/stdout" > "$work/words"
 check "stand: swapped ones in JSON" matches "$work/words" '"position":12,"kind":"swapped","other":5,"angle":(29\.9|30\.0)'
@@ -199,11 +220,13 @@ row_is_true() {
 }
 tries=0
 for one in "an angle misset by 1 mrad=fine" "an angle misset by 10 mrad=misset" "the unit mounted 14 mrad off=tilt" \
+    "three angles misset by 5°=several" "nine angles misset by 5°=many" \
     "columns alpha and beta exchanged=columns" "the sense of beta reversed=reversed" \
     "the sense of alpha reversed=alpha" "another zero of alpha, by 20°=zero" "two positions swapped=swapped" \
     "a position repeated in place of the next=repeated" "a position more=twice" "a position missing=lost"; do
     row "${one%=*}" 0 "$work/${one##*=}.1" --positions --stand
 done
+row "angles in radians, without a unit in the heading" 0 "$work/radians" --positions --stand
 make_file offset 1 log_wanted=1 > "$work/offset.csv"
 row "axes of the stand that do not meet in the unit, by 0.3 m" 0 "$work/offset.csv" --stand
 row "another zero of beta, by 20°" 0 "$work/none.1" --positions --stand --stand-zero 0,-20

@@ -418,7 +418,8 @@ with_bytes() { # with_bytes SENTENCE PATTERN, the bytes by printf in $bytes
     refuses "apply: $1" 3 "$2" apply "$work/apply.json" "$work/bad.csv"
 }
 bytes='1,2,\0003\n'; with_bytes "a NUL byte" 'bad\.csv:5: byte 5 .* 0: not a text file'
-bytes='1,2,3\r4,5,6\n'; with_bytes "a carriage return inside a line" 'bad\.csv:5: byte 6 .* 13'
+bytes='1,2,3\r4,5,6\n'; with_bytes "a carriage return inside a line" \
+    "bad\.csv:5: byte 6 .* carriage return \(CR\), .*: tr '.r' '.n' < log\.csv > lines\.csv$"
 bytes='1,2,\377\n'; with_bytes "a byte that is no UTF-8" "bad\.csv:5: column 3 \(z\)"
 
 bad_file() { # bad_file SENTENCE PATTERN: the file $work/bad.csv
@@ -512,6 +513,9 @@ check "apply: a line of 10 MB" was_refused 3 "bad\.csv:5: $long"
 head -c 30000000 /dev/zero | tr '\0' ' ' > "$work/bad.csv"
 run_limited calibrate "$work/bad.csv" --positions
 check "calibrate: a first line of 30 MB of blanks" was_refused 3 "bad\.csv:1: $long"
+yes 1,2,3 | head -n 20000 | tr '\n' '\r' > "$work/bad.csv"
+run_limited calibrate "$work/bad.csv" --positions
+check "calibrate: lines that end with CR alone" was_refused 3 "bad\.csv:1: byte 6 .* \(CR\), which alone does not"
 head -c 30000000 /dev/zero > "$work/bad.csv"
 run_limited calibrate "$work/bad.csv" --positions
 check "calibrate: 30 MB of zeros" was_refused 3 "bad\.csv:1: "

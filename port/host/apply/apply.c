@@ -175,9 +175,10 @@ static int next_row(table *log, const columns *where, unsigned long rows)
 
 static int find_columns(table *log, const job *j, columns *where)
 {
-    unsigned long cut;
-    const int failure = table_drop_cut_first(log, &cut);
+    unsigned long cut = 0;
+    int failure = columns_skip_text(log);
 
+    failure = failure ? failure : table_drop_cut_first(log, &cut);
     if (cut > 0) {
         columns_warn_cut(log, "first", cut);
     }
@@ -186,7 +187,12 @@ static int find_columns(table *log, const job *j, columns *where)
                               : j->file.has_gyro        ? COLUMNS_IMU
                               : j->file.is_magnetometer ? COLUMNS_MAGNETOMETER
                                                         : COLUMNS_LOG;
-    return failure ? failure : columns_find(log, kind, where);
+    failure = failure ? failure : columns_find(log, kind, where);
+    if (!failure && log->text_lines > 0) {
+        message("warning: %s: %lu line%s of text before the %s ignored", log->name, log->text_lines,
+                log->text_lines == 1 ? "" : "s", log->has_header ? "header" : "readings");
+    }
+    return failure;
 }
 
 /* The calibration of a magnetometer, and columns x y z that are perhaps of an accelerometer: the

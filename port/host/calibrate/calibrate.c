@@ -70,6 +70,14 @@ static int asks_for_list(int argc, char **argv)
     return asks;
 }
 
+static void warn_of_corrected(const positions *data)
+{
+    if (data->seen.corrected) {
+        message("warning: %s: %s of PX4 is already corrected by the autopilot: use sensor_accel",
+                data->name, data->seen.corrected);
+    }
+}
+
 /* From positions, or from the rests of a log. */
 static int solve_log(const request *r, positions *data, rests_summary *log, gyro_log *gyro,
                      calibrate_result *result, positions_reader *read)
@@ -83,6 +91,7 @@ static int solve_log(const request *r, positions *data, rests_summary *log, gyro
         return calibrate_refuse_no_rest(result);
     }
     resolve_unit(r, data);
+    warn_of_corrected(data);
     return solve_positions(r, data, gyro, result);
 }
 

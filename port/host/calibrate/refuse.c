@@ -301,8 +301,7 @@ int calibrate_refuse_frame(calibrate_result *r)
 {
     refusal *why = begin_refusal(r, "angles", 0);
 
-    snprintf(why->reason, REFUSAL_MAX, "no frame of the stand: %s",
-             stand_advice(r->stand.convention));
+    snprintf(why->reason, REFUSAL_MAX, "no frame of the stand: %s", stand_advice(&r->stand));
     return EXIT_DATA;
 }
 

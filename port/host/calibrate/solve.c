@@ -175,6 +175,7 @@ static void add_field_sigma(const request *r, calibrate_result *result)
 static int find_stand(const request *r, calibrate_result *result)
 {
     const rejection *kept = &result->rejected;
+    const double noise = calibrate_knows_noise(result) ? result->quality.noise : NUMBER_UNKNOWN;
     double *raw = calloc(3 * (size_t)kept->kept_count + 1, sizeof *raw);
     int failure = EXIT_FILE;
 
@@ -183,7 +184,7 @@ static int find_stand(const request *r, calibrate_result *result)
     }
     if (raw) {
         failure = stand_find(&result->stand, &r->stand, result->data, kept, raw,
-                             &result->settings.nominal);
+                             &result->settings.nominal, noise);
     }
     free(raw);
     if (!failure && r->stand.is_frame && result->stand.convention != STAND_AS_STATED) {

@@ -11,6 +11,7 @@
 
 #define COUNT_BITS 24      /* of the largest reading found; others may be 128 times as large */
 #define RAIL_RUN_MIN 5u    /* equal readings in a row at the end of the range */
+#define RAIL_STEPS_MIN 4   /* of a reading, from the bias: nearer, it is noise that repeats */
 #define UNIT_TOLERANCE 1.3 /* ratio: a smaller one is a scale error */
 #define NAMED_UNIT_TOLERANCE 1.15
 #define MISFIT_MAX 0.25  /* rad: with a larger one, no axes fit */
@@ -254,6 +255,30 @@ static void find_median_bias(const gyro_fit *g, double bias[3])
         }
         qsort(x, n, sizeof x[0], compare);
         bias[k] = n > 0 ? x[n / 2] : 0;
+    }
+}
+
+/* The smallest change of an axis from one reading to the next: one count, or a multiple. */
+static double smallest_step(const gyro_log *log, unsigned axis)
+{
+    double step = HUGE_VAL;
+
+    for (size_t i = 1; i < log->readings; i++) {
+        const double change = fabs(log->reading[i].x[axis] - log->reading[i - 1].x[axis]);
+        step = change > 0 ? fmin(step, change) : step;
+    }
+    return step;
+}
+
+/* A gyroscope that reads its bias, plus or minus a count, is not clipped. */
+static void drop_false_rails(gyro_fit *g, const double bias[3])
+{
+    for (unsigned k = 0; k < 3; k++) {
+        const double least = RAIL_STEPS_MIN * smallest_step(g->log, k);
+        for (unsigned side = 0; side < 2; side++) {
+            double *rail = &g->rail[side][k];
+            *rail = fabs(*rail - bias[k]) <= least ? NUMBER_UNKNOWN : *rail;
+        }
     }
 }
 
@@ -727,6 +752,7 @@ int gyro_make(gyro_fit *g, const gyro_log *log, const gyro_options *options, uns
     }
     const long lag = find_lag(g, p, start, bias);
     g->lag = (double)lag / log->rate;
+    drop_false_rails(g, bias);
     const int fits = find_unit_and_axes(g, &with_axes, lag, bias);
     begin_replay(&r, log, rate, clip, p, kept);
     invcal_status status = make_moves(g, &r, lag, bias, unit);

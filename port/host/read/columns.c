@@ -310,6 +310,17 @@ static reading_unit unit_of_system(const table *t, const heading *x)
     return UNIT_UNKNOWN;
 }
 
+/* The topic of PX4 whose readings the calibration of the vehicle has corrected; null: none
+ * (VehicleIMU.cpp, Publish()). */
+static const char *find_corrected(const table *t, const heading *x)
+{
+    const int is_combined =
+        strcmp(x->key, "accelerometer") == 0 && has_key(t, "accelerometertimestamprelative");
+    const int is_filtered = strcmp(x->name, "xyz[0]") == 0 && has_key(t, "timestampsample");
+
+    return is_combined ? "sensor_combined" : is_filtered ? "vehicle_acceleration" : NULL;
+}
+
 /* The same of a gyroscope. */
 static double rate_unit_of_system(const heading *x)
 {
@@ -343,6 +354,7 @@ static int find_unit(const table *t, columns *out)
         }
     }
     out->seen.sensor = sensor_of(x);
+    out->seen.corrected = find_corrected(t, x);
     out->seen.unit = is_magnetic(out) ? x->magnetic
                      : x->states_unit ? x->unit
                                       : unit_of_system(t, x);
@@ -391,6 +403,7 @@ static void find_unit_row(table *t, columns *out)
     out->seen.unit_from = UNIT_FROM_HEADER;
     if (time >= 0 && time_unit_of(t->field[time]) > 0) {
         out->per_second = time_unit_of(t->field[time]);
+        out->is_time_unit_known = 1;
     }
     if (temperature >= 0 && unit_parse_temperature(t->field[temperature]).scale > 0) {
         out->degrees = unit_parse_temperature(t->field[temperature]);
@@ -555,6 +568,7 @@ static void find_time_unit(const table *t, columns *out)
         const double stated = headings[at].per_second;
         const int is_nano = t->field[at][0] == '%' || is_of_kalibr(t);
         out->per_second = stated > 0 ? stated : is_nano ? 1e9 : is_micro ? 1e6 : 1;
+        out->is_time_unit_known = stated > 0 || is_nano || is_micro;
     }
 }
 
@@ -603,6 +617,21 @@ static void remember_names(const table *t, columns *out)
     snprintf(seen->chosen, sizeof seen->chosen, "%s", columns_option_text());
     seen->header_line = t->first_line;
     seen->preamble = t->preamble;
+}
+
+/* Whether the header names x, y and z of any sensor. */
+static int names_axes(const table *t)
+{
+    int index[3];
+
+    read_headings(t);
+    return find_set(t, 0, (sensor_range){COLUMNS_OF_GYROSCOPE, COLUMNS_OF_ACCELEROMETER}, index) <
+           t->columns;
+}
+
+int columns_skip_text(table *t)
+{
+    return table_skip_text(t, names_axes);
 }
 
 /* ArduPilot interleaves the rows of all its sensors, with their number in column I. */
@@ -760,14 +789,15 @@ static int has_axes(const table *t)
 
 int columns_find(table *t, columns_kind kind, columns *out)
 {
-    *out = (columns){
-        .per_second = 1,
-        .degrees = {1, 0},
-        .per_degree = {1, 1},
-        .accelerometer = {-1, -1, -1},
-        .gyro = {-1, -1, -1},
-        .instance = -1,
-        .seen = {.separator = table_separator(t), .is_magnetometer = kind == COLUMNS_MAGNETOMETER}};
+    *out = (columns){.per_second = 1,
+                     .degrees = {1, 0},
+                     .per_degree = {1, 1},
+                     .accelerometer = {-1, -1, -1},
+                     .gyro = {-1, -1, -1},
+                     .instance = -1,
+                     .seen = {.separator = table_separator(t),
+                              .text_lines = t->text_lines,
+                              .is_magnetometer = kind == COLUMNS_MAGNETOMETER}};
     if (table_comment_header(t) && !has_axes(t)) {
         table_drop_header(t);
     }
@@ -917,6 +947,10 @@ static void append_layout(const recognition *seen, char *text, size_t size)
     if (seen->preamble > 0) {
         append(text, size, ", %lu line%s of settings", seen->preamble,
                seen->preamble == 1 ? "" : "s");
+    }
+    if (seen->text_lines > 0) {
+        append(text, size, ", %lu line%s of text before the %s ignored", seen->text_lines,
+               seen->text_lines == 1 ? "" : "s", seen->header_line > 0 ? "header" : "readings");
     }
     if (seen->header_line > 0) {
         append(text, size, ", header in line %lu", seen->header_line);

@@ -25,6 +25,7 @@ typedef struct {
     const char *separator;     /* "commas", ... */
     unsigned long header_line; /* 0: none */
     unsigned long preamble;    /* number of lines of `name, value` before the header */
+    unsigned long text_lines;  /* number of lines of text before the header (table_skip_text) */
     unsigned long unit_line;   /* of a row of units; 0: none */
     int is_magnetometer;       /* a magnetometer was asked for */
     columns_sensor sensor;     /* of x, y and z, by their headings; else COLUMNS_OF_UNKNOWN */
@@ -35,6 +36,7 @@ typedef struct {
     int is_gyro;      /* x, y and z themselves are those of a gyroscope, with unit rate_unit */
     char chosen[COLUMNS_OPTION_MAX]; /* the value of --columns; empty: not given */
     unsigned ignored;                /* number of columns that have a heading, but are ignored */
+    const char *corrected;           /* topic of an autopilot that has corrected them; null: raw */
     int states_foreign_unit;         /* the headings state a unit that unit.h does not know */
     reading_unit unit;               /* of x, y and z */
     unit_origin unit_from;           /* header or none; a caller that knows the unit may set it */
@@ -49,6 +51,7 @@ typedef struct {
     int gyro[3];              /* x y z of a gyroscope, unless it is ignored */
     int last;                 /* the largest of them */
     double per_second;        /* units of the time column in a second */
+    int is_time_unit_known;   /* by the heading or the kind of log; else seconds are assumed */
     temperature_unit degrees; /* of the temperature column */
     double per_degree[2];     /* units of the columns alpha and beta in a degree */
     int instance;             /* column with the number of the sensor of each row */
@@ -78,6 +81,11 @@ typedef enum {
     "  phyphox and EuRoC are recognised by their headers, and those converted by ulog2csv\n"       \
     "  (PX4), blackbox_decode (Betaflight, INAV), mavlogdump.py (ArduPilot), rostopic echo -p\n"   \
     "  (ROS) and kalibr_bagextractor (Kalibr: timestamp, omega_x .., alpha_x ..).\n"
+
+/* Skips lines of text above the header or the first row; see table_skip_text. To be called first.
+ *
+ * Returns EXIT_GOOD; EXIT_FILE, with a message. */
+int columns_skip_text(table *t);
 
 /* Finds the columns of a table that has just been opened. If it has an accelerometer and a
  * magnetometer, x, y and z are those of the accelerometer, unless the kind is COLUMNS_MAGNETOMETER.

@@ -99,15 +99,16 @@ static int read_rows(positions *p, table *t)
 {
     columns where;
     int more = 0;
-    int failure = columns_find(t, COLUMNS_POSITIONS, &where);
+    int failure = columns_skip_text(t);
 
+    failure = failure ? failure : columns_find(t, COLUMNS_POSITIONS, &where);
     p->has_noise = !failure && where.index[COLUMN_STD_X] >= 0 && where.index[COLUMN_SAMPLES] >= 0;
     p->has_angles = !failure && where.index[COLUMN_ALPHA] >= 0 && where.index[COLUMN_BETA] >= 0;
+    p->seen = failure ? p->seen : where.seen;
     while (!failure && (more = table_next(t)) == 1) {
         failure = add_row(p, t, &where);
     }
-    p->seen = where.seen;
-    p->has_temperature = where.index[COLUMN_TEMPERATURE] >= 0;
+    p->has_temperature = !failure && where.index[COLUMN_TEMPERATURE] >= 0;
     if (!failure && more == 0 && p->count == 0) {
         message("%s: has a header, but no positions: was anything recorded?", t->name);
         failure = EXIT_FILE;

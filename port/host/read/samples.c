@@ -156,6 +156,28 @@ static double usual_step(samples *s)
     return step[n / 2] > 0 && mean > 1.5 * step[n / 2] ? step[n / 2] : mean;
 }
 
+#define RATE_SLOW 0.2 /* samples per second; fewer are times in another unit, if none is stated */
+
+/* A rate that is not supported, or a unit of time that is not stated. */
+static void report_rate(const samples *s, double step)
+{
+    const int is_known = s->where.is_time_unit_known;
+
+    if (s->rate < SAMPLES_RATE_MIN && step > 0 && (is_known || s->rate >= RATE_SLOW)) {
+        message("%s:%lu: %.3g sample%s per second %s too slow: %d are the minimum, 50 are good%s",
+                s->table.name, s->ahead_line[0], s->rate, s->rate > 1 || s->rate < 1 ? "s" : "",
+                s->rate > 1 || s->rate < 1 ? "are" : "is", SAMPLES_RATE_MIN,
+                is_known ? ""
+                         : "; if the times are not in seconds, put the unit into the heading "
+                           "(t_ms, t_us), or state --rate");
+        return;
+    }
+    message("%s:%lu: the times advance by %.6g, which cannot be seconds (8 to 8000 samples per "
+            "second are supported): %sstate --rate",
+            s->table.name, s->ahead_line[0], step,
+            step > 0 ? "put the unit into the heading (t_ms, t_us), or " : "");
+}
+
 static int find_rate(samples *s)
 {
     s->rate = RATE_DEFAULT;
@@ -165,10 +187,7 @@ static int find_rate(samples *s)
     const double step = usual_step(s);
     s->rate = round_rate(1 / step);
     if (!(s->rate >= SAMPLES_RATE_MIN && s->rate <= SAMPLES_RATE_MAX)) {
-        message("%s:%lu: the times advance by %.6g, which cannot be seconds (8 to 8000 samples per "
-                "second are supported): %sstate --rate",
-                s->table.name, s->ahead_line[0], step,
-                step > 0 ? "put the unit into the heading (t_ms, t_us), or " : "");
+        report_rate(s, step);
         return EXIT_FILE;
     }
     s->step_max = fmax(s->step_max, 4 / s->rate + 0.1);
@@ -182,7 +201,7 @@ static int find_columns(samples *s)
 {
     unsigned long cut = 0;
 
-    if (!s->is_live && table_drop_cut_first(&s->table, &cut)) {
+    if (columns_skip_text(&s->table) || (!s->is_live && table_drop_cut_first(&s->table, &cut))) {
         return EXIT_FILE;
     }
     if (cut > 0) {

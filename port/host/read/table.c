@@ -48,6 +48,12 @@ static int check_text(const table *t, size_t length)
     }
     for (size_t i = 0; i < length; i++) {
         const unsigned char c = (unsigned char)t->text[i];
+        if (c == '\r') {
+            message("%s:%lu: byte %lu of the line is a carriage return (CR), which alone does not "
+                    "end a line: tr '\\r' '\\n' < log.csv > lines.csv",
+                    t->name, t->line, (unsigned long)i + 1);
+            return -1;
+        }
         if (c < ' ' && c != '\t') {
             message("%s:%lu: byte %lu of the line has the value %u: not a text file; export the "
                     "readings as CSV",
@@ -77,7 +83,7 @@ static int read_line(table *t)
     }
     t->line++;
     for (; c != EOF && c != '\n'; c = getc_unlocked(t->file)) {
-        if (length == TABLE_LINE_MAX && check_signature(t, length) != 1) {
+        if (length == TABLE_LINE_MAX && check_text(t, length) != 1) {
             return -1;
         }
         if (length == TABLE_LINE_MAX) {
@@ -119,6 +125,7 @@ static int read_separator_line(table *t)
         return 0;
     }
     t->separator = text[4];
+    t->states_separator = 1;
     return 1;
 }
 
@@ -310,19 +317,25 @@ static int is_header(const table *t)
     return words > 0;
 }
 
-/* Reads and splits the first line, or a line of the preamble. 1, 0 at the end of the file, -1. */
-static int read_first(table *t)
+/* Splits the current line as the first of the table. 1, -1. */
+static int split_first(table *t)
 {
-    const int more = read_row(t);
-
-    if (more != 1) {
-        return more;
-    }
     t->first_line = t->line;
     t->separator = t->separator ? t->separator : find_separator(t->text);
     t->columns = split(t);
     t->has_header = is_header(t);
     return t->columns > 0 ? 1 : -1;
+}
+
+/* Reads and splits the first line, or a line of the preamble. 1, 0 at the end of the file, -1. */
+static int read_first(table *t)
+{
+    const int more = read_row(t);
+
+    if (more == 1 && t->preamble > 0 && !t->states_separator && !strchr(t->text, t->separator)) {
+        t->separator = '\0'; /* that of the settings is not that of the table */
+    }
+    return more == 1 ? split_first(t) : more;
 }
 
 /* A setting: a word followed by one or more values. */
@@ -359,6 +372,17 @@ static int ends_empty(const table *t, unsigned columns)
     return t->separator != ' ' && columns > 1 && *t->field[columns - 1] == '\0';
 }
 
+/* To be called when the first line, the header or the first row, is known. */
+static void begin_rows(table *t)
+{
+    t->is_trailing = !t->has_header && ends_empty(t, t->columns);
+    t->columns -= (unsigned)t->is_trailing;
+    t->found = t->columns;
+    t->has_row = !t->has_header;
+    t->pending = !t->has_header;
+    t->pending_result = 1;
+}
+
 static int open_table(table *t, const char *path, int has_pairs)
 {
     t->has_pairs = has_pairs;
@@ -369,17 +393,13 @@ static int open_table(table *t, const char *path, int has_pairs)
     t->is_log = t->is_forgiving = 0;
     t->bytes = t->crc = 0;
     t->separator = '\0';
-    t->preamble = 0;
+    t->states_separator = 0;
+    t->preamble = t->text_lines = 0;
     t->file = input_open(path);
     if (!t->file || skip_preamble(t)) {
         return EXIT_FILE;
     }
-    t->is_trailing = !t->has_header && ends_empty(t, t->columns);
-    t->columns -= (unsigned)t->is_trailing;
-    t->found = t->columns;
-    t->has_row = !t->has_header;
-    t->pending = !t->has_header;
-    t->pending_result = 1;
+    begin_rows(t);
     return EXIT_GOOD;
 }
 
@@ -487,7 +507,7 @@ int table_comment_header(table *t)
     const char separator = t->separator;
     unsigned at;
 
-    if (t->has_header || !t->pending || t->comment_line == 0) {
+    if (t->has_header || !t->pending || t->comment_line == 0 || t->has_next) {
         return 0;
     }
     memcpy((void *)t->next, (const void *)t->field, sizeof t->next);
@@ -525,6 +545,17 @@ static void save_row(table *t, char *row[TABLE_COLUMNS_MAX])
     }
 }
 
+/* Makes the row that was read ahead the next one, and the saved one current again. */
+static void put_back(table *t, char *const row[TABLE_COLUMNS_MAX], unsigned long line,
+                     unsigned found)
+{
+    memcpy((void *)t->next, (const void *)t->field, sizeof t->next);
+    memcpy((void *)t->field, (const void *)row, t->columns * sizeof *row);
+    t->next_found = found;
+    t->next_line = t->line;
+    t->line = line;
+}
+
 /* Whether a first row is the end of a row like the current one. */
 static int is_end_of_row(const table *t, char *const row[TABLE_COLUMNS_MAX], unsigned columns)
 {
@@ -537,7 +568,8 @@ int table_drop_cut_first(table *t, unsigned long *cut)
     char *row[TABLE_COLUMNS_MAX] = {NULL};
 
     *cut = 0;
-    if (t->has_header || !t->pending || t->comment_line > 0) { /* a comment first: nothing is cut */
+    if (t->has_header || !t->pending || t->has_next ||
+        t->comment_line > 0) { /* text or a comment first: nothing is cut */
         return EXIT_GOOD;
     }
     save_row(t, row);
@@ -557,13 +589,88 @@ int table_drop_cut_first(table *t, unsigned long *cut)
         *cut = line;
         return EXIT_GOOD;
     }
-    memcpy((void *)t->next, (const void *)t->field, sizeof t->next);
-    memcpy((void *)t->field, (const void *)row, t->columns * sizeof *row);
-    t->next_found = found;
-    t->next_line = t->line;
+    put_back(t, row, line, found);
     t->has_next = more != 0;
-    t->line = line;
     return EXIT_GOOD;
+}
+
+/* A line of words, possibly with numbers among them: "MPU6050 found at 0x68". */
+static int is_text(const table *t, unsigned columns)
+{
+    unsigned numbers = 0;
+    double number;
+
+    for (unsigned i = 0; i < columns; i++) {
+        numbers += number_parse(t->field[i], &number) == NUMBER_OK;
+    }
+    return columns > 0 && numbers < 3 && !number_is_meant(t->field[0]);
+}
+
+/* Whether the saved line is the header of the current one, which has `found` columns: they have as
+ * many columns; or both have three or more, not separated by blanks, and the current one is a row. */
+static int is_header_of(const table *t, char *const row[TABLE_COLUMNS_MAX], unsigned found)
+{
+    const int has_separator = t->separator != ' ';
+    const unsigned named = t->columns - (has_separator && *row[t->columns - 1] == '\0');
+    const int is_row = !is_text(t, found);
+
+    found -= found > 0 && ends_empty(t, found);
+    return found >= 3 && ((has_separator && is_row && named >= 3) ||
+                          ((has_separator || is_row) && found == named));
+}
+
+/* A copy of the current line before it is split, behind the saved one; null if that leaves no room. */
+static const char *copy_line(table *t, char *const row[TABLE_COLUMNS_MAX])
+{
+    const char *last = row[t->columns - 1];
+    const size_t used = (size_t)(last - t->held) + strlen(last) + 1;
+    const size_t size = strlen(t->text) + 1;
+
+    return size <= sizeof t->held - used ? memcpy(t->held + used, t->text, size) : NULL;
+}
+
+/* Reads the line below the current one, which is text. 1: that is the first line now; 0: the current
+ * one is; -1. */
+static int try_next(table *t)
+{
+    const unsigned long line = t->line;
+    char *row[TABLE_COLUMNS_MAX] = {NULL};
+    unsigned at = 0;
+
+    save_row(t, row);
+    t->first_line = 0; /* so that a comment below it is saved */
+    const int more = read_row(t);
+    if (more != 1) {
+        memcpy(t->text, t->held, sizeof t->text); /* a comment may have been read */
+        t->line = t->first_line = line;
+        return more;
+    }
+    const char *copy = copy_line(t, row);
+    const unsigned found = cut_fields(t, t->text, &at);
+    if (!copy || is_header_of(t, row, found)) {
+        put_back(t, row, line, found);
+        t->first_line = line;
+        t->has_next = 1;
+        return 0;
+    }
+    memcpy(t->text, copy, strlen(copy) + 1);
+    t->separator = t->states_separator ? t->separator : '\0';
+    return split_first(t);
+}
+
+int table_skip_text(table *t, int (*is_known)(const table *t))
+{
+    int more = 1;
+
+    while (more == 1 && t->text_lines < PREAMBLE_MAX && is_text(t, t->columns) &&
+           !(t->has_header && is_known(t))) {
+        more = try_next(t);
+        t->text_lines += more == 1;
+        if (more == 1) {
+            begin_rows(t);
+        }
+    }
+    return more < 0 ? EXIT_FILE : EXIT_GOOD;
 }
 
 int table_peek(table *t)

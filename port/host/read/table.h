@@ -7,8 +7,8 @@
  * quotes around fields are removed. If no field of the first line is meant as a number, it is a
  * header. Comments begin with #, %, or //, or with ; unless that is the separator. A UTF-8 byte
  * order mark, lines that end with CR LF, the first line `sep=;` of spreadsheets, lines of `name,
- * value` before a header, and a trailing separator on every line are accepted. Memory does not grow
- * with the file.
+ * value` before a header, and a trailing separator on every line are accepted; lines of text before
+ * the header, if the caller asks for it (table_skip_text). Memory does not grow with the file.
  */
 #ifndef TABLE_H
 #define TABLE_H
@@ -30,9 +30,11 @@ typedef struct {
     unsigned columns;         /* of the first line, as of all valid ones */
     unsigned found;           /* columns of the latest line after it, valid or not */
     char separator;           /* ';' ',' '\t' ' '; '\0': not known yet */
+    int states_separator;     /* by a line `sep=;` */
     int has_header;
     int has_pairs;                  /* two columns of words are a header, not a setting */
     unsigned long preamble;         /* number of lines of `name, value` before the header */
+    unsigned long text_lines;       /* number of lines of text before it (table_skip_text) */
     int is_trailing;                /* every row has a trailing separator */
     int has_row;                    /* the first row below the header has been read */
     int has_end;                    /* the latest line ends with a line feed */
@@ -61,6 +63,14 @@ int table_open(table *t, const char *path);
 
 /* The same for a table that may have two columns: two words are a header, not a setting. */
 int table_open_pairs(table *t, const char *path);
+
+/* Skips lines of text above the table, such as "MPU6050 found", which a board sends when it starts;
+ * their number is text_lines. Text begins with a word and has fewer than three numbers. It is a
+ * header if is_known says so, or if the line below has as many columns, or both have three or more,
+ * not separated by blanks; or if the two have 64 KiB together. To be called first.
+ *
+ * Returns EXIT_GOOD; EXIT_FILE, with a message, if a line cannot be read. */
+int table_skip_text(table *t, int (*is_known)(const table *t));
 
 /* Goes to the next row, after a header to the first.
  *

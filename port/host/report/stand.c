@@ -289,8 +289,7 @@ void report_stand(page *p, const report_facts *f)
     }
     page_section(p, "At the stand");
     if (s->convention != STAND_AS_STATED) {
-        page_say(p, "! %c%s", stand_advice(s->convention)[0] - 'a' + 'A',
-                 stand_advice(s->convention) + 1);
+        page_say(p, "! %c%s", stand_advice(s)[0] - 'a' + 'A', stand_advice(s) + 1);
     }
     write_convention(p, s);
     if (s->convention == STAND_AS_STATED) {

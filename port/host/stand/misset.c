@@ -2,6 +2,7 @@
 #include "stand/misset.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "maths/angles.h"
 #include "maths/f_tail.h"
@@ -11,6 +12,7 @@
 #define ANGLE_MIN 5e-6      /* rad, one arc second: smaller errors are not reported */
 #define LEFT_OUT_PART 4u    /* at most one position in 4 is left out */
 #define BATCH_PART 1000u    /* of 1000 positions or more, one in 1000 is left out in each pass */
+#define WORK_MAX 1000000u   /* positions fitted in a row that reveal no further outlier */
 #define TRACED_MAX 1000u    /* misset positions that are compared with all others */
 #define SAME_DIRECTION 0.15 /* of the distance to another position: the reading is that one's */
 #define DISTINCT 0.2        /* positions this far apart, as unit vectors, can be told apart */
@@ -39,11 +41,24 @@ static unsigned find_worst(const mounting_position *p, unsigned count, const mou
     return worst;
 }
 
-/* Leaves out the worst position, if it is an outlier, and updates m. Returns 0 if it is none. */
+/* Whether noise alone would hardly ever lower the sum of squares by that much; m is without the
+ * position. */
+static int is_significant(const mounting *m, double left, double squares)
+{
+    const double kept = m->dof / 2 + 5; /* positions, with that one */
+
+    return kept * f_tail(left / squares, 2, (unsigned)m->dof) < SIGNIFICANCE;
+}
+
+static double squares_of(const mounting *m)
+{
+    return m->scatter * m->scatter * m->dof;
+}
+
+/* Leaves out the worst position, and updates m. Returns 0 if there is none. */
 static int leave_out(mounting_position *p, unsigned count, const invcal_calibration *nominal,
                      mounting *m, unsigned *which)
 {
-    const double squares = m->scatter * m->scatter * m->dof;
     mounting without;
 
     *which = find_worst(p, count, m);
@@ -52,12 +67,8 @@ static int leave_out(mounting_position *p, unsigned count, const invcal_calibrat
     }
     p[*which].is_left_out = 1;
     if (mounting_fit(p, count, nominal, &without) == INVCAL_OK && without.dof > 0) {
-        const double left = without.scatter * without.scatter * without.dof;
-        const double kept = m->dof / 2 + 4; /* positions */
-        if (kept * f_tail(left / squares, 2, (unsigned)without.dof) < SIGNIFICANCE) {
-            *m = without;
-            return 1;
-        }
+        *m = without;
+        return 1;
     }
     p[*which].is_left_out = 0;
     return 0;
@@ -149,21 +160,83 @@ static void pair_swapped(misset *list, unsigned found)
     }
 }
 
-invcal_status misset_find(mounting_position *p, unsigned count, const invcal_calibration *nominal,
+/* Takes back what the larger outliers only seemed to make one, while they hid themselves: as long as
+ * the position that fits best is none. */
+static void take_back(mounting_position *p, unsigned count, const invcal_calibration *nominal,
+                      mounting *m, misset *list, unsigned *found)
+{
+    while (*found > 0) {
+        const double left = squares_of(m);
+        double least = HUGE_VAL;
+        unsigned best = 0;
+        for (unsigned i = 0; i < *found; i++) {
+            const mounting_position *one = &p[list[i].index];
+            const double share =
+                mounting_squared_error(m, one) / (1 + mounting_leverage(m, one->eta));
+            best = share < least ? i : best;
+            least = fmin(share, least);
+        }
+        if (is_significant(m, left, left + least)) {
+            return;
+        }
+        p[list[best].index].is_left_out = 0;
+        if (mounting_fit(p, count, nominal, m) != INVCAL_OK) {
+            p[list[best].index].is_left_out = 1; /* cannot happen: it was among them before */
+            return;
+        }
+        list[best] = list[--*found];
+    }
+}
+
+/* As in Rosner's generalised ESD test: several outliers hide each other, so that none may seem
+ * significant before all of them are left out. Leaves out one after the other, and keeps the largest
+ * number whose last one is significant. */
+static void find_outliers(mounting_position *p, unsigned count, const invcal_calibration *nominal,
                           mounting *m, misset *list, unsigned *found)
 {
-    const invcal_status status = mounting_fit(p, count, nominal, m);
+    mounting best = *m;
+    unsigned kept = 0;
     unsigned which;
 
-    *found = 0;
-    while (status == INVCAL_OK && *found < count / LEFT_OUT_PART) {
+    while (*found < count / LEFT_OUT_PART && (*found - kept) <= WORK_MAX / count) {
         const mounting before = *m;
         if (!leave_out(p, count, nominal, m, &which)) {
             break;
         }
         list[(*found)++].index = which;
-        leave_out_similar(p, count, nominal, share_of(&before, &p[which]), m, list, found);
+        if (is_significant(m, squares_of(m), squares_of(&before))) {
+            leave_out_similar(p, count, nominal, share_of(&before, &p[which]), m, list, found);
+            best = *m;
+            kept = *found;
+        }
     }
+    while (*found > kept) {
+        p[list[--*found].index].is_left_out = 0;
+    }
+    *m = best;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const unsigned i = ((const misset *)a)->index;
+    const unsigned k = ((const misset *)b)->index;
+
+    return (i > k) - (i < k);
+}
+
+invcal_status misset_find(mounting_position *p, unsigned count, const invcal_calibration *nominal,
+                          mounting *m, misset *list, unsigned *found)
+{
+    const invcal_status status = mounting_fit(p, count, nominal, m);
+
+    *found = 0;
+    if (status == INVCAL_OK) {
+        find_outliers(p, count, nominal, m, list, found);
+    }
+    if (*found > 1 && *found < TRACED_MAX) {
+        take_back(p, count, nominal, m, list, found);
+    }
+    qsort(list, *found, sizeof *list, compare);
     for (unsigned i = 0; i < *found; i++) {
         describe(p, i < TRACED_MAX ? count : 0, m, &list[i]);
     }

@@ -5,8 +5,9 @@
  *
  * The lengths of the readings do not depend on the angles. An error e of a direction changes the
  * vertical composition by |e|^2/2 + |X||e|, which is of second order, and the full vector by e. So
- * the position whose removal reduces the scatter of the full vector most is removed, as long as the
- * reduction is significant.
+ * the position whose removal reduces the scatter of the full vector most is removed, one after the
+ * other, since several hide each other; those after the last significant reduction are put back, as
+ * in Rosner's generalised ESD test (Technometrics 25, 1983), and then those that fit the others.
  */
 #ifndef MISSET_H
 #define MISSET_H
@@ -32,7 +33,7 @@ typedef struct {
  *
  * m     out: the mounting from the others.
  * list  out: space for `count`.
- * found out: their number.
+ * found out: their number; they are in the order of their index.
  *
  * Returns as mounting_fit. */
 invcal_status misset_find(mounting_position *p, unsigned count, const invcal_calibration *nominal,

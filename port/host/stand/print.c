@@ -139,15 +139,17 @@ void stand_print(FILE *file, const stand *s, const nominal_choice *nominal,
     }
     wrapped_printf(file, LABEL, "stand         %u positions with angles (%s)%s", s->count, s->from,
                    text);
+    if (s->convention == STAND_AS_STATED || s->convention == STAND_SCATTERED) {
+        wrapped_printf(file, LABEL,
+                       "directions    %.3g mrad about each axis between readings and angles",
+                       1e3 * s->mounting.scatter);
+    }
     if (s->convention != STAND_AS_STATED) {
-        snprintf(text, sizeof text, "Stand: %s", stand_advice(s->convention));
+        snprintf(text, sizeof text, "Stand: %s", stand_advice(s));
         wrapped_line(file, 0, 0, text);
         fprintf(file, "\n");
         return;
     }
-    wrapped_printf(file, LABEL,
-                   "directions    %.3g mrad about each axis between readings and angles",
-                   1e3 * s->mounting.scatter);
     print_mounting(file, &s->mounting, unit[2]);
     print_missets(file, s);
     print_vertical(file, &s->vertical, nominal, x, unit);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "stand/stand.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +12,11 @@
 #include "cli/message.h"
 #include "text/number.h"
 
-#define SCATTER_MAX 0.05 /* rad: readings with more do not belong to these directions */
+#define SCATTERED 0.01     /* rad: more than a stand with a scale has, unless */
+#define SCATTERED_NOISE 10 /* it is within this multiple of the noise of a mean */
+#define MANY_PART 8u       /* one position in 8 misset is many */
+#define RADIANS_MAX 12.6   /* two turns */
+#define SCATTER_MAX 0.05   /* rad: readings with more do not belong to these directions */
 
 enum { NINE = INVCAL_PARAMETERS };
 
@@ -54,6 +59,7 @@ static stand_angles stated_angles(const stand_options *options, const positions 
 static void collect(stand *s, const stand_options *options, const positions *data,
                     const rejection *kept, const double *raw)
 {
+    s->may_be_radians = !options->plan;
     for (unsigned k = 0; k < kept->kept_count; k++) {
         const unsigned number = rejection_original(kept, k);
         const stand_angles angle = stated_angles(options, data, number);
@@ -61,6 +67,8 @@ static void collect(stand *s, const stand_options *options, const positions *dat
             s->without_angles++;
             continue;
         }
+        s->may_be_radians = s->may_be_radians && fabs(data->origin[number].alpha) <= RADIANS_MAX &&
+                            fabs(data->origin[number].beta) <= RADIANS_MAX;
         mounting_position *p = &s->position[s->count++];
         *p = (mounting_position){.number = number, .alpha = angle.alpha, .beta = angle.beta};
         memcpy(p->raw, &raw[3 * (size_t)k], sizeof p->raw);
@@ -130,21 +138,31 @@ static invcal_status try_convention(stand *s, stand_convention convention,
                                                                         : status;
 }
 
-/* As stated, if that fits; else the first convention that does. */
+/* As stated, if that fits; else the first convention that does. If many positions would be misset, a
+ * convention with fewer of them is better: another one may fit what is left in a few planes. */
 static void find_convention(stand *s, const invcal_calibration *nominal)
 {
+    unsigned fewest = UINT_MAX;
+
+    s->convention = STAND_STRANGE;
     for (stand_convention r = STAND_AS_STATED; r < STAND_STRANGE; r++) {
         const invcal_status status = try_convention(s, r, nominal);
-        s->convention = r;
-        if (status == INVCAL_OK) {
-            return;
-        }
-        if (r == STAND_AS_STATED && (status == INVCAL_TOO_FEW || s->count < 6)) {
+        if (r == STAND_AS_STATED &&
+            (status == INVCAL_TOO_FEW || (status != INVCAL_OK && s->count < 6))) {
             s->convention = STAND_FEW;
             return;
         }
+        if (status == INVCAL_OK && s->missets < fewest) {
+            fewest = s->missets;
+            s->convention = r;
+        }
+        if (fewest <= s->count / MANY_PART) {
+            return;
+        }
     }
-    s->convention = STAND_STRANGE;
+    if (s->convention < STAND_STRANGE) {
+        (void)try_convention(s, s->convention, nominal); /* it fitted before */
+    }
 }
 
 /* ---- the vertical composition -------------------------------------------------------------------- */
@@ -218,7 +236,7 @@ static int find_series(stand *s, const invcal_calibration *nominal)
 }
 
 int stand_find(stand *s, const stand_options *options, const positions *data, const rejection *kept,
-               const double *raw, const invcal_calibration *nominal)
+               const double *raw, const invcal_calibration *nominal, double noise)
 {
     *s = (stand){.from = options->plan ? options->plan->name : "columns"};
     memcpy(s->sense, options->sense, sizeof s->sense);
@@ -229,6 +247,10 @@ int stand_find(stand *s, const stand_options *options, const positions *data, co
     if (is_done) {
         collect(s, options, data, kept, raw);
         find_convention(s, nominal);
+    }
+    if (is_done && s->convention == STAND_AS_STATED && s->mounting.scatter > SCATTERED &&
+        !(s->mounting.scatter <= SCATTERED_NOISE * noise)) {
+        s->convention = STAND_SCATTERED;
     }
     if (is_done && s->convention == STAND_AS_STATED) {
         find_vertical(s, nominal);
@@ -268,12 +290,13 @@ const char *stand_convention_name(stand_convention convention)
                                         "alpha and beta swapped",
                                         "alpha and beta swapped, beta reversed",
                                         "strange",
+                                        "scattered",
                                         "few"};
 
     return names[convention];
 }
 
-const char *stand_advice(stand_convention convention)
+const char *stand_advice(const stand *s)
 {
     static const char *const texts[] = {
         "",
@@ -284,7 +307,13 @@ const char *stand_advice(stand_convention convention)
         "beta reversed: exchange the two columns, and state --stand-sense 1,-1.",
         "the angles do not fit the readings, not even with alpha and beta swapped or a sense "
         "reversed: check the zeros of the angles (--stand-zero) and the order of the positions.",
+        "the angles are off by more than 10 mrad (0.6 degrees), root mean square, which is more "
+        "than noise: too many positions are misset to tell which. Check all angles, and the order "
+        "of the positions.",
         "too few positions have angles to compare."};
 
-    return texts[convention];
+    return s->may_be_radians && s->convention == STAND_STRANGE
+               ? "the angles do not fit the readings: are they in radians? Head them alpha (rad) "
+                 "and beta (rad)."
+               : texts[s->convention];
 }

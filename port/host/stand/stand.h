@@ -41,7 +41,8 @@ typedef enum {
     STAND_SWAPPED,
     STAND_SWAPPED_REVERSED,
     STAND_STRANGE, /* none of these fits */
-    STAND_FEW      /* too few angles, or in one plane, to decide */
+    STAND_SCATTERED, /* as stated, but for errors that the noise does not explain, nor a few positions */
+    STAND_FEW        /* too few angles, or in one plane, to decide */
 } stand_convention;
 
 /* The solution by the vertical composition J1, which uses the directions; independent of that by
@@ -59,6 +60,7 @@ typedef struct {
     double sense[2];         /* of the columns alpha and beta, as stated */
     double zero[2];          /* readings of these where alpha and beta are 0, degrees */
     unsigned count;          /* positions with angles that the fit of lengths kept */
+    int may_be_radians;      /* no angle of the columns is beyond two turns in radians */
     unsigned without_angles; /* positions without angles, or whose angles changed */
     mounting_position *position;
     stand_convention convention;
@@ -86,10 +88,11 @@ unsigned stand_missing_group(const stand_options *options, const positions *data
  * kept     the positions that the fit of lengths kept.
  * raw      their readings: 3 kept_count numbers.
  * nominal  input units to multiples of the field.
+ * noise    of a position mean, over the field; NaN: not known.
  *
  * Returns EXIT_GOOD; EXIT_FILE, with a message, without memory. To be released with stand_free. */
 int stand_find(stand *s, const stand_options *options, const positions *data, const rejection *kept,
-               const double *raw, const invcal_calibration *nominal);
+               const double *raw, const invcal_calibration *nominal, double noise);
 
 /* Turns a calibration from the symmetric frame to that of the stand. */
 void stand_turn(const stand *s, invcal_calibration *calibration);
@@ -100,6 +103,6 @@ void stand_free(stand *s);
 const char *stand_convention_name(stand_convention convention);
 
 /* What is wrong with the angles, and what to do: a sentence; "" if nothing is. */
-const char *stand_advice(stand_convention convention);
+const char *stand_advice(const stand *s);
 
 #endif
