@@ -35,6 +35,7 @@ enum { INITIAL_COUNT = 8 };
 #define PLACES_RMS INVCAL_REAL(0.03)   /* above the noise of any magnetometer */
 #define PLACES_ALIKE INVCAL_REAL(10.0) /* and common to this many samples in a row */
 enum { POWER_SAMPLES = 64 };
+#define DEEP INVCAL_REAL(0.3) /* square of 0.55 */
 
 invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
                                        const invcal_calibration *nominal)
@@ -115,19 +116,29 @@ static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invc
     return 1;
 }
 
-/* Before the first solution p holds the box: the smallest readings, then the largest. */
+/* Before the first solution p holds the box: the smallest readings, then the largest. Returns half
+ * its longest edge. */
+static invcal_real half_of_box(const invcal_magnetometer *m)
+{
+    invcal_real half = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        if (m->p[3 + i] - m->p[i] > 2 * half) {
+            half = (m->p[3 + i] - m->p[i]) / 2;
+        }
+    }
+    return half;
+}
+
 static void recentre_by_box(invcal_magnetometer *m)
 {
     invcal_real *const low = m->p;
     invcal_real *const high = &m->p[3];
     invcal_real shift[3];
-    invcal_real scale = 0;
+    const invcal_real scale = half_of_box(m);
 
     for (unsigned i = 0; i < 3; i++) {
         shift[i] = (low[i] + high[i]) / 2;
-        if (high[i] - low[i] > 2 * scale) {
-            scale = (high[i] - low[i]) / 2;
-        }
     }
     if (is_recentred(m, shift, scale)) {
         for (unsigned i = 0; i < 3; i++) {
@@ -203,6 +214,38 @@ static void drop_unlike(invcal_magnetometer *m)
     }
 }
 
+/* The mean square of the distance of all samples from their centre. */
+static invcal_real spread_of(const invcal_cells *cells)
+{
+    invcal_real sum[INVCAL_PARAMETERS] = {0};
+    invcal_real n = 0;
+
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        n += invcal_number(cells->count[k]);
+        for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+            sum[i] += cells->sum[k][i];
+        }
+    }
+    return (sum[INVCAL_DK_X] + sum[INVCAL_DK_Y] + sum[INVCAL_DK_Z] - invcal_dot3(sum, sum) / n) / n;
+}
+
+/* A wild sample widens the box, so that all others share a few cells, and there would be no
+ * solution, however many come. So if nearly all are deep inside the box, and do not lie on an
+ * ellipsoid, the next sample is the first again. */
+static void forget_wild(invcal_magnetometer *m)
+{
+    const invcal_real half = half_of_box(m);
+    invcal_cell_fit fit;
+
+    fit.tables = both_tables(m);
+    if (spread_of(&m->early) < DEEP * half * half && invcal_cells_solve(&fit) != INVCAL_OK) {
+        invcal_zero(&m->early, sizeof m->early);
+        invcal_zero(m->p, sizeof m->p);
+        m->samples = 0;
+        m->due = FIRST_LOOK;
+    }
+}
+
 /* The first samples were compared with nothing and may be disturbed. They are compared as soon as
  * later samples cover all sides too. */
 static void look_at_samples(invcal_magnetometer *m)
@@ -222,6 +265,9 @@ static void look_at_samples(invcal_magnetometer *m)
     }
     if (is_first || m->stage == SECOND_SOLUTION) {
         invcal_cells_merge(&m->early, &m->late);
+    }
+    if (m->stage == NO_SOLUTION) {
+        forget_wild(m);
     }
     end_block(m);
     m->before = power_of(m);
