@@ -238,7 +238,7 @@ static void forget_wild(invcal_magnetometer *m)
     invcal_cell_fit fit;
 
     fit.tables = both_tables(m);
-    if (spread_of(&m->early) < DEEP * half * half && invcal_cells_solve(&fit) != INVCAL_OK) {
+    if (spread_of(&m->early) < DEEP * half * half && invcal_cells_calibrate(&fit) != INVCAL_OK) {
         invcal_zero(&m->early, sizeof m->early);
         invcal_zero(m->p, sizeof m->p);
         m->samples = 0;
