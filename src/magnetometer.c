@@ -170,24 +170,23 @@ static int is_far(const invcal_cell_fit *fit)
 
 /* Solves table `one` and the late samples, and moves the readings to the unit sphere. Samples are
  * then compared with p. Returns 0 if there is no solution. */
-static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
+static int has_solution(invcal_magnetometer *m, const invcal_cells *one, invcal_cell_fit *fit)
 {
-    invcal_cell_fit fit;
     unsigned worst;
 
-    fit.tables.early = one;
-    fit.tables.late = &m->late;
-    if (!(invcal_cells_gap(&fit.tables, &worst) > WIDE_GAP) || !is_found(m, &fit)) {
+    fit->tables.early = one;
+    fit->tables.late = &m->late;
+    if (!(invcal_cells_gap(&fit->tables, &worst) > WIDE_GAP) || !is_found(m, fit)) {
         return 0;
     }
-    fit.tables = both_tables(m);
-    m->has_step |= (uint8_t)invcal_cells_step(&fit, m->before > 0 ? m->before : power_of(m));
-    fit.tables.early = one;
-    if (is_far(&fit) && (!is_recentred(m, fit.triad.offset, invcal_cells_field(&fit)) ||
-                         invcal_cells_solve(&fit) != INVCAL_OK)) {
+    fit->tables = both_tables(m);
+    m->has_step |= (uint8_t)invcal_cells_step(fit, m->before > 0 ? m->before : power_of(m));
+    fit->tables.early = one;
+    if (is_far(fit) && (!is_recentred(m, fit->triad.offset, invcal_cells_field(fit)) ||
+                        invcal_cells_solve(fit) != INVCAL_OK)) {
         return 0;
     }
-    memcpy(m->p, fit.p, sizeof m->p);
+    memcpy(m->p, fit->p, sizeof m->p);
     for (unsigned i = INVCAL_DK_X; i <= INVCAL_DK_Z; i++) {
         m->p[i] += INVCAL_REAL(0.5); /* J + h p is one product, less 1/2 */
     }
@@ -232,13 +231,12 @@ static invcal_real spread_of(const invcal_cells *cells)
 /* A wild sample widens the box, so that all others share a few cells, and there would be no
  * solution, however many come. So if nearly all are deep inside the box, and do not lie on an
  * ellipsoid, the next sample is the first again. */
-static void forget_wild(invcal_magnetometer *m)
+static void forget_wild(invcal_magnetometer *m, invcal_cell_fit *fit)
 {
     const invcal_real half = half_of_box(m);
-    invcal_cell_fit fit;
 
-    fit.tables = both_tables(m);
-    if (spread_of(&m->early) < DEEP * half * half && invcal_cells_calibrate(&fit) != INVCAL_OK) {
+    fit->tables = both_tables(m);
+    if (spread_of(&m->early) < DEEP * half * half && invcal_cells_calibrate(fit) != INVCAL_OK) {
         invcal_zero(&m->early, sizeof m->early);
         invcal_zero(m->p, sizeof m->p);
         m->samples = 0;
@@ -251,15 +249,16 @@ static void forget_wild(invcal_magnetometer *m)
 static void look_at_samples(invcal_magnetometer *m)
 {
     const int is_first = m->stage == NO_SOLUTION;
+    invcal_cell_fit fit;
 
     if (is_first) {
         recentre_by_box(m);
     }
-    if (m->stage != SECOND_SOLUTION && has_solution(m, &m->late)) {
+    if (m->stage != SECOND_SOLUTION && has_solution(m, &m->late, &fit)) {
         m->stage = SECOND_SOLUTION;
         drop_unlike(m);
     } else {
-        if (has_solution(m, &m->early) && is_first) {
+        if (has_solution(m, &m->early, &fit) && is_first) {
             m->stage = FIRST_SOLUTION;
         }
     }
@@ -267,7 +266,7 @@ static void look_at_samples(invcal_magnetometer *m)
         invcal_cells_merge(&m->early, &m->late);
     }
     if (m->stage == NO_SOLUTION) {
-        forget_wild(m);
+        forget_wild(m, &fit);
     }
     end_block(m);
     m->before = power_of(m);
