@@ -331,11 +331,13 @@ deps: ## install what these need besides a C compiler (Debian, root)
 
 package: ## lay out a package, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
 	$(Q)sh port/stage.sh "$(PACKAGE)" "$(or $(DEST),$(BUILD)/packages/$(PACKAGE))"
+	@echo "$(PACKAGE) is in $(or $(DEST),$(BUILD)/packages/$(PACKAGE))"
 
 packages: ## lay out all packages, in build/packages
 	$(Q)rm -rf $(BUILD)/packages
 	$(Q)for list in port/*/files; do name=$${list%/files}; name=$${name#port/}; \
 	    sh port/stage.sh $$name $(BUILD)/packages/$$name || exit; done
+	@echo "the packages are in $(BUILD)/packages"
 
 check-packages: all $(BUILD)/invcal.1 $(BUILD)/float/digest ## use each package, C++ and the tarball as their users would (PACKAGES=names)
 	$(Q)sh tests/packages.sh $(BUILD) $(PACKAGES)

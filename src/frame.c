@@ -17,6 +17,8 @@
  * directions agree. It is reached by two faces 26 degrees apart; two at 90 degrees give 5. */
 #define LEAST_SPREAD INVCAL_REAL(0.18)
 #define LEAST_LEVEL INVCAL_REAL(0.25) /* of 1 + cos */
+/* Min length of the mean direction of rests in one orientation: two may be 51 degrees apart. */
+#define LEAST_MEAN INVCAL_REAL(0.9)
 
 void invcal_frame_init(invcal_frame *frame)
 {
@@ -110,8 +112,18 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
     return INVCAL_OK;
 }
 
+/* The sum of the readings a, each times c.up: their number if all agree. Returns its length. */
+static invcal_real sum_along(const invcal_frame *frame, const invcal_real up[3], invcal_real a[3])
+{
+    for (unsigned j = 0; j < 3; j++) {
+        a[j] = up[0] * frame->sum[0][j] + up[1] * frame->sum[1][j] + up[2] * frame->sum[2][j];
+    }
+    return INVCAL_SQRT(invcal_dot3(a, a));
+}
+
 /* With v = a x c: I + [v] + [v]^2 / (1 + a.c), [v]^2 = v v' - v.v I. Near half a turn a and c are
- * opposite, and v no longer shows the axis: more than 139 degrees, LEAST_LEVEL, are refused. */
+ * opposite, and v no longer shows the axis: more than 139 degrees, LEAST_LEVEL, are refused. The
+ * mean direction is no reading of `up` if it is short: the rests contradict each other. */
 invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
                                  invcal_real rotation[3][3])
 {
@@ -122,12 +134,9 @@ invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up
     if (frame->count < 1) {
         return INVCAL_TOO_FEW;
     }
-    for (unsigned j = 0; j < 3; j++) {
-        a[j] = up[0] * frame->sum[0][j] + up[1] * frame->sum[1][j] + up[2] * frame->sum[2][j];
-    }
-    const invcal_real length = INVCAL_SQRT(invcal_dot3(a, a));
+    const invcal_real length = sum_along(frame, up, a);
     const invcal_real c = 1 + invcal_dot3(a, up) / length;
-    if (!(c > LEAST_LEVEL)) {
+    if (!(c > LEAST_LEVEL && length >= LEAST_MEAN * invcal_number(frame->count))) {
         return INVCAL_UNDETERMINED;
     }
     for (unsigned i = 0; i < 3; i++) {

@@ -12,7 +12,7 @@
 invcal_status invcal_thermal_check_length(const uint8_t *bytes, unsigned at);
 
 /* Reads the part after the record within. INVCAL_NOT_FINITE. */
-invcal_status invcal_thermal_read(const uint8_t *behind, invcal_thermal_record *r);
+invcal_status invcal_thermal_read(const uint8_t *tail, invcal_thermal_record *r);
 
 /* Is it a calibration, and the record within that of its reference? */
 invcal_status invcal_thermal_check(const invcal_thermal_record *r);

@@ -197,7 +197,7 @@ plant promise include/invcal/invcal.h 's/Stack: about 1[0-9]0 bytes/Stack: about
     'invcal_session_feed: stack: the header says 100' sh tests/costs.sh "$build"
 plant bits src/sums.h 's/weight \* v\[r\]/& * (sizeof(void *) == 4 ? 1 + INVCAL_EPSILON : 1)/' \
     'differs' m4f targets
-plant firmware port/cortex-m/firmware/main.c '/^static int digest/,/^}/s/event != INVCAL_TAKEN/event != INVCAL_READY/' \
+plant firmware port/cortex-m/firmware/main.c '/^static int handle_event/,/^}/s/event != INVCAL_TAKEN/event != INVCAL_READY/' \
     'FAIL' make firmware
 plant both_sensors port/cortex-m/firmware_imu/main.c 's/invcal_moves_gap(&both\.moves)/(void)0/' \
     'both sensors: those moves are refused, .*: FAIL' make firmware

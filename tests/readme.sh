@@ -44,6 +44,25 @@ builds() {
     head -c 16384 /dev/zero > "$out/memory"
 }
 
+# Puts the session of a double build into the memory, as firmware with other build options leaves it.
+saves_foreign_session() {
+    cat > "$out/other.c" << 'END'
+#include "board.h"
+
+int main(void)
+{
+    static invcal_session session;
+
+    return invcal_session_init(&session, 16384, 100) != INVCAL_OK ||
+           invcal_save_session(&board_progress, &session) != INVCAL_OK;
+}
+END
+    # shellcheck disable=SC2086 # flags
+    ${CC:-cc} $CFLAGS -std=c99 -DINVCAL_DOUBLE=1 -I"$root/include" -I"$here/readme" -I"$here/hand" "$out/other.c" \
+        "$here/readme/board.c" "$here/hand/hand.c" "$build/double/libinvcal.a" -lm -o "$out/other" > "$out/log" 2>&1 &&
+        BOARD_MEMORY=$out/memory "$out/other" >> "$out/log" 2>&1
+}
+
 # is_guided PAGE: a program that shows where to turn.
 is_guided() {
     BOARD_RESET=6 runs
@@ -71,6 +90,10 @@ result 'port/manual/wearable.md: after lying around for a month, despite a reset
 BOARD_RESET=9 runs
 [ $? -eq 3 ] && grep -q '^day 1: |a| is 1 g within [0-2]\.' "$out/log"
 result 'port/manual/wearable.md: switched on again, it finds the calibration' $?
+
+head -c 16384 /dev/zero > "$out/memory"
+saves_foreign_session && runs
+result 'port/manual/wearable.md: the stored session of another build does no harm' $?
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -602,7 +602,8 @@ typedef struct {
 } invcal_background;
 
 /* Begins: as invcal_session_begin. Use the functions of invcal.h to set up, read and solve the
- * session inside. */
+ * session inside. After a reset, invcal_load_session (store.h) resumes it in a background of zeros,
+ * in which all its positions count as new; if it fails, begin. */
 invcal_status invcal_background_init(invcal_background *background,
                                      const invcal_calibration *nominal, unsigned rate);
 

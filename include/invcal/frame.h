@@ -8,9 +8,10 @@
  *
  *     c = R a,    R minimises  sum |c - R a|^2                       (Wahba's problem)
  *
- * The table limits this, not the sensor: half a degree of tilt makes 6 to 9 mrad. So put down each
- * face twice, turned by half a turn on the table in between: the tilt cancels to first order, and
- * `scatter`, the error of the directions, shows the tilt.
+ * The table limits this, not the sensor: half a degree of tilt makes 6 to 9 mrad. So put down all
+ * faces, then all again, each turned by half a turn on the table: the tilt cancels to first order,
+ * and `scatter`, the error of the directions, shows it. A face that is turned at once may be
+ * refused as the same orientation, INVCAL_REST_SAME, if the tilt is small.
  *
  *     invcal_frame frame;
  *     invcal_real r[3][3];
@@ -84,8 +85,11 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
  *
  * up  the direction with which they were added.
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW without a rest; INVCAL_UNDETERMINED for a rotation of more than
- * 139 degrees.
+ * Returns INVCAL_OK; else nothing is written:
+ *   INVCAL_TOO_FEW        no rest;
+ *   INVCAL_UNDETERMINED   a rotation of more than 139 degrees; or the rests contradict each other:
+ *                         the mean of their directions is shorter than 0.9, as of two that are 52
+ *                         degrees apart, or they were added with other directions up.
  * Cost: 250 instructions. Stack: about 70 bytes. */
 invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
                                  invcal_real rotation[3][3]);

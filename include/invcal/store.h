@@ -67,7 +67,14 @@ typedef struct {
  *                        invcal_session_init(&session, 16384, 100);
  *                    after INVCAL_TAKEN: invcal_save_session(&progress, &session)
  *
- * A store holds one object: these are two stores. */
+ * A store holds one object: these are two stores. Their slots have at least
+ * INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, granularity) and
+ * INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, granularity) bytes.
+ *
+ * A session that was loaded keeps the settings it was begun with: nominal calibration, rate, rails,
+ * noise, time to hold. Those that the program would pass to invcal_session_init have no effect
+ * then. So firmware that changes range, rate or axes must erase both stores once, with
+ * invcal_store_erase. */
 
 /* Saves a calibration, and how good it is, as a record (see below); over field, so before
  * invcal_scale.
@@ -80,8 +87,10 @@ invcal_status invcal_save(const invcal_store *store, const invcal_calibration *c
 
 /* Loads it. For its other contents, use invcal_store_load and invcal_record_decode.
  *
- * Returns INVCAL_OK; as invcal_store_load; as invcal_record_decode. INVCAL_NO_SPACE or
- * INVCAL_OTHER_VERSION: it holds something else. Stack: about 450 bytes. */
+ * Returns INVCAL_OK; as invcal_store_load; as invcal_record_decode. INVCAL_NO_SPACE,
+ * INVCAL_OTHER_VERSION or INVCAL_DAMAGED: it holds something else. A session of up to five
+ * positions is INVCAL_DAMAGED, since it does not end with the CRC of a record. Stack: about 450
+ * bytes. */
 invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration);
 
 /* The same for a calibration saved by release 0.1.0: call it if invcal_load fails, in a device in
@@ -97,7 +106,12 @@ invcal_status invcal_save_session(const invcal_store *store, const invcal_sessio
 
 /* Loads it, to resume with a new stream. If it fails, begin a new session.
  *
- * Returns as invcal_store_load, then as invcal_session_resume. Stack as these. */
+ * Returns as invcal_store_load, then as invcal_session_resume. INVCAL_OTHER_VERSION: it holds
+ * something else, or a session saved by a different build. session is overwritten only if
+ *   INVCAL_IO    the second reading, of what was found, fails or differs;
+ *   INVCAL_DAMAGED, INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_RATE, INVCAL_BAD_RAILS
+ *                the bytes have the layout of this build, but a content that no build saves.
+ * Stack as these. */
 invcal_status invcal_load_session(const invcal_store *store, invcal_session *session);
 
 /* ---- the store: any bytes -----------------------------------------------------------------------

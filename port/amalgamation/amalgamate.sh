@@ -3,8 +3,8 @@
 #
 # sh port/amalgamation/amalgamate.sh FOLDER
 # Turns the whole library into two files in FOLDER: invcal.h from include/invcal, and invcal.c from src. A
-# header precedes the first that includes it; system headers are on top, once. The same sources give
-# the same bytes.
+# header precedes the first that includes it; system headers are on top, once. The other names of
+# include/invcal forward to invcal.h. The same sources give the same bytes.
 if [ $# -ne 1 ] || [ ! -d "$1" ]; then
     echo "usage: sh port/amalgamation/amalgamate.sh FOLDER" >&2
     exit 2
@@ -71,3 +71,7 @@ begin() { # FILE: licence and version
     printf '#ifdef __cplusplus\n#define restrict __restrict /* no word of C++, but of its compilers */\n#endif\n\n'
     join src src/*.c || exit 2
 } > "$folder/invcal.c"
+for header in include/invcal/*.h; do
+    name=${header##*/}
+    [ "$name" = invcal.h ] || printf '/* SPDX-License-Identifier: MIT */\n#include "invcal.h"\n' > "$folder/$name"
+done

@@ -17,7 +17,7 @@ _invcal_values() {
             if (value ~ /^[a-z].*[|:]/) n = split(value, word, "|")
             for (i = 1; i <= n; i++) {
                 sub(/:.*/, ":", word[i])
-                if (word[i] !~ /^[A-Z]/ && !told[word[i]]++) print word[i]
+                if (word[i] !~ /^[A-Z]/ && !seen[word[i]]++) print word[i]
             }
             exit value == ""
         }' <<< "$1"

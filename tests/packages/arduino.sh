@@ -175,7 +175,7 @@ fits_uno() {
 
 # An Uno, 32 KB of flash and 2 KB of RAM: a sketch that only applies what is stored pays only for that.
 applies_on_uno() {
-    mkdir "$out/Apply" && cp "$library"/examples/Calibrate/storage.* "$out/Apply/" &&
+    mkdir "$out/Apply" && cp "$library"/examples/Calibrate/storage.* "$library/examples/Calibrate/cells.h" "$out/Apply/" &&
         cat > "$out/Apply/Apply.ino" <<'EOF'
 #include <avr/sleep.h>
 #include <invcal.h>
@@ -233,6 +233,18 @@ browser_stores() {
         "$out/browser"
 }
 
+# On boards that emulate an EEPROM in flash, storage.cpp stores the same: two saves, one that fails, and each load after
+# a power-on of its own.
+emulated_stores() { # SKETCH BOARD'S-MACRO
+    program=$out/emulated-$1-$2
+    g++ -std=c++11 -Wall -Wextra "-D$2" -Itests/packages/arduino/emulated -I"$library/src" \
+        -I"$library/examples/$1" tests/packages/arduino/emulated.cpp "$library/examples/$1/storage.cpp" \
+        "$build/float/libinvcal.a" -lm -o "$program" || return
+    ! "$program" "$program.flash" load && "$program" "$program.flash" save first &&
+        [ "$("$program" "$program.flash" load)" = first ] && "$program" "$program.flash" save second &&
+        ! "$program" "$program.flash" fail third && [ "$("$program" "$program.flash" load)" = second ]
+}
+
 # The example for both sensors says that it is not for an Uno.
 builds_gyroscope() {
     mkdir -p "$out/Gyroscope" && cp "$library"/examples/Gyroscope/* "$out/Gyroscope/" &&
@@ -285,6 +297,10 @@ check "an Uno stores, finds and applies a calibration" applies_on_uno
 check "the sketch of port/manual/arduino.md builds, without a warning" builds_page
 check "the example for the page in a browser builds, without a warning" builds_browser
 check "it prints readings, stores what the page sends, and refuses what is damaged" browser_stores
+for macro in ESP32 ESP8266 ARDUINO_ARCH_RP2040; do
+    check "storage.cpp of Calibrate stores with $macro" emulated_stores Calibrate $macro
+    check "storage.cpp of Gyroscope stores with $macro" emulated_stores Gyroscope $macro
+done
 check "the example for both sensors builds for a Mega, without a warning" builds_gyroscope
 check "its image runs there, from power-on to the end" runs_on_board atmega2560 Gyroscope gyroscope
 check "it asks for the tour, then for the missing turns, and begins again on request" said \

@@ -85,6 +85,11 @@ refuses_tilde() {
         grep -q '^stage.sh: DEST begins with ~' "$out/said"
 }
 
+make_says_where() {
+    [ "$(make -s -C "$root" package PACKAGE=zephyr DEST="$out/made")" = "zephyr is in $out/made" ] &&
+        [ -e "$out/made/README.md" ]
+}
+
 check "it copies, renames and makes" lays_out
 check "a package's own files get the version of invcal.h" substitutes
 check "a later version replaces it, and leaves other files alone" upgrades
@@ -100,5 +105,6 @@ check "a line of one word is refused" refuses 'port/toy/files:3: not FROM TO' sr
 check "a script that fails is named" refuses 'port/toy/files:3: port/toy/fail.sh failed' \
     'run port/toy/fail.sh ./'
 check "an unknown package: lists the known ones" names_packages
+check "make package says where it is" make_says_where
 check "a ~ that no shell expanded is refused" refuses_tilde
 finish

@@ -87,7 +87,7 @@ refused plane "$out/plane.csv" --positions
 refused restless "$out/restless.csv"
 "$tool" simulate --plan edges --temperature 10,40 --drift 0.001 > "$out/drifting.csv"
 refused drift "$out/drifting.csv" --thermal 1
-refused unit "$data/xsens_mti_positions.csv" --positions --zero 0,0,0 --lsb 1
+refused unit "$data/xsens_mti_positions.csv" --positions --unit g
 
 for set in per-group:6 optimal:48; do
     picture=$out/directions-$(echo "$set" | tr : -).svg

@@ -56,6 +56,9 @@ check "case: and is reported: 0.5 degrees" near 1e-6 "$(member scatter)" 0.00872
 calibrate "$work/straight.csv" --case +z
 check "case: one face levels" succeeded
 check "case: its sigma is unknown" matches "$work/stdout" '"sigma": \[null, null, null\]'
+check "case: and so is its scatter" test "$(member scatter)" = null
+calibrate "$work/leaning.csv" --case +z,.,.,+z
+check "case: one face twice: the scatter is 2 sin 0.25 degrees" near 1e-7 "$(member scatter)" 0.00872661880
 run calibrate "$work/straight.csv" --positions --gravity 1 --noise 0.0001 --unit g --case +z
 check "case: and the heading is reported as open" matches "$work/stdout" 'the heading is unchanged'
 run calibrate "$work/leaning.csv" --positions --gravity 1 --noise 0.0001 --unit g \
@@ -69,6 +72,12 @@ check "case: corrected readings have its axes" near 1e-6 "$(sed -n 2p "$work/std
 
 refuses "case: ways that do not fit" 1 'the stated axes do not fit' \
     calibrate "$work/straight.csv" --positions --unit g --gravity 1 --case +x,+x,-z
+for list in +z,+z +x,.,.,.,.,+x; do # both 90 degrees apart
+    refuses "case: one axis up in two directions, $list" 1 'the stated axis did not point up in all' \
+        calibrate "$work/straight.csv" --positions --unit g --gravity 1 --case "$list"
+done
+refuses "case: the opposite axis" 1 'nearly opposite' \
+    calibrate "$work/straight.csv" --positions --unit g --gravity 1 --case -z
 refuses "case: a mirrored axis" 1 'in a right-handed frame' \
     calibrate "$work/straight.csv" --positions --unit g --gravity 1 --case +z,+x,-y
 refuses "case: an empty list" 2 '--case: its value is empty' \
@@ -80,4 +89,12 @@ refuses "case: over temperature, and what to do" 2 '--case: cannot be combined w
     calibrate "$work/straight.csv" --positions --case +z,+x --thermal 1
 refuses "case: beside another frame" 2 'leave out --frame' \
     calibrate "$work/straight.csv" --positions --case +z --frame triangular
+
+# The log of such a unit: x inverted, or x and y exchanged, while its axes are stated as they are.
+awk -F, -v OFS=, 'NR > 1 { $1 = -$1 } 1' "$work/straight.csv" > "$work/inverted.csv"
+awk -F, -v OFS=, 'NR > 1 { t = $1; $1 = $2; $2 = t } 1' "$work/straight.csv" > "$work/exchanged.csv"
+for how in inverted exchanged; do
+    refuses "case: an axis $how in the log is suspected" 1 'or an axis of the log is inverted or exchanged' \
+        calibrate "$work/$how.csv" --positions --unit g --gravity 1 --case +z,+x,+y
+done
 finish

@@ -22,6 +22,8 @@ make_cal() { # NAME SIMULATE'S OPTIONS -- CALIBRATE'S OPTIONS
 here=$(cd "$here" && pwd)
 data=$here/../data
 cd "$work" || exit 2
+words() { sed 's/<[^>]*>/ /g' page.html | plainly | tr '\n' ' ' | tr -s ' '; }
+says_page() { words | grep -Eq -- "$1"; }
 make_cal old --seed 1 -- --serial 47 --date 2026-01-05
 make_cal middle --seed 2 -- --serial 47 --date 2026-03-01
 make_cal new --seed 3 --offset 0.025,-0.015,0.03 --dk 0.01,-0.008,0.0125 -- --serial 47 --date 2026-06-01
@@ -35,18 +37,20 @@ files_in_order() { sed -n 's/^ *"file": "\(.*\)",*$/\1/p' "$work/stdout" | tr '\
 accepts "history: compare takes them" compare new.json old.json middle.json
 cp "$work/stdout" "$work/table"
 check "history: by date" [ "$(awk '/^[1-3]  2026/ { printf "%s ", $3 }' "$work/table")" = "old.json middle.json new.json " ]
-rows() { # FROM: the rows of this step
-    awk -v from="$1" '/ to .* before / { on = $1 == from; next } !NF { on = 0 } on' "$work/table"
+rows() { # FROM TO: the rows of this step
+    awk -v from="$1" -v to="$2" '/ to .* before / { on = $1 == from && $3 == to; next } !NF { on = 0 } on' "$work/table"
 }
-check "history: nine rows for each step" [ "$(rows 1 | wc -l) $(rows 2 | wc -l)" = "9 9" ]
-rows 1 > "$work/first"
-rows 2 > "$work/second"
+check "history: nine rows for each step, and from the first to the newest" \
+    [ "$(rows 1 2 | wc -l) $(rows 2 3 | wc -l) $(rows 1 3 | wc -l)" = "9 9 9" ]
+rows 1 2 > "$work/first"
+rows 2 3 > "$work/second"
 check "history: from the first to the second nothing has changed" lacks "$work/first" changed
 check "history: then offset x has, and only that" [ "$(awk '/changed/ { print $1, $2 }' "$work/second")" = "offset x" ]
 check "history: its change is 5 mg" awk '/^offset x/ { d = $5 - 5; exit !(d < 0.1 && d > -0.1) }' "$work/second"
 tr '\n' ' ' < "$work/table" > "$work/line"
 check "history: it says so" matches "$work/line" \
     ' Changed: Offset x has changed significantly since 2026-03-01 \(middle\.json\)\. Next: '
+check "history: a cause may be another unit" matches "$work/line" 'or another unit under this serial number\), and'
 check "history: the error of the field is mentioned" grep -q -- --same-field "$work/table"
 run compare new.json old.json middle.json --same-field
 check "same field: the scale has changed, too" matches "$work/stdout" '^Changed: Offset x, scale z have changed'
@@ -71,6 +75,29 @@ check "a file and itself: no drift, and chance 1" near 0 "$(member delta | sed -
 check "a file and itself: steady" matches "$work/stdout" '"changed": \[\]'
 run compare old.json middle.json
 check "what has not changed is steady" matches "$work/stdout" '^Steady: Nothing has changed significantly since'
+check "two have no table from the first to the newest" [ "$(grep -c ' before ' "$work/stdout")" -eq 1 ]
+
+# Offset x creeps by 0.04 mg each month, 0.16 mg in all; sigma of a step is 0.04 mg.
+for k in 1 2 3 4 5; do
+    make_cal "month$k" --seed 40$k --dwell 3 --offset "0.0$((2000 + 4 * k)),-0.015,0.03" -- --serial 48 --date "2026-0$k-01"
+done
+accepts "a slow drift: compare takes it" compare month?.json --same-field
+tr '\n' ' ' < "$work/stdout" > "$work/line"
+check "a slow drift: no step is unusual, their sum is" [ "$(grep -c ' changed$' "$work/stdout")" -eq 1 ]
+check "a slow drift: the verdict is about the sum" matches "$work/line" \
+    ' Drifting: Nothing has changed significantly since 2026-04-01 \(month4\.json\), but offset x has moved by \+0\.[0-9]+ mg \(\+[0-9.]+ sigma\) since 2026-01-01 \(month1\.json\)\. Next: use the newest calibration, look for a cause'
+run compare month?.json --same-field --json
+sed -n '/"since_first"/,$p' "$work/stdout" > "$work/whole"
+check "a slow drift: JSON has it, too" matches "$work/whole" '"changed": \["delta_x"\]'
+check "a slow drift: from the first to the newest" matches "$work/whole" '"from": "month1\.json"'
+check "a slow drift: by 0.16 mg" near 0.00012 "$(sed -n 's/^ *"delta": \[\(.*\)\],*$/\1/p' "$work/whole" | head -n 1)" "0.00016, 0, 0"
+run compare month1.json month5.json --same-field --json
+check "a slow drift: as if only these two were compared" \
+    [ "$(member delta | tr -d '\n')" = "$(sed -n 's/^ *"delta": \[\(.*\)\],*$/\1/p' "$work/whole" | tr -d '\n')" ]
+accepts "a slow drift: page" compare month?.json --same-field --report page.html --quiet
+check "a slow drift: page: well-formed" is_page page.html
+check "a slow drift: page: the verdict" says_page '! Drifting Nothing has changed significantly since 2026-04-01 \(month4\.json\), but offset x has moved by'
+check "a slow drift: page: a table from the first to the newest" says_page 'From 1 to 5\.'
 
 # The same log against other nominals, which rotate the frame slightly, gives the same calibration.
 "$tool" simulate --plan edges --gamma 0.05,-0.04,0.03 > "$work/raw.csv"
@@ -143,23 +170,34 @@ tr '\n' ' ' < "$work/stdout" > "$work/line"
 check "mixed: and both verdicts" matches "$work/line" \
     'Outliers, of [0-9]+ devices: serial .* Of 1 device with an earlier calibration 1 changed significantly: serial D7 \('
 run compare d1.json d2.json
-check "two devices are not a fleet" matches "$work/stdout" '^Alike: Two devices are too few to identify an outlier\.$'
+check "two devices are too few" matches "$work/stdout" '^Too few: Two devices are too few to identify an outlier\.$'
+check "two devices are too few: what to do" matches "$work/stdout" '^Next: compare three devices or more; or, if both'
+run compare d1.json d2.json d3.json
+check "three are enough" matches "$work/stdout" '^Alike: None of 3 devices is an outlier\.$'
+run compare month?.json d1.json d2.json
+check "mixed: a slow drift is reported, too" matches "$work/stdout" '^Drifting: None of 3 devices is an outlier\. Of 1 device with an earlier calibration none has changed since that one, but since the first, 1 changed: serial 48 \(offset x\)\.$'
+run compare month1.json month2.json d1.json
+check "of two devices, one with a history" matches "$work/stdout" '^Steady: Two devices are too few .*none has changed'
 accepts "--as fleet: of one serial number each its own" compare old.json middle.json new.json --as fleet --json
 check "--as fleet: three devices" [ "$(grep -c '"calibrations"' "$work/stdout")" -eq 3 ]
-accepts "--as history: of several serial numbers one" compare d1.json d2.json d3.json --as history --json
+run compare d1.json d2.json d3.json d2.json --as history --json
 check "--as history: one device" [ "$(grep -c '"calibrations"' "$work/stdout")" -eq 1 ]
+check "--as history: of several serial numbers: a warning" says 'warning: .*the files name 3 serial numbers: D1, D2, D3$'
+check "--as history: no serial number is that of all" lacks "$work/stdout" '^      "serial"'
+run compare d1.json d2.json d3.json --as history
+check "--as history: the heading names all" matches "$work/stdout" '^serials D1, D2, D3: 3 calibrations,'
+accepts "--as history: of one serial number: no warning" compare old.json middle.json --as history
+accepts "--as history: with --quiet: no warning" compare d1.json d2.json --as history --quiet
 
 # ---- pages -------------------------------------------------------------------------------------
 
 accepts "page: of a history" compare old.json middle.json new.json --report page.html --quiet
 check "page: nothing is printed" is_empty "$work/stdout"
 check "page: it is well-formed" is_page page.html
-words() { sed 's/<[^>]*>/ /g' page.html | plainly | tr '\n' ' ' | tr -s ' '; }
-says_page() { words | grep -Eq -- "$1"; }
 check "page: what has changed" says_page '! Changed Offset x has changed significantly since 2026-03-01'
 check "page: the drift and its 95 % interval" says_page 'offset x 327\.[0-9]+ [0-9.]+ \+(4\.9|5\.0)[0-9]* ± 0\.0[56][0-9]* mg \+[0-9.]+ changed'
 run compare old.json middle.json new.json --json
-printed=$(words | grep -o 'offset x 327\.[0-9]* [0-9.]* +[0-9.]* ± [0-9.]* mg' | tail -n 1 | awk '{ print $5 / 1000, $7 / 1000 }')
+printed=$(words | grep -o 'offset x 327\.[0-9]* [0-9.]* +[0-9.]* ± [0-9.]* mg' | sed -n 2p | awk '{ print $5 / 1000, $7 / 1000 }')
 in_json=$(member delta | sed -n '5p;7p' | awk -F ', ' '{ printf "%s ", $1 }') # drift and interval of the second step
 check "page: the drift and its 95 % interval are those of the JSON" near 6e-7 "$printed" "$in_json"
 check "page: three pictures in both sizes" [ "$(grep -c "<title>[A-Z][a-z]* by calibration<" page.html)" -eq 6 ]
@@ -205,6 +243,30 @@ accepts "two with temperature are compared at one of them" compare thermal.json 
 "$tool" simulate --plan grid:30:18 > "$work/raw.csv"
 "$tool" calibrate raw.csv --quiet --gravity 9.80665 --quadratic --out bent.json
 together "nonlinearity" 'includes nonlinearity' bent.json
+for range in 2g:16384 4g:8192; do
+    "$tool" simulate --plan edges --zero 0,0,0 --lsb "$(awk -v per=${range#*:} 'BEGIN { print 9.80665 / per }')" > raw.csv
+    "$tool" calibrate raw.csv --quiet --sensor "mpu6050:${range%:*}" --serial 9 --out "mpu${range%:*}.json"
+    "$tool" calibrate raw.csv --quiet --zero 0,0,0 --lsb "$(awk -v per=${range#*:} 'BEGIN { print 9.80665 / per }')" \
+        --serial 9 --out "stated${range%:*}.json"
+    "$tool" calibrate raw.csv --quiet --serial 9 --out "unstated${range%:*}.json"
+done
+"$tool" calibrate raw.csv --quiet --sensor mpu9250:4g --serial 9 --out other4g.json
+refuses "refused: ranges" 1 'mpu4g\.json: cannot be compared with mpu2g\.json: they were made with --sensor mpu6050:4g and mpu6050:2g' \
+    compare mpu2g.json mpu4g.json
+refuses "refused: ranges, though not of the first file" 1 'mpu4g\.json: cannot be compared with mpu2g\.json: ' \
+    compare unstated2g.json mpu2g.json mpu4g.json
+refuses "refused: sensors" 1 'made with --sensor mpu9250:4g and mpu6050:4g' compare mpu4g.json other4g.json --as fleet
+refuses "refused: stated scales" 1 'their nominal scales are 0\.00119[0-9]*,.* and 0\.000598' compare stated2g.json stated4g.json
+refuses "refused: a stated scale and a sensor" 1 'stated4g\.json: cannot be compared with mpu2g\.json: their nominal' \
+    compare unstated2g.json mpu2g.json stated4g.json
+accepts "one range, stated in two ways" compare mpu4g.json stated4g.json
+accepts "a nominal that is not stated is not refused" compare mpu4g.json unstated4g.json
+"$tool" calibrate raw.csv --quiet --nominal mpu4g.json --serial 9 --out earlier4g.json
+accepts "nor one that is an earlier calibration" compare stated4g.json earlier4g.json
+sed '/"nominal"/,/}/s/"lsb": \[[^]]*\]/"lsb": [1e-9, 1e-9, 1e-9]/' earlier4g.json > turned4g.json
+accepts "nor one whose axes may be others" compare stated4g.json turned4g.json
+"$tool" calibrate raw.csv --quiet --zero 10,20,-30 --lsb 0.0011,0.0012,0.0013 --serial 9 --out factory4g.json
+accepts "nor factory figures of each device" compare stated4g.json factory4g.json
 refuses "refused: three without a serial" 2 'one\.json: has no serial number' compare one.json other.json third.json
 refuses "refused: one without among others" 2 'one\.json: has no serial number' compare old.json one.json
 refuses "refused: one file" 2 'a second CAL\.json is missing' compare old.json

@@ -171,6 +171,19 @@ truth 200 "$(awk -v g="$gravity" 'BEGIN { printf "%.17g", 48.5 / g }')" '0 0 0' 
 accepts "fusion: a magnetometer is exported" export "$work/mag.json" --format fusion
 { initialiser magnetometerSoftIronMatrix; initialiser magnetometerHardIronOffset; } > "$work/numbers"
 check "fusion: soft iron (raw - hard iron) is the truth" within 1e-4 magnetic "$work/magnetic"
+
+# Its unit is that of its log; that of a stated field is not in the file.
+run simulate --magnetometer
+cp "$work/stdout" "$work/waved.csv"
+run calibrate --magnetometer "$work/waved.csv" --out "$work/waved.json"
+accepts "c: a magnetometer in uT is exported" export "$work/waved.json" --format c
+check "c: with the unit of its field" matches "$work/stdout" '^ \* field: [0-9.]* uT$'
+check "c: with that of its readings" matches "$work/stdout" 'raw in uT, calibrated in uT\.'
+check "c: with that of its offsets" matches "$work/stdout" 'offset .* uT$'
+run calibrate --magnetometer "$work/waved.csv" --gravity 0.485gauss --out "$work/waved.json"
+accepts "c: with a field in another unit it is exported" export "$work/waved.json" --format c
+check "c: whose unit is not claimed" matches "$work/stdout" 'raw in uT, calibrated in units of the field\.'
+
 for f in px4 ardupilot ros imu_tk; do
     refuses "$f: a magnetometer is refused" 2 "--format $f is for accelerometers" \
         export "$work/mag.json" --format $f

@@ -323,6 +323,7 @@ check "a refusal names the moves" test "$(grep -c '^ *"seconds": ' "$work/stdout
 run calibrate "$work/edges.csv" --report "$work/page.html" --quiet
 check "the page is well-formed" is_page "$work/page.html"
 check "the page: a bar for each move, twice (wide and narrow)" test "$(grep -o 'class="c1 bar"' "$work/page.html" | wc -l)" -ge 36
+check "the page: its rate in the words of the table" matches "$work/page.html" 'in [^<]*, [0-9.]+ per second'
 check "the page: the constant" matches "$work/page.html" 'static const invcal_calibration calibration_gyro = '
 change '{ $6 = 17 }'
 run calibrate "$work/changed.csv" --report "$work/page.html" --quiet

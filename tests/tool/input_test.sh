@@ -450,9 +450,9 @@ refuses "--unit without a value" 2 '--unit: its value is missing' calibrate "$wo
 
 write_positions 1 'x (mg),y (mg),z (mg)' "$x"
 refuses "a header that states another unit than that of the readings" 1 \
-    'pos\.csv:2: position 1 reads 0\.0[0-9]* of the field with the scale of the stated unit; check the unit in the header, or state --unit' \
+    'pos\.csv: the readings are 0\.0010[0-9]* times the field in the header.s unit, mg; check the header, or state --unit g$' \
     calibrate "$work/pos.csv" --positions
-refuses "an option that states another unit" 1 'with the scale of the stated unit; check --unit: counts' \
+refuses "an option that states another unit" 1 'times the field in the stated unit, mg; check --unit: g$' \
     calibrate "$work/pos.csv" --positions --unit mg
 run calibrate "$work/pos.csv" --positions --unit g --json
 check "--unit corrects it" near 1e-9 "$(field offset)" '0.02 -0.03 0.05'

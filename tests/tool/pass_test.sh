@@ -38,10 +38,33 @@ for need in '0.1 %' 1000ug 0.001g 0.00980665m/s2 0.00980665; do
 done
 run calibrate "$work/log.csv" $sheet --need 100ug
 check "pass: reported as it was stated" prints 'within [0-9.]+ of 100 µg'
-refuses "pass: an unknown unit" 2 '--need 1mT: must end with mg, g, ug, m/s2 or %' calibrate "$work/log.csv" --need 1mT
+for need in 1mT 5mgg 2um/s2 0.5uT xmg; do
+    refuses "pass: an unknown unit, $need" 2 \
+        "--need $need: must be a number followed by mg, g, ug, m/s2 or %, or a number in the unit of --gravity;" \
+        calibrate "$work/log.csv" --need "$need"
+done
+refuses "pass: an unknown unit of a magnetometer's" 2 \
+    '--need 0\.5mT: must be a number followed by %, or a number in the unit of the readings;' \
+    calibrate "$work/log.csv" --magnetometer --need 0.5mT
+refuses "pass: a need without its unit" 2 '--need 2: is more than a tenth of the field: state the unit, as 2mg;' \
+    calibrate "$work/log.csv" --need 2
+refuses "pass: a need that everything meets" 2 '--need 200mg: is more than a tenth of the field;' \
+    calibrate "$work/log.csv" --need 200mg
+# The same limits in units: 60 mg and 4 % and 0.02 rad, which are 1.145915590 degrees.
+for limits in 60mg,4%,1.145915590261646deg '60 mg,4 %,1.145915590261646 °' 0.06g,0.04,0.02rad 6%,4%,2%; do
+    run calibrate "$work/log.csv" $sheet --tolerance "$limits" --json
+    check "pass: limits of $limits are the same" near 1e-12 \
+        "$(sed -n '/"limit": {/,/}/s/.*\[\(.*\)\].*/\1/p' "$work/stdout" | tr '\n' ' ')" \
+        '0.06 0.06 0.06 0.04 0.04 0.04 0.02 0.02 0.02'
+done
+for limits in 50,3,2 0.05,3,0.02 0.05,0.03,2 0.5,0.03,0.02 50mg,3mg,0.02 50uT,0.03,0.02 0.05,0.03,nan; do
+    refuses "pass: limits of $limits" 2 \
+        "--tolerance $limits: offsets are over the field \(0\.05 is 50 mg\), scale errors as ratios \(0\.03 is 3 %\), angles in rad" \
+        calibrate "$work/log.csv" $sheet --tolerance "$limits"
+done
 refuses "pass: mg for a field that is not gravity" 2 'is not gravity: state % of it' \
     calibrate "$work/log.csv" --gravity 48.5 --need 1mg
-refuses "pass: no number" 2 "--need x: 'x' is not a decimal" calibrate "$work/log.csv" --need xmg
+refuses "pass: no number" 2 "--need 1x2: '1x2' is not a decimal" calibrate "$work/log.csv" --need 1x2mg
 refuses "pass: 0 mg" 2 '--need: must be above 0' calibrate "$work/log.csv" --need 0mg
 
 accepts "pass: limits that are not kept" calibrate "$work/log.csv" $sheet --tolerance 0.02,0.04,0.02 --report "$page"
@@ -51,13 +74,13 @@ check "pass: under a verdict that is good" shows 'Good ✗ FAIL: offset z'
 # A limit that the value keeps, but not with its ±: the value of z, and half a sigma.
 run calibrate "$work/log.csv" $sheet --json
 limit=$(awk -F'[][,:]' '/^  "delta"/ { x = $5 } /^    "delta"/ { s = $5 } END { printf "%.9f", x + s / 2 }' "$work/stdout")
-run calibrate "$work/log.csv" $sheet --tolerance "$limit,1,1" --report "$page"
+run calibrate "$work/log.csv" $sheet --tolerance "$limit,0.4,0.4" --report "$page"
 check "pass: a value that may be beyond fails" prints 'FAIL: offset z up to 30\.0[0-9]+ of 30\.0[0-9]+ mg \(95 %\)\. '
 check "pass: and is reported as unsure" shows 'Possibly beyond the limits .*: offset z\.'
 }
 printf '%s\n' 1,0,0 -1,0,0 0,1,0 0,-1,0 0,0,1 0,0,-1 .7,.7,0 .7,0,.7 0,.7,.7 |
     awk -F, -v OFS=, '{ print 9.8 * $1, 9.8 * $2, 9.8 * $3 }' > "$work/nine.csv"
-run calibrate "$work/nine.csv" --positions --zero 0,0,0 --lsb 1 --tolerance 1,1,1 --need 1 --report "$page"
+run calibrate "$work/nine.csv" --positions --zero 0,0,0 --lsb 1 --tolerance 0.4,0.4,0.4 --need 0.5 --report "$page"
 check "pass: if the noise is unknown, nothing passes" prints \
     'FAIL: the verdict is no redundancy; the noise is unknown'
 check "pass: and the page is well-formed" is_page "$page"

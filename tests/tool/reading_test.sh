@@ -110,6 +110,36 @@ for heading in 'x,y,z' 'x (counts),y (counts),z (counts)'; do
     run apply "$work/counts.json" "$work/in"
     check "apply: no warning about $heading" is_empty "$work/stderr"
 done
+# Without a unit in the header their size shows it: a field of 10, scale 1; of three readings, two are off.
+echo '{"offset": [0, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gravity": 10, "unit": "m/s^2"}' > "$work/ten.json"
+sizes() { printf 'x,y,z\n%s,0,0\n0,%s,0\n0,0,%s\n' "$1" "$2" "$3" > "$work/in"; run apply "$work/ten.json" "$work/in" $4; }
+sizes 101 101 10
+check "apply: too large a result is reported" warns \
+    '.*in: most corrected readings are more than 10 times the field: the calibration was made from readings in m/s²,'
+sizes 0.9 10 0.9
+check "apply: and too small a one" warns '.*in: most corrected readings are less than 0\.1 times the field'
+sizes 101 101 10 --quiet
+check "apply --quiet: it is not" is_empty "$work/stderr"
+for size in '99 99 101' '1.1 1.1 0.1' '101 10 0.9'; do
+    # shellcheck disable=SC2086 # words
+    sizes $size
+    check "apply: but not $size" is_empty "$work/stderr"
+done
+echo '{"offset": [0, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gravity": [0, 0, 10]}' > "$work/ten.json"
+sizes 101 101 10
+check "apply: nor if the field is not known" is_empty "$work/stderr"
+# The calibration of a magnetometer, for columns that are not of one.
+echo '{"offset": [0, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "gravity": 1, "unit": "uT", "magnetometer": {}}' \
+    > "$work/ten.json"
+for unit in 'g:g, or in gauss' 'mg:mg, or in milligauss' 'm/s2:a unit of another sensor'; do
+    printf 'x (%s),y (%s),z (%s)\n1,0,0\n' "${unit%%:*}" "${unit%%:*}" "${unit%%:*}" > "$work/in"
+    run apply "$work/ten.json" "$work/in"
+    check "apply: a magnetometer's to readings in ${unit%%:*}" warns \
+        ".*in: the header states readings in ${unit#*:}, but the calibration is of a magnetometer, from readings in µT:"
+done
+printf 'mx (G),my (G),mz (G)\n1,0,0\n' > "$work/in"
+run apply "$work/ten.json" "$work/in"
+check "apply: a magnetometer's own columns in gauss" warns '.*in: the header states readings in gauss, but the calibration was'
 "$tool" simulate --plan edges | awk -F, 'NR == 1 { print "x (ug),y (ug),z (ug)"; next }
     { print $2 * 61 "," $3 * 61 "," $4 * 61 }' > "$work/ug"
 run calibrate "$work/ug"
@@ -267,6 +297,46 @@ lsb() { # PATTERN VALUE
 }
 lsb 'is field per count, not counts per field: .* use --lsb 9\.80665/16384, which is 0\.00059855;' 16384
 lsb 'use --lsb 1/1666\.67, which is 0\.000599999;' 1666.67
+# The log has 16384 counts a g, of the data sheet; scale errors of 1 %.
+size() { # PATTERN VALUE [ARGUMENTS]
+    pattern=$1
+    shift
+    value=$1
+    shift
+    refuses "--lsb $value $*" 2 "^invcal: with --lsb $value the readings are $pattern" calibrate "$work/log.csv" \
+        --lsb "$value" "$@"
+}
+size '0\.50[0-9]* times the field: use --lsb 9\.80665/16384 \(m/s\^2 per count\); see' 9.80665/32768
+size '2\.0[0-9] times the field: use --lsb 9\.80665/16384 \(m/s\^2 per count\); see' 9.80665/8192
+size '0\.10[0-9] times the field: use --lsb 9\.80665/16384 \(m/s\^2 per count\), or --gravity 1 if it is in g; see' 1/16384
+size '0\.10[0-9] times the field: use --lsb 9\.80665/16384 \(m/s\^2 per count\), or --gravity 1 if' 1/16384 --latitude 47
+size '9\.8[0-9] times the field: use --lsb 1/16384 \(g per count\); see' 9.80665/16384 --gravity 1
+size '0\.20[0-9] times the field: by the data sheet it should be about 9\.80665/16384 \(m/s\^2 per count\); see' 1/8192
+size '2\.0[0-9] times the field: use' 9.80665/8192 --zero 0,0,0
+accepts "--gravity 1: --lsb in g" calibrate "$work/log.csv" --gravity 1 --lsb 1/16384
+accepts "--lsb of another axis each, whose mean is right" calibrate "$work/log.csv" \
+    --lsb 9.80665/8192,9.80665/32768,-9.80665/16384
+# What is wrong is the zero, which is not found out by a scale.
+awk -F, -v OFS=, 'NR > 1 { $2 += 32768; $3 += 32768; $4 += 32768 } 1' "$work/log.csv" > "$work/unsigned.csv"
+accepts "--lsb of unsigned counts" calibrate "$work/unsigned.csv" --lsb 9.80665/16384
+refuses "a zero that was forgotten" 1 'position 1 reads .* check --gravity, the nominal zero' \
+    calibrate "$work/unsigned.csv" --zero -160000,0,0 --lsb 9.80665/16384
+# Readings in another unit than stated.
+in_unit() { # FACTOR
+    awk -F, -v OFS=, -v f="$1" 'NR > 1 { for (i = 2; i <= 4; i++) $i *= f } 1' "$work/log.csv" > "$work/unit.csv"
+}
+cp "$work/log.csv" "$work/unit.csv"
+unit() { # PATTERN UNIT
+    refuses "--unit $2 of others: $1" 1 "unit\.csv: the readings are $1\$" calibrate "$work/unit.csv" --unit "$2"
+}
+unit '164[0-9][0-9] times the field in the stated unit, g; check --unit: counts' g
+unit '16\.[0-9] times the field in the stated unit, mg; check --unit: counts' mg
+in_unit 0.00059855
+unit '9\.8[0-9] times the field in the stated unit, g; check --unit: m/s2' g
+in_unit 0.000061035
+unit '0\.10[0-9] times the field in the stated unit, m/s²; check --unit: g' m/s2
+in_unit 0.061035
+unit '10[0-9][0-9] times the field in the stated unit, g; check --unit: mg or counts' g
 lsb "'9/0' is not a finite number" 9/0
 lsb "'9/x' is not a decimal number" 9/x
 lsb "'9/' is empty" 9/

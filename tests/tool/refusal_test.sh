@@ -63,8 +63,10 @@ check "refusal: six faces in a log" refused_as 'too few' "$work/faces.csv"
 check "refusal: with the log on the page" shows 'The log 4[0-9]* samples'
 check "refusal: a log without a rest" refused_as 'no rest' "$work/restless.csv"
 check "refusal: with twelve to add" test "$(wc -l < "$work/add")" -eq 12
-check "refusal: a wrong unit" refused_as 'out of range' "$data/xsens_mti_positions.csv" --positions --zero 0,0,0 --lsb 1
-check "refusal: the position is crossed, and named" shows 'Position 1 reads 6.*e[+]03 of the field .* refused'
+check "refusal: a wrong unit" refused_as 'out of range' "$data/xsens_mti_positions.csv" --positions --unit g
+awk -F, -v OFS=, 'NR == 3 { $1 *= 20; $2 *= 20; $3 *= 20 } 1' "$work/sixteen.csv" > "$work/shock.csv"
+check "refusal: a shock" refused_as 'out of range' "$work/shock.csv" --positions --zero 0,0,0 --lsb 1 --keep-all
+check "refusal: the position is crossed, and named" shows 'Position 3 reads (19|20)[.0-9]* of the field .* refused'
 check "refusal: in the map" test "$(marks 'c2 full')" -eq 1
 sed 's/^/1e300,/; s/,[^,]*$//' "$work/few.csv" | head -n 1 > "$work/huge.csv"
 cat "$work/thirteen.csv" >> "$work/huge.csv"

@@ -116,7 +116,7 @@ prints 1 calibration_refusal calibrate "$work/flat.csv" --positions --gravity 1 
 awk 'BEGIN { srand(1); for (i = 0; i < 18; i++) print rand() "," rand() "," i % 3 * rand() }' \
     > "$work/noise.csv"
 prints 1 calibration_refusal calibrate "$work/noise.csv" --positions --gravity 1
-prints 1 calibration_refusal calibrate "$xsens" --positions --zero 0,0,0 --lsb 1
+prints 1 calibration_refusal calibrate "$xsens" --positions --unit g
 sed '2s/.*/1e200,1,1/' "$work/nine.csv" > "$work/huge.csv"
 prints 1 calibration_refusal calibrate "$work/huge.csv" --positions --zero 0,0,0 --lsb 1 --gravity 1
 
@@ -142,6 +142,7 @@ done
 check "the file of --out with a record is a calibration" fits calibration "$work/file1.json"
 prints 0 comparison compare "$work/file2.json" "$work/file3.json"
 prints 0 comparison compare "$work"/file?.json
+prints 0 comparison compare "$work"/file?.json --as history
 "$tool" calibrate "$work/nine.csv" --positions --gravity 9.81744 --quiet --unit counts --out "$work/blind.json"
 prints 0 comparison compare "$work/file1.json" "$work/blind.json" --as history
 "$tool" calibrate "$xsens" --positions --frame triangular --quiet --out "$work/turned.json"
@@ -193,7 +194,7 @@ prints 1 plan_moves plan --moves x:90,x:90
 
 prints 0 calibration calibrate "$xsens" --positions --zero 33123,33276,32360 --lsb 0.0024 --need 1mg \
     --tolerance 0.02,0.005,0.02
-prints 0 calibration calibrate "$work/nine.csv" --positions --gravity 1 --zero 0,0,0 --lsb 1 --tolerance 1,1,1 --need 1
+prints 0 calibration calibrate "$work/nine.csv" --positions --gravity 1 --zero 0,0,0 --lsb 1 --tolerance 0.4,0.4,0.4 --need 0.1
 
 # ---- what must not pass ------------------------------------------------------------------------
 

@@ -169,6 +169,11 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
         exec 3> "$work/port"
         head -n 11000 "$work/edges.csv" >&3
         while ! grep -aq '15 positions' "$work/typed"; do sleep 0.1; done
+        drawn=0 # until nothing more is drawn: KILL in the middle of a frame would leave half of it
+        until [ "$drawn" -eq "$(wc -c < "$work/typed")" ]; do
+            drawn=$(wc -c < "$work/typed")
+            sleep 0.3
+        done
         kill "-$1" "$(cat "$work/pid")"
         wait $!
         exec 3>&-

@@ -218,12 +218,15 @@ check "at a stand, and a nominal: all of it" matches "$work/stdout" '^group 1 +[
 made
 echo old > "$work/out/cal.json"
 rm -f "$page"
+# It is the data that are wrong; at the beginning of a live stream, the command line can still be corrected.
 for command in calibrate watch; do
-    refuses "$command: another range is named" 2 \
-        'log\.csv: the readings are 2\.[01] times too large for mpu6050:4g: they match mpu6050:2g; see' \
+    code_of=$([ $command = calibrate ] && echo 1 || echo 2)
+    refuses "$command: another range is named" "$code_of" \
+        'log\.csv: the readings are 2\.[01] times too large for mpu6050:4g: they match mpu6050:2g; state that range' \
         $command "$work/log.csv" --sensor mpu6050:4g --out "$work/out/cal.json"
     check "$command: nothing is written" is_untouched
-    refuses "$command: another sensor" 2 'the readings are 5[0-9]+ times too large for adxl345:16g, at any of its ranges' \
+    refuses "$command: another sensor" "$code_of" \
+        'the readings are 5[0-9]+ times too large for adxl345:16g, at any of its ranges: a broken unit, or another' \
         $command "$work/log.csv" --sensor adxl345:16g
     refuses "$command: an unknown name" 2 "--sensor: unknown sensor 'mpu605' \(did you mean mpu6050\?\); --sensor list" \
         $command "$work/log.csv" --sensor mpu605
@@ -237,15 +240,29 @@ for command in calibrate watch; do
     check "$command: --sensor list fits into 80 columns" sh -c 'sed "s/±/+/g" "$1" | LC_ALL=C awk "length > 80 { exit 1 }"' sh \
         "$work/stdout"
     check "$command: --sensor list has all" is "$(sed -n 's/^\([a-z][a-z0-9-]*\)  .*/\1/p' "$work/stdout" | tr '\n' ' ')" \
-        'mpu6050 mpu9250 icm20948 lsm6ds3 lsm6dso lis3dh adxl345 adxl355 bmi160 bmi270 bno055 xsens-mti '
+        'mpu6050 mpu6000 mpu9250 icm20948 lsm6ds3 lsm6dso lis3dh adxl345 adxl355 bmi160 bmi270 bno055 xsens-mti '
 done
-check "--sensor list names the range at power-on" [ "$(grep -c '[a-z0-9]\* ' "$work/stdout")" -eq 12 ]
+check "--sensor list names the range at power-on" [ "$(grep -c '[a-z0-9]\* ' "$work/stdout")" -eq 13 ]
 check "--sensor list says what is typical" matches "$work/stdout" 'typical: offsets ±50, ±50, ±80 mg; scale ±3 %'
 made --lsb 0.000299275207
-refuses "too small" 2 'the readings are 2\.0 times too large for mpu6050:2g, at any of its ranges' calibrate "$work/log.csv" --sensor mpu6050
+refuses "too small" 1 'the readings are 2\.0 times too large for mpu6050:2g, at any of its ranges' calibrate "$work/log.csv" --sensor mpu6050
 made --lsb 0.00119710083
-refuses "as if it were another" 2 'the readings are 2\.0 times too small for mpu6050:2g: they match mpu6050:4g' \
+refuses "as if it were another" 1 'the readings are 2\.0 times too small for mpu6050:2g: they match mpu6050:4g' \
     calibrate "$work/log.csv" --sensor mpu6050
+# A unit that is off by 1.5 g: 24576 counts of an MPU-6050.
+made
+awk -F, -v OFS=, 'NR > 1 { $2 += 24576 } 1' "$work/log.csv" > "$work/broken.csv"
+run calibrate "$work/broken.csv" --sensor mpu6050:2g --need 2mg --json-lines --report "$page"
+check "a broken unit: exit code 1, and the reason" sh -c '[ "$1" -eq 1 ] && grep -Eq "$2" "$3"' sh "$code" \
+    'for mpu6050:2g, at any of its ranges: a broken unit, or another sensor; state --zero and --lsb if it is right$' \
+    "$work/stderr"
+check "a broken unit: it has its line" matches "$work/stdout" \
+    '^\{"file": ".*broken\.csv", .*"error": "out of range", "reason": "the readings are 1\.[0-9] times too large'
+check "a broken unit: and its page" says_page 'No calibration: out of range .*a broken unit, or another sensor'
+check "a broken unit: the page is well-formed" is_page "$page"
+run calibrate "$work/broken.csv" --sensor mpu6050:2g --zero 0,0,0 --lsb 9.80665/16384 --json
+check "a broken unit: stated as right, it is calibrated" near 3e-4 "$(member delta)" '1.52 -0.015 0.03'
+made --lsb 0.00119710083
 accepts "it is" calibrate "$work/log.csv" --sensor mpu6050:4g
 refuses "--tolerance needs something to compare with" 2 '--tolerance: .*--sensor' calibrate "$work/log.csv" \
     --tolerance 0.1,0.1,0.1

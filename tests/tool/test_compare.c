@@ -145,7 +145,7 @@ static void drifts_are_deviations_from_the_older(void)
     }
     c[1].offset[0] += 9.80665;
     now.x[INVCAL_DELTA_X] += 9.80665;
-    const compare_drift d = compare_drift_of(&before, &now, 9.80665);
+    const compare_drift d = compare_drift_of(&before, &now, 9.80665, 1);
     for (unsigned k = 0; k < 2; k++) {
         invcal_scale(&c[k], 1 / 9.80665);
     }
@@ -209,7 +209,7 @@ static void chance_is_that_of_students_table(void)
         before.sigma[INVCAL_GAMMA_XY] = sqrt(row[k].v1);
         now.sigma[INVCAL_GAMMA_XY] = sqrt(row[k].v2);
         now.x[INVCAL_GAMMA_XY] = before.x[INVCAL_GAMMA_XY] + row[k].t * sqrt(row[k].v1 + row[k].v2);
-        const compare_drift d = compare_drift_of(&before, &now, 1);
+        const compare_drift d = compare_drift_of(&before, &now, 1, 1);
         TEST_ASSERT_DOUBLE_WITHIN(1e-9, row[k].t, d.in_sigma[INVCAL_GAMMA_XY]);
         TEST_ASSERT_DOUBLE_WITHIN(2e-6 * row[k].chance + 1e-8, row[k].chance,
                                   d.chance[INVCAL_GAMMA_XY]);
@@ -224,9 +224,9 @@ static void what_is_beyond_chance_has_changed(void)
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
         setUp();
         now.x[p] += 3.1 * sigma;
-        TEST_ASSERT_EQUAL_UINT(0, compare_drift_of(&before, &now, 1).changed);
+        TEST_ASSERT_EQUAL_UINT(0, compare_drift_of(&before, &now, 1, 1).changed);
         now.x[p] -= 6.3 * sigma;
-        TEST_ASSERT_EQUAL_UINT(1u << p, compare_drift_of(&before, &now, 1).changed);
+        TEST_ASSERT_EQUAL_UINT(1u << p, compare_drift_of(&before, &now, 1, 1).changed);
     }
 }
 
@@ -236,9 +236,65 @@ static void without_sigma_nothing_is_reported(void)
     now.x[INVCAL_DELTA_X] += 1e6;
     before.sigma[INVCAL_DELTA_Y] = now.sigma[INVCAL_DELTA_Y] = 0;
     now.x[INVCAL_DELTA_Y] += 1e6;
-    const compare_drift d = compare_drift_of(&before, &now, 1);
+    const compare_drift d = compare_drift_of(&before, &now, 1, 1);
     TEST_ASSERT_EQUAL_UINT(0, d.changed);
     TEST_ASSERT_TRUE(isnan(d.chance[INVCAL_DELTA_X]) && isnan(d.chance[INVCAL_DELTA_Y]));
+}
+
+enum { HISTORY = 5 };
+
+static compare_item steps[HISTORY];
+static compare_device one;
+static compare_drift drifts[HISTORY];
+static compare_result history;
+
+/* Calibrations that do not differ, with sigma 1. */
+static void make_history(unsigned count)
+{
+    one = (compare_device){.count = count};
+    history = (compare_result){
+        .item = steps, .count = count, .device = &one, .devices = 1, .drift = drifts, .field = 1};
+    for (unsigned k = 0; k < count; k++) {
+        steps[k] = before;
+    }
+}
+
+/* Of a difference of 1.5 sigma each step is nothing unusual, and four are. */
+static void a_slow_drift_shows_against_the_first(void)
+{
+    for (unsigned count = 2; count <= HISTORY; count += 3) {
+        make_history(count);
+        for (unsigned k = 0; k < count; k++) {
+            steps[k].x[INVCAL_DK_Z] += 1.5 * sqrt(2) * k;
+        }
+        compare_drifts_find(&history);
+        for (unsigned k = 1; k < count; k++) {
+            TEST_ASSERT_DOUBLE_WITHIN(1e-9, 1.5, drifts[k].in_sigma[INVCAL_DK_Z]);
+            TEST_ASSERT_EQUAL_UINT(0, drifts[k].changed);
+        }
+        TEST_ASSERT_EQUAL_STRING(count > 2 ? "Drifting" : "Steady", compare_verdict_word(&history));
+    }
+    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 6, one.whole.in_sigma[INVCAL_DK_Z]);
+    TEST_ASSERT_EQUAL_UINT(1u << INVCAL_DK_Z, one.whole.changed);
+    steps[0].sigma[INVCAL_DELTA_X] = (double)NAN;
+    steps[0].x[INVCAL_DK_Z] = steps[HISTORY - 1].x[INVCAL_DK_Z];
+    compare_drifts_find(&history);
+    TEST_ASSERT_EQUAL_STRING("Unknown", compare_verdict_word(&history));
+}
+
+/* With 18 degrees of freedom an eighteenth of 5 % is 3.4626 sigma, a ninth 3.1486. */
+static void three_calibrations_share_the_false_alarms(void)
+{
+    for (unsigned count = 2; count <= 3; count++) {
+        for (unsigned above = 0; above < 2; above++) {
+            const double limit = (count > 2 ? 3.4626 : 3.1486) + (above ? 1e-3 : -1e-3);
+            make_history(count);
+            steps[count - 1].x[INVCAL_DELTA_Y] += limit * sqrt(2);
+            compare_drifts_find(&history);
+            TEST_ASSERT_EQUAL_UINT(above << INVCAL_DELTA_Y, drifts[count - 1].changed);
+            TEST_ASSERT_EQUAL_UINT(count > 2 ? above << INVCAL_DELTA_Y : 0, one.whole.changed);
+        }
+    }
 }
 
 static double chi_square(random_source *random, unsigned dof)
@@ -256,21 +312,24 @@ static double chi_square(random_source *random, unsigned dof)
 static void drift_is_seldom_reported_by_chance(void)
 {
     random_source random = random_start(1);
-    unsigned alarms = 0;
 
-    for (unsigned k = 0; k < TRIALS; k++) {
-        compare_item *const both[2] = {&before, &now};
-        for (unsigned i = 0; i < 2; i++) {
-            const double sigma = sqrt(chi_square(&random, both[i]->dof) / both[i]->dof);
-            for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
-                both[i]->x[p] = (p < 6 ? 1e6 : 0) + random_normal(&random);
-                both[i]->sigma[p] = sigma;
+    for (unsigned count = 2; count <= HISTORY; count += 3) {
+        unsigned alarms = 0;
+        make_history(count);
+        for (unsigned k = 0; k < TRIALS; k++) {
+            for (unsigned i = 0; i < count; i++) {
+                const double sigma = sqrt(chi_square(&random, steps[i].dof) / steps[i].dof);
+                for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
+                    steps[i].x[p] = (p < 6 ? 1e6 : 0) + random_normal(&random);
+                    steps[i].sigma[p] = sigma;
+                }
             }
+            compare_drifts_find(&history);
+            alarms += compare_verdict(&history) == COMPARE_DIFFERENT;
         }
-        alarms += compare_drift_of(&before, &now, 1).changed != 0;
+        /* 200 at most by Bonferroni, with a standard deviation of 14 */
+        TEST_ASSERT_UINT_WITHIN(60, 180, alarms);
     }
-    /* 200 at most by Bonferroni, with a standard deviation of 14 */
-    TEST_ASSERT_UINT_WITHIN(60, 180, alarms);
 }
 
 /* ---- fleet ------------------------------------------------------------------------------------- */
@@ -359,6 +418,28 @@ static void median_and_spread_are_closed_forms(void)
     free(fleet.fleet.outliers);
 }
 
+/* Nothing can be said about two devices; about their histories it can. */
+static void two_devices_are_too_few(void)
+{
+    make_fleet();
+    fleet.devices = fleet.count = 3;
+    TEST_ASSERT_TRUE(compare_fleet_find(&fleet));
+    TEST_ASSERT_EQUAL_STRING("Alike", compare_verdict_word(&fleet));
+    fleet.devices = fleet.count = 2;
+    TEST_ASSERT_EQUAL_STRING("Too few", compare_verdict_word(&fleet));
+    TEST_ASSERT_EQUAL(COMPARE_UNKNOWN, compare_verdict(&fleet));
+    fleet.drift = drifts;
+    fleet.count = 3;
+    device[1].count = 2;
+    compare_drifts_find(&fleet);
+    TEST_ASSERT_EQUAL_STRING("Changed",
+                             compare_verdict_word(&fleet)); /* sigma of 0.1, steps of 1 */
+    item[2] = item[1];
+    compare_drifts_find(&fleet);
+    TEST_ASSERT_EQUAL_STRING("Steady", compare_verdict_word(&fleet));
+    free(fleet.fleet.outliers);
+}
+
 static void one_that_is_off_is_an_outlier(void)
 {
     make_fleet();
@@ -389,11 +470,14 @@ int main(void)
     RUN_TEST(chance_is_that_of_students_table);
     RUN_TEST(what_is_beyond_chance_has_changed);
     RUN_TEST(without_sigma_nothing_is_reported);
+    RUN_TEST(a_slow_drift_shows_against_the_first);
+    RUN_TEST(three_calibrations_share_the_false_alarms);
     RUN_TEST(drift_is_seldom_reported_by_chance);
     RUN_TEST(rosners_example_has_three);
     RUN_TEST(equal_values_have_no_outlier);
     RUN_TEST(devices_are_seldom_outliers_by_chance);
     RUN_TEST(median_and_spread_are_closed_forms);
+    RUN_TEST(two_devices_are_too_few);
     RUN_TEST(one_that_is_off_is_an_outlier);
     return UNITY_END();
 }

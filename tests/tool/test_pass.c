@@ -120,6 +120,11 @@ static void the_line_has_the_margins(void)
         "PASS: |a| within 0.50 of 1.0 mg; offset x up to 6.00 of 10.0 mg (95 %).",
         pass_text(&result, text));
     TEST_ASSERT_EQUAL_STRING("", pass_strict(&result, text));
+    result.need = 0.498e-3 * 9.80665; /* less than 0.5 mg, and alike with two digits */
+    state(NULL);
+    TEST_ASSERT_EQUAL_STRING("FAIL: |a| within 0.500 of 0.498 mg (95 %).",
+                             pass_text(&result, text));
+    state(limits);
     result.need = 0;
     result.solution.x[8] = -18e-3;
     result.solution.x[3] = 9e-3;
@@ -184,6 +189,8 @@ static void needs_are_stated_in_units(void)
         {"1mg", 1, NEED_UNIT, 1, 1e3},        {"1mg", 48.5, NEED_NO_GRAVITY, 0, 0},
         {"1m/s2", 1, NEED_NO_GRAVITY, 0, 0},  {"1uT", 48.5, NEED_NO_UNIT, 0, 0},
         {"mg", 9.81, NEED_NO_UNIT, 0, 0},     {"1m", 9.81, NEED_NO_UNIT, 0, 0},
+        {"5mgg", 9.81, NEED_NO_UNIT, 0, 0},   {"2um/s2", 9.81, NEED_NO_UNIT, 0, 0},
+        {"", 9.81, NEED_NO_UNIT, 0, 0},
     };
 
     for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++) {

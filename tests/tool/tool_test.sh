@@ -530,7 +530,7 @@ check "apply: a calibration nested too deep" was_refused 3 'bad\.json:1: .* nest
 rm -f "$work/bad.csv" "$work/bad.json"
 awk 'BEGIN { print "t,x,y,z"; for (i = 0; i < 300000; i++) print i / 100 "," i ",1,2" }' \
     > "$work/long.csv"
-run_limited apply "$work/apply.json" "$work/long.csv"
+run_limited apply "$work/apply.json" "$work/long.csv" --quiet
 check "apply: a log of 300,000 readings" succeeded
 check "apply: as many readings out as in" [ "$(wc -l < "$work/stdout")" -eq 300001 ]
 echo 1,2,3,four >> "$work/long.csv"
@@ -610,10 +610,13 @@ hopeless "one subnormal position" "$f" '.*' 'hopeless' --zero 0,0,0 --lsb 1 --ke
 run calibrate "$f" --positions --zero 0,0,0 --lsb 1
 check "a position without any reading is left out and named" matches "$work/stdout" \
     '^Left out: position 3 \(line 3\)'
-hopeless "a wrong unit" "$work/xsens.csv" 'out of range' \
-    'xsens\.csv:1: position 1 reads .*check --gravity' --zero 33123,33276,32360 --lsb 9.8
-hopeless "a wrong field" "$good" 'out of range' 'position 1 reads .*check --gravity' \
+refuses_file "a wrong scale" 2 '^invcal: with --lsb 9\.8 the readings are 40[0-9][0-9] times the field: by the data sheet' \
+    "$work/xsens.csv" --zero 33123,33276,32360 --lsb 9.8
+refuses_file "a wrong field" 2 'with --lsb 1 the readings are 19[0-9] times the field: .*, if --gravity is right;' "$good" \
     --zero 0,0,0 --lsb 1 --gravity 0.05
+run calibrate "$good" --positions --out "$work/nominal.json" --quiet
+hopeless "a field other than that of --nominal" "$good" 'out of range' 'position 1 reads .*check --gravity' \
+    --nominal "$work/nominal.json" --gravity 0.05
 refuses_file "a scale too small to calculate with" 2 '^invcal: --lsb: the scale is too small' "$good" --lsb 1e-320
 refuses_file "a noise larger than the field" 2 '^invcal: --noise: is larger than the field' "$good" \
     --noise 10

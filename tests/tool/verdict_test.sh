@@ -223,10 +223,10 @@ needs() { # MISSING SENTENCE TROUBLE NEED GRAVITY
             --json && grep -q "\"missing\": \"$1\"" "$work/stdout" && is_json "$work/stdout"
 }
 exact='9.80665+-0'
-needs nothing . none 1 $exact
+needs nothing . none 0.5 $exact
 check "need: lengths are right to within sigma" near 1e-6 "$(json "$work/stdout" accuracy95)" \
     "$(accuracy "$work/stdout")"
-needs nothing . none 1 '9.80665+-0.01'
+needs nothing . none 0.5 '9.80665+-0.01'
 check "need: and the sigma of the field" near 1e-6 "$(json "$work/stdout" accuracy95)" "$(accuracy "$work/stdout")"
 check "need: it is met" needs nothing '^PASS: \|a\| within 0\.001[0-9]+ of 0\.0020 m/s² \(95 %\)\.$' \
     none 0.002 $exact
@@ -235,10 +235,10 @@ check "need: a known g is missing" needs gravity '^FAIL: \|a\| within 0\.05[0-9]
 check "need: more positions are missing" needs positions \
     '^FAIL: \|a\| within 0\.001[0-9]* of 0\.0010 m/s² \(95 %\)\. Missing: about [45][0-9]' none 0.001 $exact
 check "need: longer rests are missing" needs 'longer rests' '2[0-9] times as long' none 0.0003 $exact
-check "need: a warm sensor is missing" needs warm-up '^FAIL: the verdict is drifting; .* of 1\.0 m/s² \(95 %\)\. Missing: a warm sensor' drift 1 $exact
-check "need: a linear sensor is missing" needs linearity 'Missing: a linear sensor' cubic 1 $exact
-check "need: steadier positions are missing" needs steadiness 'Missing: steadier positions' noisy 1 $exact
-check "need: other directions are missing" needs directions '^FAIL: the verdict is no redundancy; .* Missing: positions' repeated 1 $exact
+check "need: a warm sensor is missing" needs warm-up '^FAIL: the verdict is drifting; .* of 0\.50 m/s² \(95 %\)\. Missing: a warm sensor' drift 0.5 $exact
+check "need: a linear sensor is missing" needs linearity 'Missing: a linear sensor' cubic 0.5 $exact
+check "need: steadier positions are missing" needs steadiness 'Missing: steadier positions' noisy 0.5 $exact
+check "need: other directions are missing" needs directions '^FAIL: the verdict is no redundancy; .* Missing: positions' repeated 0.5 $exact
 run calibrate "$work/none.1" --positions --need 0
 check "need: must be above 0" [ "$code" -eq 2 ]
 run calibrate "$work/none.1" --positions --need 0.06 --report "$work/need.html"

@@ -32,16 +32,22 @@ static const option options[OPTIONS] = {
 };
 static const option_syntax syntax = {"apply", options, OPTIONS, operands, 2, 0};
 
+#define FAR_MIN 0.1 /* of the field; a median length beyond is not that of a device on earth */
+#define FAR_MAX 10.0
+
 /* How a log is corrected. */
 typedef struct {
     calibration_file file;
     double temperature; /* of all readings; NaN: from the column */
     thermal_correction thermal;
     nonlinear_correction nonlinear;
-    int is_gyro;       /* the log is of the gyroscope alone */
-    reading_unit unit; /* as stated by the header */
-    int is_quiet;      /* no warning of readings outside the calibrated range */
-    int is_left_empty; /* a warning about an empty cell of temperature has been printed */
+    int is_gyro;      /* the log is of the gyroscope alone */
+    recognition seen; /* how the columns were understood */
+    unsigned long rows;
+    unsigned long small; /* rows whose result is shorter than FAR_MIN times the field, */
+    unsigned long large; /* or longer than FAR_MAX times */
+    int is_quiet;        /* no warning of readings outside the calibrated range */
+    int is_left_empty;   /* a warning about an empty cell of temperature has been printed */
 } job;
 
 /* Checks a number, but copies its text, so that a time stamp keeps its digits, unless the unit is
@@ -107,6 +113,9 @@ static int write_accelerometer(FILE *spool, const table *log, const columns *whe
     }
     nonlinear_correction_remove(&j->nonlinear, v);
     invcal_apply(thermal_correction_at(&j->thermal, temperature), v, v);
+    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    j->small += length < FAR_MIN * j->file.gravity;
+    j->large += length > FAR_MAX * j->file.gravity;
     return write_three(spool, log, v);
 }
 
@@ -180,18 +189,59 @@ static int find_columns(table *log, const job *j, columns *where)
     return failure ? failure : columns_find(log, kind, where);
 }
 
-/* Warns if the unit of the readings differs from that of the calibration. Readings of the size of
- * mg may be counts. */
-static void check_unit(const table *log, const job *j)
+/* The calibration of a magnetometer, and columns x y z that are perhaps of an accelerometer: the
+ * unit in their header may be g instead of gauss. Returns 1 if it warned. */
+static int warn_of_other_sensor(const table *log, const job *j)
 {
-    const reading_unit here = j->unit;
+    const reading_unit here = j->seen.unit;
+    const reading_unit there = unit_of_name(j->file.unit);
+    const int is_different = here != UNIT_UNKNOWN && there != UNIT_UNKNOWN && here != there;
+
+    if (!j->file.is_magnetometer || j->seen.sensor == COLUMNS_OF_MAGNETOMETER ||
+        !(is_different || j->seen.states_foreign_unit)) {
+        return 0;
+    }
+    message("warning: %s: the header states readings in %s, but the calibration is of a "
+            "magnetometer, from readings in %s: give it the log of the magnetometer, or convert "
+            "them",
+            log->name,
+            here == UNIT_GAUSS        ? "g, or in gauss"
+            : here == UNIT_MILLIGAUSS ? "mg, or in milligauss"
+            : here == UNIT_UNKNOWN    ? "a unit of another sensor"
+                                      : unit_words(here),
+            unit_words(there));
+    return 1;
+}
+
+/* Warns if the unit of the readings differs from that of the calibration. Readings of the size of
+ * mg may be counts. Returns 1 if so. */
+static int warn_of_unit(const table *log, const job *j)
+{
+    const reading_unit here = j->seen.unit;
     const reading_unit there = unit_of_name(j->file.unit);
     const int may_be_same = (here == UNIT_COUNTS && there == UNIT_MG) || here == there;
 
-    if (here != UNIT_UNKNOWN && there != UNIT_UNKNOWN && !may_be_same && !j->is_gyro) {
-        message("warning: %s: the header states readings in %s, but the calibration was made from "
-                "readings in %s: convert them, or correct the header",
-                log->name, unit_words(here), unit_words(there));
+    if (here == UNIT_UNKNOWN || there == UNIT_UNKNOWN || may_be_same) {
+        return 0;
+    }
+    message("warning: %s: the header states readings in %s, but the calibration was made from "
+            "readings in %s: convert them, or correct the header",
+            log->name, unit_words(here), unit_words(there));
+    return 1;
+}
+
+/* Warns if the result is far from the field, as when the readings are in another unit than those of
+ * the calibration and no header says so. */
+static void check_size(const table *log, const job *j)
+{
+    const unsigned long most = j->rows / 2;
+    const reading_unit there = unit_of_name(j->file.unit);
+
+    if (j->small > most || j->large > most) {
+        message("warning: %s: most corrected readings are %s times the field: the calibration was "
+                "made from readings in %s, and these are in another unit or of another range",
+                log->name, j->small > most ? "less than 0.1" : "more than 10",
+                there == UNIT_UNKNOWN ? "input units" : unit_words(there));
     }
 }
 
@@ -215,22 +265,21 @@ static int check_temperature(const table *log, const columns *where, const job *
 static int write_rows(FILE *spool, table *log, job *j)
 {
     columns where;
-    unsigned long rows = 0;
     int more = 0;
     int failure = find_columns(log, j, &where);
 
     if (failure) {
         return failure;
     }
-    j->unit = where.seen.unit;
+    j->seen = where.seen;
     fprintf(spool, "%s%s%s%s\n", where.index[COLUMN_TIME] >= 0 ? "t," : "",
             j->is_gyro ? "gx,gy,gz" : "x,y,z", has_gyro(&where, j) ? ",gx,gy,gz" : "",
             where.index[COLUMN_TEMPERATURE] >= 0 ? ",temperature" : "");
-    while (!failure && !ferror(spool) && (more = next_row(log, &where, rows)) == 1) {
+    while (!failure && !ferror(spool) && (more = next_row(log, &where, j->rows)) == 1) {
         failure = check_temperature(log, &where, j);
         failure = failure ? failure : columns_check_instance(log, &where);
         failure = failure ? failure : write_row(spool, log, &where, j);
-        rows++;
+        j->rows++;
         progress_show(log->file, log->line, PROGRESS_ROWS);
     }
     progress_end();
@@ -241,7 +290,7 @@ static int write_rows(FILE *spool, table *log, job *j)
         message("a temporary file cannot be written: %s", strerror(errno ? errno : EIO));
         return EXIT_FILE;
     }
-    if (rows == 0) {
+    if (j->rows == 0) {
         message("%s: has a header, but no readings", log->name);
         return EXIT_FILE;
     }
@@ -267,7 +316,9 @@ static int apply(table *log, job *j)
     }
     fclose(spool);
     if (!failure && !j->is_quiet) {
-        check_unit(log, j);
+        if (!j->is_gyro && !warn_of_other_sensor(log, j) && !warn_of_unit(log, j)) {
+            check_size(log, j);
+        }
         if (j->is_gyro && j->file.has_gyro_g) {
             message("warning: %s: the gyroscope's g-sensitivity is not corrected: that needs the "
                     "accelerometer's columns in the same log",
@@ -324,6 +375,7 @@ static int run(int argc, char **argv)
         columns_option_require(COLUMN_TEMPERATURE);
     }
     j.is_left_empty = 0;
+    j.rows = j.small = j.large = 0;
     failure = table_open(&log, files[1]);
     failure = failure ? failure : apply(&log, &j);
     table_close(&log);
@@ -344,9 +396,9 @@ static const char *const help[] = {
     "printed in rad/s; its g-sensitivity, if known, is corrected with the acceleration of the\n"
     "same line. t and temperature are copied (a time in ms, us or ns becomes seconds, a\n"
     "temperature in K or °F becomes °C); other columns are left out. The readings must be in\n"
-    "the unit of the log that CAL.json was made from. Logs of any length are read in constant\n"
-    "memory. The result goes to a temporary file first, and is printed only if every line was\n"
-    "good.\n"
+    "the unit of the log that CAL.json was made from; if most results are not 0.1 to 10 times\n"
+    "the field, there is a warning. Logs of any length are read in constant memory. The result\n"
+    "goes to a temporary file first, and is printed only if every line was good.\n"
     "\n"
     "A calibration made with --thermal needs the column temperature, and corrects each\n"
     "reading at its own. Outside the calibrated range, the calibration at its edge is used,\n"

@@ -275,6 +275,15 @@ int calibrate_refuse(calibrate_result *r, const stand_options *angles, invcal_st
     return EXIT_DATA;
 }
 
+int calibrate_refuse_readings(calibrate_result *r, const char *reason, const char *remedy)
+{
+    refusal *why = begin_refusal(r, status_name(INVCAL_OUT_OF_RANGE), 0);
+
+    snprintf(why->reason, REFUSAL_MAX, "%s", reason);
+    snprintf(why->remedy, REFUSAL_MAX, "%s", remedy);
+    return EXIT_DATA;
+}
+
 int calibrate_refuse_drift(calibrate_result *r)
 {
     refusal *why = begin_refusal(r, status_name(INVCAL_TOO_FEW), (1u << INVCAL_PARAMETERS) - 1);
@@ -330,8 +339,11 @@ int calibrate_refuse_case(calibrate_result *r, invcal_status status)
 
     append(why->reason, REFUSAL_MAX, "--case: %s",
            status == INVCAL_TOO_FEW ? "it states none of the positions that were kept"
-           : r->frame.is_level      ? "the stated axis is nearly opposite to the measured one"
-                                    : "the stated axes do not fit the positions");
+           : r->frame.is_level && status == INVCAL_UNDETERMINED
+               ? "the stated axis is nearly opposite to the measured one"
+           : r->frame.is_level ? "the stated axis did not point up in all of these positions"
+                               : "the stated axes do not fit the positions, or an axis of the "
+                                 "log is inverted or exchanged");
     append(why->remedy, REFUSAL_MAX,
            "state the axes in the order of the log, in a right-handed frame");
     return EXIT_DATA;

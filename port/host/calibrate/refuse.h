@@ -15,6 +15,11 @@
 int calibrate_refuse(calibrate_result *result, const stand_options *angles, invcal_status status,
                      const fit_reason *reason);
 
+/* All readings are too large or too small for what was stated about them.
+ *
+ * reason, remedy  what is wrong, and what to do. */
+int calibrate_refuse_readings(calibrate_result *result, const char *reason, const char *remedy);
+
 /* Too few rests are left without those in which the temperature drifted. */
 int calibrate_refuse_drift(calibrate_result *result);
 

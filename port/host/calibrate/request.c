@@ -15,6 +15,7 @@
 #include "read/samples.h"
 #include "result/need.h"
 #include "result/result.h"
+#include "text/append.h"
 
 static const option options[OPT_COUNT] = {
     [OPT_COLUMNS] = {"--columns", 1},
@@ -73,7 +74,10 @@ static const char *const operands[] = {"LOG"};
 static const option_syntax calibrate_syntax = {"calibrate", options, OPT_COUNT, operands, 1, 0};
 static const option_syntax watch_syntax = {"watch", options, OPT_COUNT, operands, 1, 0};
 
-#define ON_EARTH 0.0027 /* of g, from the equator to the poles */
+#define ON_EARTH 0.0027    /* of g, from the equator to the poles */
+#define LIMIT_MAX 0.5      /* of --tolerance: no sensor needs more */
+#define LIMITS_MAX 400     /* longer than any limits that make sense */
+#define NEED_MAX_RATIO 0.1 /* of --need to the field */
 
 /* Too large for the stack. */
 static design stated_plan;
@@ -643,8 +647,59 @@ static int read_stand(request *r)
     return failure ? failure : check_stand(r);
 }
 
+/* What the unit at the end of a limit is: over the field, or rad; 1 without one, 0 if it is unknown.
+ *
+ * field   its length, if it is an offset's limit that may be in units of gravity; else 0.
+ * digits  out: length of the number. */
+static double limit_unit(const char *text, int is_angle, double field, size_t *digits)
+{
+    static const struct {
+        const char *name;
+        double rad;
+    } angles[] = {{"deg", UNIT_DEGREE}, {"°", UNIT_DEGREE}, {"rad", 1}};
+    display_unit unit = {1, NULL};
+
+    for (unsigned i = 0; i < sizeof angles / sizeof *angles && is_angle; i++) {
+        const char *end = strstr(text, angles[i].name);
+        if (end && strcmp(end, angles[i].name) == 0) {
+            for (*digits = (size_t)(end - text); *digits > 0 && text[*digits - 1] == ' ';) {
+                --*digits;
+            }
+            return angles[i].rad;
+        }
+    }
+    const need_ending ending = need_parse(text, field, digits, &unit);
+    return ending == NEED_PLAIN ? 1 : ending == NEED_UNIT ? 1 / unit.scale : 0;
+}
+
+/* Separates the units of "50mg,3%,2deg" from the numbers. Returns 1; 0 if a unit is unknown. */
+static int split_limits(const request *r, char numbers[LIMITS_MAX], double units[3])
+{
+    const double field = r->value[OPT_MAGNETOMETER] ? 0 : r->settings.field;
+    const char *rest = r->value[OPT_TOLERANCE];
+    char item[LIMITS_MAX];
+
+    numbers[0] = '\0';
+    for (unsigned i = 0; rest; i++) {
+        size_t digits = strcspn(rest, ",");
+        const int is_last = rest[digits] == '\0';
+        snprintf(item, sizeof item, "%.*s", (int)digits, rest);
+        rest = is_last ? NULL : rest + digits + 1;
+        if (i < 3 && *item != '\0') {
+            units[i] = limit_unit(item, i == 2, i == 0 ? field : 0, &digits);
+            if (!(units[i] > 0)) {
+                return 0;
+            }
+        }
+        append(numbers, LIMITS_MAX, "%.*s%s", (int)digits, item, is_last ? "" : ",");
+    }
+    return 1;
+}
+
 static int read_tolerance(request *r)
 {
+    char numbers[LIMITS_MAX];
+    double units[3] = {1, 1, 1};
     int failure = EXIT_GOOD;
 
     if (!r->value[OPT_TOLERANCE]) {
@@ -655,31 +710,61 @@ static int read_tolerance(request *r)
                              "needs the nominal calibration: state --sensor, --unit, --zero and "
                              "--lsb, or --nominal");
     }
-    failure =
-        options_numbers(r->syntax, OPT_TOLERANCE, r->value[OPT_TOLERANCE], 3, r->tolerance, NULL);
-    for (unsigned i = 0; i < 3 && !failure; i++) {
+    const int is_split = split_limits(r, numbers, units);
+    if (is_split) {
+        failure = options_numbers(r->syntax, OPT_TOLERANCE, numbers, 3, r->tolerance, NULL);
+    }
+    for (unsigned i = 0; i < 3 && is_split && !failure; i++) {
+        r->tolerance[i] *= units[i];
         failure = r->tolerance[i] > 0 ? EXIT_GOOD
                                       : request_usage(r, OPT_TOLERANCE, "a limit must be above 0");
     }
+    if (!failure && !(is_split && r->tolerance[0] < LIMIT_MAX && r->tolerance[1] < LIMIT_MAX &&
+                      r->tolerance[2] < LIMIT_MAX)) {
+        failure = message_usage(
+            r->syntax->command,
+            "--tolerance %s: offsets are over the field (0.05 is 50 mg), scale errors as ratios "
+            "(0.03 is 3 %%), angles in rad, each below %.1f; or state the units, as 50mg,3%%,2deg",
+            r->value[OPT_TOLERANCE], LIMIT_MAX);
+    }
     return failure;
+}
+
+/* A need that every sensor meets is one in another unit. */
+static int check_need(const request *r, need_ending ending)
+{
+    const int is_of_readings = r->value[OPT_MAGNETOMETER] && !r->value[OPT_GRAVITY];
+
+    if (!(r->need > 0)) {
+        return request_usage(r, OPT_NEED, "must be above 0: the acceptable error of lengths");
+    }
+    if (r->need <= NEED_MAX_RATIO * r->settings.field || (is_of_readings && ending == NEED_PLAIN)) {
+        return EXIT_GOOD;
+    }
+    return message_usage(
+        r->syntax->command, "--need %s: is more than a tenth of the field%s", r->value[OPT_NEED],
+        ending == NEED_PLAIN && !r->value[OPT_MAGNETOMETER] ? ": state the unit, as 2mg" : "");
 }
 
 static int read_need(request *r)
 {
     const char *text = r->value[OPT_NEED];
+    const int is_magnetometer = r->value[OPT_MAGNETOMETER] != NULL;
     char number[64];
     size_t digits;
 
     if (!text) {
         return EXIT_GOOD;
     }
-    const need_ending ending = need_parse(text, r->value[OPT_MAGNETOMETER] ? 0 : r->settings.field,
-                                          &digits, &r->need_unit);
+    const need_ending ending =
+        need_parse(text, is_magnetometer ? 0 : r->settings.field, &digits, &r->need_unit);
     if (ending == NEED_NO_UNIT) {
         return message_usage(r->syntax->command,
-                             "--need %s: must end with mg, g, ug, m/s2 or %%, or be a number in "
-                             "the unit of --gravity",
-                             text);
+                             "--need %s: must be a number followed by %s, or a number in the unit "
+                             "of %s",
+                             text, is_magnetometer ? "%" : "mg, g, ug, m/s2 or %",
+                             is_magnetometer && !r->value[OPT_GRAVITY] ? "the readings"
+                                                                       : "--gravity");
     }
     if (ending == NEED_NO_GRAVITY) {
         return message_usage(r->syntax->command,
@@ -693,10 +778,7 @@ static int read_need(request *r)
     snprintf(number, sizeof number, "%.*s", (int)fmin((double)digits, sizeof number - 1), text);
     const int failure = options_numbers(r->syntax, OPT_NEED, number, 1, &r->need, NULL);
     r->need *= r->settings.field / r->need_unit.scale;
-    return failure ? failure
-           : r->need > 0
-               ? EXIT_GOOD
-               : request_usage(r, OPT_NEED, "must be above 0: the acceptable error of lengths");
+    return failure ? failure : check_need(r, ending);
 }
 
 /* The record. Its texts are in the order of the options. */

@@ -21,9 +21,11 @@ int resolve_nominal(const request *r, calibrate_result *result);
 /* The limits of the parameters: --tolerance, or the data sheet. */
 void resolve_limits(const request *r, calibrate_result *result);
 
-/* Checks that --lsb is not inverted: counts per g instead of field units per count. Returns
- * EXIT_GOOD, also if it is wrong otherwise; EXIT_USAGE after a message. */
-int resolve_check_scale(const request *r, const positions *data, const nominal_choice *nominal);
+/* Checks --lsb and the unit by the size of the readings. A scale by which they are not 1/1.5 to 1.5
+ * times the field is refused; a unit only if another one fits, or if they are not 0.1 to 10 times.
+ * Returns EXIT_GOOD, also if the positions are too few to show it; EXIT_USAGE after a message about
+ * --lsb; EXIT_DATA with result->refused filled in. */
+int resolve_check_size(const request *r, calibrate_result *result);
 
 /* Zero and scale of a magnetometer, before its log is read. Without a stated scale, it is 1 and the
  * result is in the unit of the readings. Returns EXIT_GOOD; EXIT_FILE after a message. */

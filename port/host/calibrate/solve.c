@@ -233,7 +233,7 @@ int solve_positions(const request *r, const positions *data, const gyro_log *gyr
 {
     int failure = stand_check(&r->stand, data);
     failure = failure ? failure : resolve_nominal(r, result);
-    failure = failure ? failure : resolve_check_scale(r, data, &result->nominal);
+    failure = failure ? failure : resolve_check_size(r, result);
     result->settings.nominal = fit_over_field(&result->nominal.calibration, r->settings.field);
     failure = failure ? failure : resolve_noise(r, data, result);
     failure = failure                 ? failure

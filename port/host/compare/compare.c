@@ -83,6 +83,19 @@ static int read_request(int argc, char **argv, request *r)
     return failure ? failure : check_files(r);
 }
 
+/* --as history: whether they really are of one device. */
+static void warn_of_serials(const compare_result *r)
+{
+    char list[COMPARE_NAME_MAX];
+    char text[COMPARE_NAME_MAX];
+    const unsigned count = compare_serials(r, 0, list);
+
+    if (count > 1) {
+        message("warning: --as history, but the files name %u serial numbers: %s", count,
+                compare_cut(list, 60, text));
+    }
+}
+
 static int print(const request *r, const compare_result *result)
 {
     if (r->value[JSON]) {
@@ -119,6 +132,9 @@ static int compare(int argc, char **argv, request *r)
     result.is_same_field = r->value[SAME_FIELD] != NULL;
     failure =
         failure ? failure : compare_read(&result, r->paths, r->grouping, r->value[JSON] != NULL);
+    if (!failure && r->grouping == COMPARE_HISTORY && !r->value[QUIET]) {
+        warn_of_serials(&result);
+    }
     failure = failure ? failure : deliver(r, &result);
     compare_release(&result);
     return failure;
@@ -144,16 +160,18 @@ static const char *const help[] = {
     "Compares calibrations written by invcal calibrate --out. Those with one serial number\n"
     "(--serial) are the history of a device, in the order of their dates, or of the arguments\n"
     "if a date is missing: how far each parameter has drifted since the previous calibration,\n"
-    "with its sigma, and whether the drift is significant. Several serial numbers are a\n"
-    "fleet: median and spread of the newest calibrations, and which device is an outlier. Two\n"
-    "files without serial numbers are a history.\n"
+    "and, of three or more, since the first, with its sigma, and whether the drift is\n"
+    "significant. Several serial numbers are a fleet: median and spread of the newest\n"
+    "calibrations, and which device is an outlier, of three or more. Two files without serial\n"
+    "numbers are a history.\n"
     "\n"
     "Drift is defined like the errors of invcal calibrate, with the older calibration as the\n"
     "nominal one. A parameter has changed if chance alone would change any of the nine by as\n"
-    "much in at most 5 % of cases (Student's t, Welch's degrees of freedom, Bonferroni). A\n"
-    "device is an outlier if Rosner's generalised ESD test finds it; in a fleet of equal\n"
-    "devices, it finds any, in any parameter, in 5 % of cases. Files of different frames,\n"
-    "units or fields are refused.\n"
+    "much in at most 5 % of cases (Student's t, Welch's degrees of freedom, Bonferroni; of\n"
+    "three calibrations, half of it for each of the two comparisons). A device is an outlier\n"
+    "if Rosner's generalised ESD test finds it; in a fleet of equal devices, it finds any, in\n"
+    "any parameter, in 5 % of cases. Files of different frames, units, fields, or sensors and\n"
+    "ranges (if both state them) are refused.\n"
     "\n"
     "  --as serial|history|fleet\n"
     "                      serial (default): files with one serial number are of one device;\n"

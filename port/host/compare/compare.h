@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * compare/compare.h: comparison of calibrations: drift of a device since its last one, and outliers
- * among devices.
+ * compare/compare.h: comparison of calibrations: drift of a device since its previous and since its
+ * first one, and outliers among devices.
  */
 #ifndef COMPARE_H
 #define COMPARE_H
@@ -31,16 +31,11 @@ typedef struct {
     unsigned argument;               /* position of the file among the arguments, from 0 */
 } compare_item;
 
-/* The calibrations of one device, oldest first. */
+/* From one calibration to a later one of the same device: deviations as in invcal calibrate, with
+ * the older one as nominal. */
 typedef struct {
-    unsigned first; /* item */
-    unsigned count;
-    int is_dated; /* all have a date: in the order of these, else of the arguments */
-} compare_device;
-
-/* From one calibration to the next of the same device: deviations as in invcal calibrate, with the
- * older one as nominal. */
-typedef struct {
+    const compare_item *before;
+    const compare_item *now;
     double x[INVCAL_PARAMETERS]; /* offsets over the field, scale errors, angles (rad) */
     double sigma[INVCAL_PARAMETERS];
     double half_width[INVCAL_PARAMETERS]; /* of the 95 % interval of x */
@@ -48,6 +43,14 @@ typedef struct {
     double chance[INVCAL_PARAMETERS]; /* of at least that much if nothing changed; NaN: unknown */
     uint16_t changed;                 /* bit p: significantly */
 } compare_drift;
+
+/* The calibrations of one device, oldest first. */
+typedef struct {
+    unsigned first; /* item */
+    unsigned count;
+    int is_dated;        /* all have a date: in the order of these, else of the arguments */
+    compare_drift whole; /* from the first to the newest; of three or more: small steps add up */
+} compare_device;
 
 /* Statistics of the x of all devices, from their newest calibrations. */
 typedef struct {
@@ -97,7 +100,9 @@ void compare_release(compare_result *r);
 
 /* ---- drift.c, fleet.c: the arithmetic ---- */
 
-compare_drift compare_drift_of(const compare_item *before, const compare_item *now, double field);
+/* `tests`: how many such comparisons share the false alarms: 1, or 2 with compare_device.whole. */
+compare_drift compare_drift_of(const compare_item *before, const compare_item *now, double field,
+                               unsigned tests);
 
 /* Finds the outliers among n values, 3 or more: Rosner's generalised ESD test, at most a quarter of
  * them.
@@ -110,6 +115,9 @@ unsigned compare_outliers(const double *x, unsigned n, double alarm, unsigned *w
 
 /* Computes r->fleet. Returns 0 if there is not enough memory. */
 int compare_fleet_find(compare_result *r);
+
+/* Fills r->drift and r->device[].whole. */
+void compare_drifts_find(compare_result *r);
 
 /* The newest calibration of a device. */
 const compare_item *compare_newest(const compare_result *r, unsigned device);
@@ -125,19 +133,28 @@ display_unit compare_value_unit(const compare_result *r, unsigned p, char name[C
  * characters are replaced by '?'. Returns text. */
 const char *compare_cut(const char *from, unsigned columns, char text[COMPARE_NAME_MAX]);
 
-/* "serial 47", or the name of the file; of `columns` characters at most. Returns text. */
-const char *compare_device_name(const compare_item *item, unsigned columns,
+/* The different serial numbers of a device's calibrations, as a list. Returns how many. */
+unsigned compare_serials(const compare_result *r, unsigned device, char text[COMPARE_NAME_MAX]);
+
+/* "serial 47", or the name of the newest file; of `columns` characters at most. Returns text. */
+const char *compare_device_name(const compare_result *r, unsigned device, unsigned columns,
                                 char text[COMPARE_NAME_MAX]);
 const char *compare_file_name(const compare_item *item, unsigned columns,
                               char text[COMPARE_NAME_MAX]);
 
+/* The number of a calibration in the history of its device, from 1. */
+unsigned compare_number(const compare_result *r, const compare_item *item);
+
 /* The date of an item, or "". */
 const char *compare_date(const compare_item *item);
 
+/* Whether a device has changed since its previous or since its first calibration. */
+int compare_has_changed(const compare_result *r, unsigned device);
+
 /* The verdict. */
-typedef enum { COMPARE_STEADY, COMPARE_UNKNOWN, COMPARE_STANDS_OUT } compare_outcome;
-compare_outcome compare_judge(const compare_result *r);
-const char *compare_word(const compare_result *r);
+typedef enum { COMPARE_STEADY, COMPARE_UNKNOWN, COMPARE_DIFFERENT } compare_outcome;
+compare_outcome compare_verdict(const compare_result *r);
+const char *compare_verdict_word(const compare_result *r);
 const char *compare_sentence(const compare_result *r, char text[COMPARE_TEXT_MAX]);
 const char *compare_next(const compare_result *r);
 

@@ -26,13 +26,11 @@ static void write_item(json_writer *w, const compare_item *item)
     json_object_end(w);
 }
 
-static void write_drift(json_writer *w, const compare_result *r, unsigned k)
+static void write_drift(json_writer *w, const char *name, const compare_drift *d)
 {
-    const compare_drift *d = &r->drift[k];
-
-    json_object(w, NULL);
-    json_text(w, "from", r->item[k - 1].path);
-    json_text(w, "to", r->item[k].path);
+    json_object(w, name);
+    json_text(w, "from", d->before->path);
+    json_text(w, "to", d->now->path);
     json_nine(w, "drift", d->x);
     json_nine(w, "sigma", d->sigma);
     json_nine(w, "interval95", d->half_width);
@@ -45,11 +43,11 @@ static void write_device(json_writer *w, const compare_result *r, unsigned devic
 {
     const compare_device *d = &r->device[device];
     const compare_item *newest = compare_newest(r, device);
-    const char *serial = newest->record.text[RECORD_SERIAL];
+    char serials[COMPARE_NAME_MAX];
 
     json_object(w, NULL);
-    if (*serial != '\0') {
-        json_text(w, "serial", serial);
+    if (compare_serials(r, device, serials) == 1) {
+        json_text(w, "serial", serials);
     }
     json_list(w, "calibrations");
     for (unsigned k = d->first; k < d->first + d->count; k++) {
@@ -58,9 +56,12 @@ static void write_device(json_writer *w, const compare_result *r, unsigned devic
     json_list_end(w);
     json_list(w, "drifts");
     for (unsigned k = d->first + 1; k < d->first + d->count; k++) {
-        write_drift(w, r, k);
+        write_drift(w, NULL, &r->drift[k]);
     }
     json_list_end(w);
+    if (d->count > 2) {
+        write_drift(w, "since_first", &d->whole);
+    }
     if (r->devices > 1) {
         double away[INVCAL_PARAMETERS];
         for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {

@@ -44,19 +44,18 @@ static void add_item(const compare_result *r, unsigned k, unsigned number)
     tabular_row();
 }
 
-static void add_drift(const compare_result *r, unsigned k, unsigned p)
+static void add_drift(const compare_result *r, const compare_drift *d, unsigned p)
 {
-    const compare_drift *d = &r->drift[k];
     char name[COMPARE_NAME_MAX];
     char text[FIGURE_MAX];
     const display_unit value = compare_value_unit(r, p, name);
     const display_unit drift = compare_drift_unit(r, p);
     const double sigma = drift.scale * d->sigma[p];
-    const double per = value.scale * r->item[k].sigma[p];
+    const double per = value.scale * d->now->sigma[p];
 
     tabular_cell("%s", parameter_words(p));
-    tabular_cell("%s", digits(value.scale * r->item[k - 1].x[p], per, FIGURE_PLAIN, text));
-    tabular_cell("%s", digits(value.scale * r->item[k].x[p], per, FIGURE_PLAIN, text));
+    tabular_cell("%s", digits(value.scale * d->before->x[p], per, FIGURE_PLAIN, text));
+    tabular_cell("%s", digits(value.scale * d->now->x[p], per, FIGURE_PLAIN, text));
     tabular_cell("%s", digits(drift.scale * d->x[p], sigma, FIGURE_SIGNED, text));
     tabular_cell("± %s", digits(sigma, sigma, FIGURE_PLAIN, text));
     tabular_cell("%s", isfinite(d->in_sigma[p])
@@ -66,13 +65,11 @@ static void add_drift(const compare_result *r, unsigned k, unsigned p)
     tabular_row();
 }
 
-static void print_drift(FILE *file, const compare_result *r, unsigned k)
+static void print_drift(FILE *file, const compare_result *r, const compare_drift *d)
 {
-    const unsigned first = r->device[r->item[k].device].first;
-
     putc('\n', file);
     tabular_begin(file, "lrrrlr");
-    tabular_cell("%u to %u", k - first, k - first + 1);
+    tabular_cell("%u to %u", compare_number(r, d->before), compare_number(r, d->now));
     tabular_cell("before");
     tabular_cell("now");
     tabular_cell("drift");
@@ -80,7 +77,7 @@ static void print_drift(FILE *file, const compare_result *r, unsigned k)
     tabular_cell("in sigma");
     tabular_row_in(PAINT_BOLD);
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
-        add_drift(r, k, p);
+        add_drift(r, d, p);
     }
     tabular_end();
 }
@@ -90,16 +87,18 @@ static void print_history(FILE *file, const compare_result *r, unsigned device)
     const compare_device *d = &r->device[device];
     char name[COMPARE_NAME_MAX];
 
-    wrapped_printf(file, 0, "%s: %u calibrations, by %s",
-                   compare_device_name(compare_newest(r, device), 40, name), d->count,
-                   d->is_dated ? "date" : "the order of the files");
+    wrapped_printf(file, 0, "%s: %u calibrations, by %s", compare_device_name(r, device, 40, name),
+                   d->count, d->is_dated ? "date" : "the order of the files");
     tabular_begin(file, "rll");
     for (unsigned k = 0; k < d->count; k++) {
         add_item(r, d->first + k, k + 1);
     }
     tabular_end();
     for (unsigned k = 1; k < d->count; k++) {
-        print_drift(file, r, d->first + k);
+        print_drift(file, r, &r->drift[d->first + k]);
+    }
+    if (d->count > 2) {
+        print_drift(file, r, &d->whole);
     }
     fprintf(file, "\n");
 }
@@ -108,9 +107,7 @@ static void print_history(FILE *file, const compare_result *r, unsigned device)
 static void print_histories(FILE *file, const compare_result *r)
 {
     for (unsigned k = 0; k < r->devices; k++) {
-        const compare_device *d = &r->device[k];
-        const int has_changed = d->count > 1 && r->drift[d->first + d->count - 1].changed != 0;
-        if (d->count > 1 && (has_changed || r->devices <= DEVICES_LISTED)) {
+        if (r->device[k].count > 1 && (compare_has_changed(r, k) || r->devices <= DEVICES_LISTED)) {
             print_history(file, r, k);
         }
     }
@@ -140,7 +137,7 @@ static void add_fleet(const compare_result *r, unsigned p)
         "%s", digits(value.scale * f->median[p], value.scale * f->spread[p], FIGURE_PLAIN, text));
     tabular_cell("%s", short_digits(f->spread[p] / per, text));
     tabular_cell("%s", short_digits(f->deviation[p] / per, text));
-    tabular_cell("%s", compare_device_name(compare_newest(r, far), 18, name));
+    tabular_cell("%s", compare_device_name(r, far, 18, name));
     tabular_cell("%s", isfinite(away) ? figure_fixed(away, 1, FIGURE_SIGNED, text) : "?");
     tabular_note("%s", f->outliers[far] >> p & 1 ? "outside" : "");
     tabular_row();
@@ -155,10 +152,10 @@ static void print_outlier(FILE *file, const compare_result *r, unsigned device, 
     char name[COMPARE_NAME_MAX];
     char text[FIGURE_MAX];
 
-    wrapped_printf(file, 4, "%sOutlier:%s %s, %s: %s%s %s from the median",
-                   paint_on(file, PAINT_RED), paint_off(file), compare_device_name(item, 20, name),
-                   parameter_words(p), drift.scale * away > 0 ? "+" : "",
-                   figure_digits(drift.scale * away, 3, text), drift.unit);
+    wrapped_printf(
+        file, 4, "%sOutlier:%s %s, %s: %s%s %s from the median", paint_on(file, PAINT_RED),
+        paint_off(file), compare_device_name(r, device, 20, name), parameter_words(p),
+        drift.scale * away > 0 ? "+" : "", figure_digits(drift.scale * away, 3, text), drift.unit);
 }
 
 static void print_fleet(FILE *file, const compare_result *r)
@@ -234,8 +231,8 @@ void compare_print(FILE *file, const compare_result *r)
     if (r->devices > 1) {
         wrapped_line(file, 0, 0, compare_fleet_rule());
     }
-    snprintf(word, sizeof word, "%s:", compare_word(r));
-    fprintf(file, "\n%s%s%s ", paint_on(file, colour[compare_judge(r)]), word, paint_off(file));
+    snprintf(word, sizeof word, "%s:", compare_verdict_word(r));
+    fprintf(file, "\n%s%s%s ", paint_on(file, colour[compare_verdict(r)]), word, paint_off(file));
     wrapped_line(file, strlen(word) + 1, 0, compare_sentence(r, text));
     fprintf(file, "Next: ");
     wrapped_line(file, 6, 0, compare_next(r));

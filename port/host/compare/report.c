@@ -27,9 +27,10 @@ static void write_verdict(page *p, const compare_result *r)
     static const page_severity severity[] = {PAGE_GOOD, PAGE_CAUTION, PAGE_CAUTION};
     char word[64];
     char text[COMPARE_TEXT_MAX];
-    const compare_outcome outcome = compare_judge(r);
+    const compare_outcome outcome = compare_verdict(r);
 
-    snprintf(word, sizeof word, "%s %s", outcome == COMPARE_STEADY ? "✓" : "!", compare_word(r));
+    snprintf(word, sizeof word, "%s %s", outcome == COMPARE_STEADY ? "✓" : "!",
+             compare_verdict_word(r));
     page_verdict(p, severity[outcome], word, compare_sentence(r, text), compare_next(r));
 }
 
@@ -55,10 +56,10 @@ static void write_items(page *p, const compare_result *r, const compare_device *
     page_table_end(p);
 }
 
-static void write_drift_row(page *p, const page_table *sheet, const compare_result *r, unsigned k,
-                            unsigned q)
+static void write_drift_row(page *p, const page_table *sheet, const compare_result *r,
+                            const compare_drift *d, unsigned q)
 {
-    const compare_drift *d = &r->drift[k];
+    const compare_item *const item[2] = {d->before, d->now};
     char name[COMPARE_NAME_MAX];
     char text[4][FIGURE_MAX + 64];
     char number[FIGURE_MAX];
@@ -74,8 +75,8 @@ static void write_drift_row(page *p, const page_table *sheet, const compare_resu
 
     for (unsigned i = 0; i < 2; i++) {
         snprintf(text[i], sizeof text[i], "%s",
-                 digits(value.scale * r->item[k - 1 + i].x[q], value.scale * r->item[k].sigma[q],
-                        FIGURE_PLAIN, number));
+                 digits(value.scale * item[i]->x[q], value.scale * d->now->sigma[q], FIGURE_PLAIN,
+                        number));
     }
     snprintf(text[2], sizeof text[2], "%s %s",
              figure_with_sigma(drift.scale * d->x[q], drift.scale * d->half_width[q], FIGURE_SIGNED,
@@ -87,22 +88,21 @@ static void write_drift_row(page *p, const page_table *sheet, const compare_resu
     page_cells(p, sheet, cells);
 }
 
-static void write_drift(page *p, const compare_result *r, unsigned k)
+static void write_drift(page *p, const compare_result *r, const compare_drift *d)
 {
     static const char *const headings[DRIFT_COLUMNS] = {"parameter", "before", "now",
                                                         "drift",     "in σ",   "remark"};
     char caption[COMPARE_NAME_MAX + 64];
     char offset[COMPARE_NAME_MAX];
     const page_table sheet = {caption, headings, DRIFT_COLUMNS, 1u << 5};
-    const unsigned first = r->device[r->item[k].device].first;
 
     (void)compare_value_unit(r, INVCAL_DELTA_X, offset);
     snprintf(caption, sizeof caption,
-             "From %u to %u. Offsets before and now in %s; ± of the drift: 95 %%.", k - first,
-             k - first + 1, offset);
+             "From %u to %u. Offsets before and now in %s; ± of the drift: 95 %%.",
+             compare_number(r, d->before), compare_number(r, d->now), offset);
     page_table_begin(p, &sheet);
     for (unsigned q = 0; q < INVCAL_PARAMETERS; q++) {
-        write_drift_row(p, &sheet, r, k, q);
+        write_drift_row(p, &sheet, r, d, q);
     }
     page_table_end(p);
 }
@@ -118,15 +118,17 @@ static void write_history(page *p, const compare_result *r, unsigned device)
     char name[COMPARE_NAME_MAX];
     char heading[COMPARE_NAME_MAX + 16];
 
-    snprintf(heading, sizeof heading, "Drift of %s",
-             compare_device_name(compare_newest(r, device), 60, name));
+    snprintf(heading, sizeof heading, "Drift of %s", compare_device_name(r, device, 60, name));
     page_section(p, heading);
     write_items(p, r, d);
     for (picture.kind = 0; picture.kind < 3; picture.kind++) {
         page_picture(p, captions[picture.kind], compare_draw_history, &picture);
     }
     for (unsigned k = 1; k < d->count; k++) {
-        write_drift(p, r, d->first + k);
+        write_drift(p, r, &r->drift[d->first + k]);
+    }
+    if (d->count > 2) {
+        write_drift(p, r, &d->whole);
     }
 }
 
@@ -134,9 +136,7 @@ static void write_history(page *p, const compare_result *r, unsigned device)
 static void write_histories(page *p, const compare_result *r)
 {
     for (unsigned k = 0; k < r->devices; k++) {
-        const compare_device *d = &r->device[k];
-        if (d->count > 1 &&
-            (r->devices <= DEVICES_SHOWN || r->drift[d->first + d->count - 1].changed != 0)) {
+        if (r->device[k].count > 1 && (r->devices <= DEVICES_SHOWN || compare_has_changed(r, k))) {
             write_history(p, r, k);
         }
     }
@@ -168,7 +168,7 @@ static void write_fleet_row(page *p, const page_table *sheet, const compare_resu
              drift.unit);
     snprintf(text[2], sizeof text[2], "%s %s", figure_digits(f->deviation[q] / per, 3, number),
              drift.unit);
-    compare_device_name(compare_newest(r, far), 30, device);
+    compare_device_name(r, far, 30, device);
     snprintf(text[3], sizeof text[3], "%s%s %s", drift.scale * away > 0 ? "+" : "",
              figure_digits(drift.scale * away, 3, number), drift.unit);
     page_cells(p, sheet, cells);
@@ -187,7 +187,7 @@ static void write_outliers(page *p, const compare_result *r)
     for (unsigned k = 0; k < r->devices; k++) {
         const compare_item *item = compare_newest(r, k);
         for (unsigned q = 0; q < INVCAL_PARAMETERS; q++) {
-            const char *const cells[OUTLIER_COLUMNS] = {compare_device_name(item, 40, name),
+            const char *const cells[OUTLIER_COLUMNS] = {compare_device_name(r, k, 40, name),
                                                         parameter_words(q), text[0], text[1]};
             const display_unit drift = compare_page_unit(r, q);
             const double away = item->x[q] - r->fleet.median[q];
@@ -273,9 +273,8 @@ static void title_of(const compare_result *r, char *text, size_t size)
         snprintf(text, size, "%u devices compared", r->devices);
     } else {
         snprintf(text, size, "Calibrations of %s compared",
-                 *compare_newest(r, 0)->record.text[RECORD_SERIAL] != '\0'
-                     ? compare_device_name(compare_newest(r, 0), 60, name)
-                     : "a device");
+                 compare_serials(r, 0, name) > 0 ? compare_device_name(r, 0, 60, name)
+                                                 : "a device");
     }
 }
 
@@ -283,11 +282,14 @@ void compare_report(FILE *file, const compare_result *r)
 {
     char title[COMPARE_NAME_MAX + 64];
     char head[RECORD_LINE_MAX];
+    char serials[COMPARE_NAME_MAX];
     page p;
 
     title_of(r, title, sizeof title);
     page_begin_headed(&p, file, title,
-                      r->devices > 1 ? "" : record_line(&compare_newest(r, 0)->record, head));
+                      r->devices > 1 || compare_serials(r, 0, serials) > 1
+                          ? ""
+                          : record_line(&compare_newest(r, 0)->record, head));
     write_verdict(&p, r);
     if (r->devices > 1) {
         write_fleet(&p, r);

@@ -17,12 +17,17 @@
 #define REASON_MAX 600
 #define FIELD_TOLERANCE 1e-6 /* relative, of two statements of one field */
 #define FIELD_RATIO_MAX 4.0  /* of the earth's magnetic field at two places */
+#define SCALE_RATIO_MAX 1.25 /* of nominal scales: more than any tolerance, less than two ranges */
 
 /* The first file, with which the others must agree. */
 typedef struct {
     calibration_file file;
     const char *path;
-    double temperature; /* at which thermal calibrations are compared */
+    double temperature;                 /* at which thermal calibrations are compared */
+    char sensor[CALIBRATION_FILE_WORD]; /* the first that is stated, */
+    const char *sensor_path;            /* and by which file; null: none so far */
+    double lsb[3];                      /* the same of the nominal scales */
+    const char *lsb_path;
     compare_result *result;
     int json;
 } reference; /* large: not for the stack */
@@ -60,6 +65,56 @@ static int is_one_field(const calibration_file *a, const calibration_file *b)
            (a->is_magnetometer && b->is_magnetometer && ratio < FIELD_RATIO_MAX &&
             ratio > 1 / FIELD_RATIO_MAX) ||
            fabs(ratio - 1) <= FIELD_TOLERANCE;
+}
+
+/* A nominal that is not stated is no reason to refuse. */
+static int check_sensor(reference *x, const calibration_file *f, const char *path)
+{
+    if (*f->sensor == '\0') {
+        return EXIT_GOOD;
+    }
+    if (!x->sensor_path) {
+        memcpy(x->sensor, f->sensor, sizeof x->sensor);
+        x->sensor_path = path;
+    }
+    if (strcmp(f->sensor, x->sensor) == 0) {
+        return EXIT_GOOD;
+    }
+    x->path = x->sensor_path;
+    return refuse(x, path,
+                  "they were made with --sensor %s and %s; compare only one sensor in one range",
+                  f->sensor, x->sensor);
+}
+
+static double greatest_ratio(const double a[3], const double b[3])
+{
+    double max = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        max = fmax(max, fmax(fabs(a[i] / b[i]), fabs(b[i] / a[i])));
+    }
+    return max;
+}
+
+/* The same of the scale. The axes of an earlier calibration with cross terms may be others. */
+static int check_scale(reference *x, const calibration_file *f, const char *path)
+{
+    if (!(isfinite(f->lsb[0]) && isfinite(f->lsb[1]) && isfinite(f->lsb[2])) ||
+        f->has_cross_terms) {
+        return EXIT_GOOD;
+    }
+    if (!x->lsb_path) {
+        memcpy(x->lsb, f->lsb, sizeof x->lsb);
+        x->lsb_path = path;
+    }
+    if (greatest_ratio(f->lsb, x->lsb) <= SCALE_RATIO_MAX) {
+        return EXIT_GOOD;
+    }
+    x->path = x->lsb_path;
+    return refuse(x, path,
+                  "their nominal scales are %.6g,%.6g,%.6g and %.6g,%.6g,%.6g; compare only one "
+                  "sensor in one range",
+                  f->lsb[0], f->lsb[1], f->lsb[2], x->lsb[0], x->lsb[1], x->lsb[2]);
 }
 
 /* Thermal calibrations are compared at one temperature. */
@@ -167,6 +222,8 @@ static int read_one(reference *x, const char *path, unsigned k)
         x->temperature = file.thermal.reference;
     }
     failure = check(x, &file, path);
+    failure = failure ? failure : check_sensor(x, &file, path);
+    failure = failure ? failure : check_scale(x, &file, path);
     return failure ? failure : fill_item(x, &file, path, &x->result->item[k]);
 }
 
@@ -257,11 +314,6 @@ static void sort_items(compare_result *r)
     for (unsigned k = 0; k < r->count; k += r->device[r->devices - 1].count) {
         add_device(r, k);
     }
-    for (unsigned k = 1; k < r->count; k++) {
-        if (r->item[k].device == r->item[k - 1].device) {
-            r->drift[k] = compare_drift_of(&r->item[k - 1], &r->item[k], r->field);
-        }
-    }
 }
 
 static int find(compare_result *r, compare_grouping grouping)
@@ -272,6 +324,7 @@ static int find(compare_result *r, compare_grouping grouping)
         return failure;
     }
     sort_items(r);
+    compare_drifts_find(r);
     if (r->devices > 1 && !compare_fleet_find(r)) {
         message("not enough memory for %u devices", r->devices);
         return EXIT_FILE;

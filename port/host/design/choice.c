@@ -139,7 +139,7 @@ static void refuse(choice *c, const choice_request *request, unsigned allowed)
 }
 
 /* The better of two sets that are both found. */
-static unsigned better(const choice *c, const choice_request *request)
+static unsigned better_set(const choice *c, const choice_request *request)
 {
     const criteria *stand_set = &c->set[CHOICE_STAND]->criteria;
     const criteria *free_set = &c->set[CHOICE_FREE]->criteria;
@@ -165,7 +165,7 @@ int choice_make(choice *c, const choice_request *request)
         }
     }
     if (c->is_found[CHOICE_STAND] && c->is_found[CHOICE_FREE]) {
-        c->chosen = better(c, request);
+        c->chosen = better_set(c, request);
     } else {
         c->chosen = c->is_found[CHOICE_STAND] ? CHOICE_STAND : CHOICE_FREE;
     }

@@ -39,7 +39,7 @@ void program_visit(program *p, unsigned position, const double up[3]);
 /* Zero and scale by least squares, assuming that the first rests were at the first positions, in
  * order: mean = zero + length * vertical. For readings with an unknown zero.
  *
- * mean    3 count numbers, input units.
+ * mean    3 * count numbers, input units.
  * count   from 2 to that of the set.
  * length  of the field, input units.
  *

@@ -15,7 +15,7 @@ static int is_near(double a, double b)
 }
 
 /* A face, an edge or a corner of the cube: components are 0 or of one length. */
-static int is_of_cube(const invcal_real up[3])
+static int is_cube_direction(const invcal_real up[3])
 {
     double squares = 0;
 
@@ -37,7 +37,7 @@ const char *turns_up_words(const invcal_real up[3], char text[TURNS_UP_MAX])
     char axes[AXES_MAX] = "";
     unsigned named = 0;
 
-    if (!is_of_cube(up)) {
+    if (!is_cube_direction(up)) {
         snprintf(text, TURNS_UP_MAX, "%s", invcal_words(up, words));
         return text;
     }
@@ -100,7 +100,7 @@ const char *turns_words(const invcal_turn *turn, const invcal_real from[3],
                  vertical > 0 ? "left" : "right");
     } else if (axis > 2) {
         snprintf(text, TURNS_WORDS_MAX, "%s: %s", up, turned);
-    } else if (turn->degrees < 180 - NEAR && is_of_cube(turn->up)) {
+    } else if (turn->degrees < 180 - NEAR && is_cube_direction(turn->up)) {
         snprintf(text, TURNS_WORDS_MAX, "%s: %s about %c", up, turned, "xyz"[axis]);
     } else { /* up does not show the sense of rotation */
         snprintf(text, TURNS_WORDS_MAX, "%s about %c%c: %s", turned,

@@ -55,7 +55,7 @@ static void write_c(FILE *file, const export_job *job)
 
     begin(file, job);
     export_comment(file, EXPORT_COMMENT_C, "Use: invcal_apply(&%s, raw, calibrated);", name);
-    export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in %s.",
+    export_comment(file, EXPORT_COMMENT_C, "raw in %s, calibrated in %s.", export_input_unit(job),
                    export_field_unit(job));
     if (job->file.has_gyro) {
         export_comment(file, EXPORT_COMMENT_C, "     invcal_apply(&%s_gyro, raw, rate); in rad/s",
@@ -106,7 +106,7 @@ static void write_arrays(FILE *file, const export_job *job)
     export_comment(file, EXPORT_COMMENT_C, "Use, for i = 0, 1, 2, the sum over j = 0, 1, 2:");
     export_comment(file, EXPORT_COMMENT_C,
                    "  calibrated[i] = SUM %s_matrix[i][j] (raw[j] - %s_offset[j])", name, name);
-    export_comment(file, EXPORT_COMMENT_C, "raw in input units, calibrated in %s.",
+    export_comment(file, EXPORT_COMMENT_C, "raw in %s, calibrated in %s.", export_input_unit(job),
                    export_field_unit(job));
     if (job->file.has_gyro) {
         export_comment(file, EXPORT_COMMENT_C,

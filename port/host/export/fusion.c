@@ -64,7 +64,8 @@ static void write_inertial(FILE *file, const export_job *job, const char *name)
     export_comment(file, EXPORT_COMMENT_C,
                    "FusionModelInertial(raw, %sMisalignment, %sSensitivity, %sOffset)", name, name,
                    name);
-    export_comment(file, EXPORT_COMMENT_C, "raw in input units, result in g: 1 at rest here.");
+    export_comment(file, EXPORT_COMMENT_C, "raw in %s, result in g: 1 at rest here.",
+                   export_input_unit(job));
     fputs(" */\n", file);
     write_values(file, "FusionMatrix", name, "Misalignment", f.misalignment[0], 9);
     write_values(file, "FusionVector", name, "Sensitivity", f.scale, 3);
@@ -96,8 +97,8 @@ static void write_magnetic(FILE *file, const export_job *job, const char *name)
 
     export_comment(file, EXPORT_COMMENT_C,
                    "FusionModelMagnetic(raw, %sSoftIronMatrix, %sHardIronOffset)", name, name);
-    export_comment(file, EXPORT_COMMENT_C,
-                   "raw in input units; only the direction of the result matters.");
+    export_comment(file, EXPORT_COMMENT_C, "raw in %s; only the direction of the result matters.",
+                   export_input_unit(job));
     fputs(" */\n", file);
     write_values(file, "FusionMatrix", name, "SoftIronMatrix", c->matrix[0], 9);
     write_values(file, "FusionVector", name, "HardIronOffset", c->offset, 3);

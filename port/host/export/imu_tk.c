@@ -48,7 +48,8 @@ static void write_file(FILE *file, const export_job *job)
 {
     write_triad(file, &job->file.calibration, job->si);
     export_heading(file, EXPORT_COMMENT, job);
-    export_comment(file, EXPORT_COMMENT, "imu_tk: T K (X - B), X in input units, result in m/s^2");
+    export_comment(file, EXPORT_COMMENT, "imu_tk: T K (X - B), X in %s, result in m/s^2",
+                   export_input_unit(job));
 }
 
 /* The gyroscope's file has the same format, with the result in rad/s, the unit of

@@ -9,9 +9,11 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "text/unit.h"
 
 #define LINE_MAX_BYTES 512
 #define SOURCE_SHOWN 60
+#define SAME_UNIT_RATIO 2.0 /* as in result/result.c */
 
 /* Without '*' a comment cannot end, without '\' and '?' (trigraphs) a line cannot continue. */
 static int is_safe(char c)
@@ -46,15 +48,17 @@ static int is_known(const double x[3])
     return fabs(x[0]) <= DBL_MAX && fabs(x[1]) <= DBL_MAX && fabs(x[2]) <= DBL_MAX;
 }
 
-static void comment_sigma(FILE *file, const char *prefix, const calibration_file *c)
+static void comment_sigma(FILE *file, const char *prefix, const export_job *job)
 {
+    const calibration_file *c = &job->file;
+
     if (!is_known(c->sigma_offset) || !is_known(c->sigma_dk) || !is_known(c->sigma_gamma)) {
         export_comment(file, prefix, "standard deviations: unknown");
         return;
     }
     export_comment(file, prefix, "standard deviations, x y z:");
-    export_comment(file, prefix, "  offset        %.2g %.2g %.2g input units", c->sigma_offset[0],
-                   c->sigma_offset[1], c->sigma_offset[2]);
+    export_comment(file, prefix, "  offset        %.2g %.2g %.2g %s", c->sigma_offset[0],
+                   c->sigma_offset[1], c->sigma_offset[2], export_input_unit(job));
     export_comment(file, prefix, "  scale errors  %.2g %.2g %.2g", c->sigma_dk[0], c->sigma_dk[1],
                    c->sigma_dk[2]);
     export_comment(file, prefix, "  angles        %.2g %.2g %.2g rad (xy, xz, zy)",
@@ -83,7 +87,7 @@ void export_heading(FILE *file, const char *prefix, const export_job *job)
     if (*c->frame) {
         export_comment(file, prefix, "frame: %s", c->frame);
     }
-    comment_sigma(file, prefix, c);
+    comment_sigma(file, prefix, job);
 }
 
 void export_gyro_heading(FILE *file, const char *prefix, const export_job *job)
@@ -105,12 +109,31 @@ void export_gyro_heading(FILE *file, const char *prefix, const export_job *job)
     }
 }
 
+/* The file holds the length of the field without its unit: that of the readings if they measure it,
+ * or if the scale is about 1. */
+static int is_field_in_input_units(const calibration_file *c)
+{
+    const reading_unit unit = unit_of_name(c->unit);
+    const double scale = c->calibration.matrix[0][0];
+
+    return c->is_magnetometer && (unit >= UNIT_MICROTESLA || c->is_field_measured) &&
+           scale > 1 / SAME_UNIT_RATIO && scale < SAME_UNIT_RATIO;
+}
+
 const char *export_field_unit(const export_job *job)
 {
-    return job->si > 5     ? "g" /* 9.80665 m/s^2 */
-           : job->si > 0.5 ? "m/s^2"
-           : job->si > 0   ? "mg"
-                           : "units of the field";
+    return job->si > 5                           ? "g" /* 9.80665 m/s^2 */
+           : job->si > 0.5                       ? "m/s^2"
+           : job->si > 0                         ? "mg"
+           : is_field_in_input_units(&job->file) ? export_input_unit(job)
+                                                 : "units of the field";
+}
+
+const char *export_input_unit(const export_job *job)
+{
+    const reading_unit unit = unit_of_name(job->file.unit);
+
+    return unit == UNIT_UNKNOWN ? "input units" : unit_name(unit);
 }
 
 int export_check_range(const export_job *job, const double *x, unsigned n, int is_float)

@@ -25,9 +25,12 @@ void export_heading(FILE *file, const char *prefix, const export_job *job);
 /* The same for its gyroscope, if there is one; for formats that can store it. */
 void export_gyro_heading(FILE *file, const char *prefix, const export_job *job);
 
-/* The unit of the field and of calibrated readings: "m/s^2", "g", "mg", or "units of the field" if
- * it is not gravity. */
+/* The unit of the field and of calibrated readings: "m/s^2", "g", "mg"; of a magnetometer that of its
+ * readings, or "units of the field" if it is another. */
 const char *export_field_unit(const export_job *job);
+
+/* The unit of readings: "counts", "m/s^2", "uT", ..., or "input units" if the file has none. */
+const char *export_input_unit(const export_job *job);
 
 /* The bias of the gyroscope, rad/s. Returns 1; 0 if the file has no gyroscope or its readings are
  * counts. */

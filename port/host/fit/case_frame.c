@@ -81,6 +81,21 @@ static void find_sigma(const invcal_frame_quality *quality, double noise, case_f
     }
 }
 
+/* The directions that the readings say `up` has, against their mean. NaN for a single one. */
+static double level_scatter(const invcal_frame *frame, const double up[3])
+{
+    double mean[3] = {0, 0, 0};
+
+    if (frame->count < 2) {
+        return NUMBER_UNKNOWN;
+    }
+    for (unsigned i = 0; i < 9; i++) {
+        mean[i % 3] += up[i / 3] * frame->sum[i / 3][i % 3] / frame->count;
+    }
+    const double length = sqrt(mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]);
+    return sqrt(fmax(2 - 2 * length, 0));
+}
+
 invcal_status case_solve(const invcal_frame *frame, const case_axes *stated, double noise,
                          case_frame *out)
 {
@@ -94,7 +109,9 @@ invcal_status case_solve(const invcal_frame *frame, const case_axes *stated, dou
     }
     if (frame->count > 0 && find_common_up(stated, up)) {
         out->is_level = 1;
-        status = invcal_frame_level(frame, up, out->rotation);
+        out->scatter = level_scatter(frame, up);
+        status = out->scatter >= SCATTER_MAX ? INVCAL_BAD_DIRECTION
+                                             : invcal_frame_level(frame, up, out->rotation);
     } else {
         status = invcal_frame_solve(frame, out->rotation, &quality);
         if (status == INVCAL_OK) {

@@ -38,7 +38,7 @@ invcal_status case_add(invcal_frame *frame, const case_axes *stated, unsigned in
 /* Solves for the rotation. `noise` is that of a direction about each axis, rad, or NaN; if the
  * scatter is larger, sigma follows from that. Returns as invcal_frame_solve, or as
  * invcal_frame_level if the positions had the same axis up; INVCAL_BAD_DIRECTION if the directions
- * are off by more than 11 degrees. */
+ * are off by more than 11 degrees, or, with the same axis up, differ by that from their mean. */
 invcal_status case_solve(const invcal_frame *frame, const case_axes *stated, double noise,
                          case_frame *out);
 

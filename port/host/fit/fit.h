@@ -55,7 +55,7 @@ typedef struct {
 
 /* Calibrates.
  *
- * raw     3 count numbers, input units.
+ * raw     3 * count numbers, input units.
  * reason  null; or out, written on failure only.
  *
  * Returns as invcal_calibrate_with_prior, or invcal_calibrate_six_faces. */

@@ -28,6 +28,16 @@ static const sensor sensors[] = {
      SENSOR_OFFSET | SENSOR_SCALE | SENSOR_CROSS_AXIS,
      "",
      "InvenSense PS-MPU-6000A-00 Rev. 3.4, 2013-08-19, 6.2 on p. 13"},
+    {"mpu6000",
+     "MPU-6000",
+     {{"2g", 16384}, {"4g", 8192}, {"8g", 4096}, {"16g", 2048}},
+     0,
+     {0.050, 0.050, 0.080},
+     0.03,
+     0.02,
+     SENSOR_OFFSET | SENSOR_SCALE | SENSOR_CROSS_AXIS,
+     "",
+     "InvenSense PS-MPU-6000A-00 Rev. 3.4, 2013-08-19, 6.2 on p. 13"},
     {"mpu9250",
      "MPU-9250",
      {{"2g", 16384}, {"4g", 8192}, {"8g", 4096}, {"16g", 2048}},
@@ -239,7 +249,8 @@ void sensors_limits(const sensor_choice *c, double field, double limit[INVCAL_PA
     }
 }
 
-int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX])
+int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX],
+                char remedy[SENSORS_TEXT_MAX])
 {
     const double counts = ratio * c->range->per_g;
     char key[SENSORS_TEXT_MAX];
@@ -256,10 +267,13 @@ int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX
         if (other < RANGE_TOLERANCE && other > 1 / RANGE_TOLERANCE) {
             append(text, SENSORS_TEXT_MAX, ": they match %s:%s", c->type->key,
                    c->type->range[k].name);
+            snprintf(remedy, SENSORS_TEXT_MAX,
+                     "state that range, or set the sensor to the stated one");
             return 0;
         }
     }
-    append(text, SENSORS_TEXT_MAX, ", at any of its ranges: state --zero and --lsb instead");
+    append(text, SENSORS_TEXT_MAX, ", at any of its ranges: a broken unit, or another sensor");
+    snprintf(remedy, SENSORS_TEXT_MAX, "state --zero and --lsb if it is right");
     return 0;
 }
 

@@ -53,8 +53,10 @@ double sensors_scale(const sensor_choice *c, double field);
 void sensors_limits(const sensor_choice *c, double field, double limit[INVCAL_PARAMETERS]);
 
 /* Whether this sensor can give readings of gravity whose lengths are `ratio` times the expected
- * ones. Returns 1; 0, with a message in text, which names another range if that matches. */
-int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX]);
+ * ones. Returns 1; 0, with the reason in text, which names another range if that matches, and what
+ * to do in remedy. */
+int sensors_fit(const sensor_choice *c, double ratio, char text[SENSORS_TEXT_MAX],
+                char remedy[SENSORS_TEXT_MAX]);
 
 /* "mpu6050:4g"; and the limits in words, which mark those that are typical. Return text. */
 const char *sensors_key(const sensor_choice *c, char text[SENSORS_TEXT_MAX]);

@@ -64,7 +64,7 @@ static const char *open_text(const prospect *p, char text[TEXT_MAX])
 }
 
 /* A note if there are too few positions for calibrate. */
-static const char *few_text(const prospect *p, const design *d, char text[TEXT_MAX])
+static const char *too_few_text(const prospect *p, const design *d, char text[TEXT_MAX])
 {
     const unsigned min = nonlinearity_min_positions(p->degree);
 
@@ -101,7 +101,7 @@ static void print_line(FILE *file, const design *d, unsigned degree, double nois
                  unit_text(&p, noise, style, text));
     }
     wrapped_printf(file, INDENT, "  %-15s%9.4f%s   of %u parameters, condition %.4g%s", name_of(&p),
-                   p.sigma, size, parameters_of(&p), p.all.condition, few_text(&p, d, text));
+                   p.sigma, size, parameters_of(&p), p.all.condition, too_few_text(&p, d, text));
 }
 
 void plan_nonlinear_print(FILE *file, const design *d, double noise, unit_style style)
@@ -145,7 +145,7 @@ static const char *report_text(const prospect *p, const design *d, double noise,
                   number);
     snprintf(text, SENTENCE_MAX, "%s %s %s, of %u parameters, condition %s%s", name_of(p), number,
              unit_text(p, noise, style, unit), parameters_of(p),
-             figure_digits(p->all.condition, 3, condition), few_text(p, d, more));
+             figure_digits(p->all.condition, 3, condition), too_few_text(p, d, more));
     return text;
 }
 

@@ -81,7 +81,7 @@ static void add_fault(const design *d, char name, char *text, size_t size)
 }
 
 /* -1: B is better, or equal, in time and every sigma; 1: A is; 0: neither is. */
-static int better(const comparison *c, int *is_equal)
+static int better_set(const comparison *c, int *is_equal)
 {
     int less = is_less(c->ratio[PLAN_RATIO_TIME].ratio);
     int more = is_more(c->ratio[PLAN_RATIO_TIME].ratio);
@@ -97,7 +97,7 @@ static int better(const comparison *c, int *is_equal)
 static void write_verdict(page *p, const comparison *c)
 {
     int is_equal;
-    const int side = better(c, &is_equal);
+    const int side = better_set(c, &is_equal);
     char time[TEXT_MAX];
     char sigma[TEXT_MAX];
     char sentence[3 * TEXT_MAX];

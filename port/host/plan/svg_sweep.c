@@ -91,7 +91,7 @@ static int is_shown(const plot *p, unsigned program)
     return p->set[program].count >= first_of(p) && p->set[program].count <= last_of(p);
 }
 
-static int is_any_on_curve_shown(const plot *p)
+static int is_any_on_curve(const plot *p)
 {
     return is_shown(p, PLAN_15) || is_shown(p, PLAN_18) || is_shown(p, PLAN_STAND_24);
 }
@@ -207,7 +207,7 @@ static void draw_known(FILE *file, const plot *p)
 }
 
 /* Reserves the space of one more entry, in this row or the next. */
-static void advance(double *x, double *y, const char *words, double width)
+static void reserve_entry(double *x, double *y, const char *words, double width)
 {
     const double needed = 34 + CHARACTER * (double)strlen(words);
 
@@ -240,7 +240,7 @@ static unsigned list_entries(const plot *p, entry list[PLAN_KINDS + 2 + PLAN_PRO
     list[count++] = (entry){NULL, "c0 hollow", SVG_CIRCLE, MARKER, "not all six"};
     for (unsigned i = 0; i < PLAN_PROGRAMS; i++) {
         const int is_on_curve = i <= PLAN_STAND_24;
-        if (marks[i].name && (is_shown(p, i) || (is_on_curve && is_any_on_curve_shown(p)))) {
+        if (marks[i].name && (is_shown(p, i) || (is_on_curve && is_any_on_curve(p)))) {
             list[count++] =
                 (entry){NULL, marks[i].style[0], marks[i].shape, marks[i].radius, marks[i].name};
         }
@@ -258,7 +258,7 @@ static double draw_legend(FILE *file, const plot *p, double top)
 
     for (unsigned i = 0; i < count; i++) {
         const entry *e = &list[i];
-        advance(&right, &y, e->words, p->width);
+        reserve_entry(&right, &y, e->words, p->width);
         const double x = right - CHARACTER * (double)strlen(e->words) - 34;
         if (!file) {
             continue;

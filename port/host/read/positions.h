@@ -30,7 +30,7 @@ typedef struct {
     recognition seen;        /* how its columns were understood */
     uint64_t bytes;          /* its size */
     uint32_t crc;            /* its CRC-32 */
-    double *mean;            /* 3 count numbers: x y z, ... in input units */
+    double *mean;            /* 3 * count numbers: x y z, ... in input units */
     position_origin *origin; /* count of them */
     unsigned count;
     unsigned capacity;

@@ -318,7 +318,7 @@ void report_gyro(page *p, const report_facts *f)
     if (g->log->file) {
         page_fact(p, "file", "%s", g->log->file);
     }
-    page_fact(p, "readings", "in %s, %.6g a second%s", gyro_unit_text(g, text), g->log->rate,
+    page_fact(p, "readings", "in %s, %.6g per second%s", gyro_unit_text(g, text), g->log->rate,
               g->log->is_rate_known ? "" : " (a guess: its error is an error of the scales)");
     page_fact(p, "g-sensitivity", "%s", gyro_g_text(g, text));
     page_fact(p, "drift", "%s", gyro_drift_text(g, text));

@@ -124,6 +124,7 @@ static int read_nominal_member(json_reader *r, const char *name, void *into)
            : is(name, "lsb")       ? read_sigma(r, c->lsb)
            : is(name, "zero_from") ? json_read_text(r, c->zero_from, sizeof c->zero_from)
            : is(name, "lsb_from")  ? json_read_text(r, c->lsb_from, sizeof c->lsb_from)
+           : is(name, "sensor")    ? json_read_text(r, c->sensor, sizeof c->sensor)
                                    : json_skip(r);
 }
 
@@ -399,6 +400,14 @@ static int read_metadata(json_reader *r, const char *name, calibration_file *c)
                                       : json_skip(r);
 }
 
+/* A file of another program may have another member of this name. */
+static int is_number(json_reader *r)
+{
+    const int first = json_peek(r);
+
+    return first >= '0' && first <= '9';
+}
+
 static int read_member(json_reader *r, const char *name, void *into)
 {
     reading *x = into;
@@ -418,6 +427,8 @@ static int read_member(json_reader *r, const char *name, void *into)
            : is(name, "gyroscope") && x->depth >= CORRECTION    ? read_gyro(r, x->file)
            : is(name, "unit") && x->depth >= CORRECTION
                ? json_read_text(r, x->file->unit, sizeof x->file->unit)
+           : is(name, "gravity") && x->depth == CORRECTION && is_number(r)
+               ? json_read_number(r, &x->file->gravity)
            : x->depth == EVERYTHING ? read_metadata(r, name, x->file)
                                     : json_skip(r);
 }

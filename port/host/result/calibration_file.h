@@ -34,6 +34,7 @@ typedef struct {
     int has_cross_terms;                   /* the nominal calibration has cross terms */
     char zero_from[CALIBRATION_FILE_WORD]; /* source of zero: "given", "range", ... */
     char lsb_from[CALIBRATION_FILE_WORD];  /* source of lsb */
+    char sensor[CALIBRATION_FILE_WORD];    /* whose data sheet states them: "mpu6050:2g" */
     double sigma_offset[3];                /* standard deviations: input units */
     double sigma_dk[3];                    /* of scale errors */
     double sigma_gamma[3];                 /* of angles, rad */
@@ -64,8 +65,8 @@ typedef struct {
  * matrix is singular. */
 int calibration_file_read(const char *path, invcal_calibration *out);
 
-/* The same with everything that apply needs: unit, is_magnetometer, has_thermal and thermal,
- * has_nonlinear and nonlinear, has_gyro and gyro. */
+/* The same with everything that apply needs: unit, gravity (NUMBER_UNKNOWN if it is no number),
+ * is_magnetometer, has_thermal and thermal, has_nonlinear and nonlinear, has_gyro and gyro. */
 int calibration_file_read_correction(const char *path, calibration_file *out);
 
 /* The same with all members. */

@@ -39,8 +39,9 @@ const char *calibrate_case_text(const calibrate_result *result, char text[CALIBR
                  "to fix it.");
     } else {
         snprintf(text + used, CALIBRATE_LIMIT_MAX - (size_t)used,
-                 " The directions disagree by %s degrees (rms), usually the tilt of the table. "
-                 "Visit each face twice, turned by 180 degrees between, and the tilt cancels.",
+                 " The directions disagree by %s degrees (rms), usually the tilt of the table. Put "
+                 "down all faces, then all again, each turned by half a turn, and the tilt "
+                 "cancels.",
                  figure_digits(DEGREES * c->scatter, 2, off));
     }
     return text;

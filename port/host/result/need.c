@@ -18,6 +18,12 @@ static int ends_with(const char *text, size_t length, const char *ending)
     return length >= size && memcmp(text + length - size, ending, size) == 0;
 }
 
+/* Otherwise what is left of "5mgg" or "2um/s2" belongs to an unknown unit. */
+static int ends_as_number(const char *text, size_t length)
+{
+    return length > 0 && text[length - 1] != '\0' && strchr("0123456789.", text[length - 1]);
+}
+
 /* Units; `scale` is a field of length 1 in this unit, or 0 for its length in m/s^2. */
 static const struct {
     const char *ending;
@@ -49,14 +55,14 @@ need_ending need_parse(const char *text, double field, size_t *digits, display_u
         while (*digits > 0 && text[*digits - 1] == ' ') {
             --*digits;
         }
-        if (*digits == 0) {
+        if (!ends_as_number(text, *digits)) {
             return NEED_NO_UNIT;
         }
         *unit = is_si ? (display_unit){field, units[i].unit.unit} : units[i].unit;
         return NEED_UNIT;
     }
     *unit = (display_unit){field, is_gravity ? "m/s²" : "field units"};
-    return strchr("0123456789.", text[length - 1]) ? NEED_PLAIN : NEED_NO_UNIT;
+    return ends_as_number(text, length) ? NEED_PLAIN : NEED_NO_UNIT;
 }
 
 double need_field_part(const calibrate_result *r)

@@ -28,8 +28,8 @@ typedef enum {
     NEED_NO_GRAVITY /* one of gravity, but the field is not gravity */
 } need_ending;
 
-/* Splits a need, "1mg", "0.1 %", "0.01m/s2", into number and unit; g, mg and ug are relative to the
- * field.
+/* Splits a need or a limit, "1mg", "0.1 %", "0.01m/s2", into number and unit; g, mg and ug are
+ * relative to the field.
  *
  * field   length of the field.
  * digits  out: length of the number in bytes.

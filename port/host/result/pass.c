@@ -94,12 +94,15 @@ static void add_cause(const calibrate_result *r, char text[PASS_MAX])
 static void add_need(const calibrate_result *r, char text[PASS_MAX])
 {
     const double scale = r->need_unit.scale;
-    char reached[FIGURE_MAX];
-    char needed[FIGURE_MAX];
+    char reached[FIGURE_MAX] = "";
+    char needed[FIGURE_MAX] = "";
 
+    for (int digits = 2; digits <= 6 && strcmp(reached, needed) == 0; digits++) {
+        figure_digits(scale * need_accuracy(r), digits, reached);
+        figure_digits(scale * r->need / r->settings.field, digits, needed);
+    }
     append(text, PASS_MAX, "%s within %s of %s %s", calibrate_is_gravity(r) ? "|a|" : "length",
-           figure_digits(scale * need_accuracy(r), 2, reached),
-           figure_digits(scale * r->need / r->settings.field, 2, needed), r->need_unit.unit);
+           reached, needed, r->need_unit.unit);
 }
 
 static void add_limit(const calibrate_result *r, unsigned parameter, double limit,

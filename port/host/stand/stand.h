@@ -72,8 +72,8 @@ typedef struct {
 /* An error of an angle up to this, rad, is resolved into alpha and beta. */
 #define STAND_SMALL_ANGLE 0.5
 
-/* Checks that there are angles for these positions. Returns EXIT_GOOD; EXIT_FILE or EXIT_USAGE,
- * with a message. */
+/* Checks that there are angles for these positions. Returns EXIT_GOOD; EXIT_FILE, with a
+ * message. */
 int stand_check(const stand_options *options, const positions *data);
 
 /* The group of a program, 1 ... 3, that was not visited while the other two were; 0 if there is no

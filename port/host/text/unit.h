@@ -70,7 +70,7 @@ double unit_field_si(double field);
 
 /* The unit that fits the lengths of most of these readings at rest; counts if none does.
  *
- * reading  3 count numbers: x y z, ...
+ * reading  3 * count numbers: x y z, ...
  * field    length of the field: if it is not gravity, the unit is unknown. */
 reading_unit unit_by_size(const double *reading, unsigned count, double field);
 

@@ -16,7 +16,7 @@ static int is_mistake(const char *word)
 }
 
 /* Half the 95 % interval of the worst of these parameters. */
-static double worst(const gyro_fit *g, int is_scale)
+static double worst_interval(const gyro_fit *g, int is_scale)
 {
     double max = 0;
 
@@ -127,7 +127,7 @@ int watch_gyro_next(const watch_gyro *w, const double *held, double target[3],
 
 /* ---- the verdict so far ------------------------------------------------------------------------ */
 
-static void judge(watch_gyro *w, const gyro_fit *g, unsigned rests)
+static void write_verdict(watch_gyro *w, const gyro_fit *g, unsigned rests)
 {
     char moves[80];
 
@@ -140,7 +140,7 @@ static void judge(watch_gyro *w, const gyro_fit *g, unsigned rests)
                  g->moves > 0 ? moves : "gyroscope: no moves");
     } else {
         snprintf(w->text, sizeof w->text, "%s; scale ± %.2g %%, cross ± %.2g degrees%s", moves,
-                 100 * worst(g, 1), worst(g, 0) / UNIT_DEGREE,
+                 100 * worst_interval(g, 1), worst_interval(g, 0) / UNIT_DEGREE,
                  g->imu.open ? "; turn about other axes, too" : "");
         w->is_good = g->imu.verdict == INVCAL_GOOD && g->imu.dof >= DOF_MIN;
     }
@@ -162,7 +162,7 @@ void watch_gyro_take(watch_gyro *w, const gyro_log *t, const gyro_options *optio
         return;
     }
     find_refused(w, &g);
-    judge(w, &g, p->count);
+    write_verdict(w, &g, p->count);
     if (gyro_turns(&g, p, start, &w->turns)) {
         w->has_turns = 1;
     } else {

@@ -82,7 +82,7 @@ static void tick(state *s, const sample *latest)
 }
 
 /* Where to turn next. A rest that is READY and still held counts as taken. */
-static void aim(const state *s, int is_ready)
+static void find_target(const state *s, int is_ready)
 {
     if (!s->options->set) {
         const double *held = is_ready && s->gyro && now.has_up ? now.up : NULL;
@@ -112,7 +112,7 @@ static void update_phase(state *s, watch_event event)
         now.is_refused = 0;
     }
     if (now.phase == WATCH_READY) {
-        aim(s, 1);
+        find_target(s, 1);
     }
     s->update(&now, event);
 }
@@ -211,7 +211,7 @@ static int reaches_target(const live_options *options)
 }
 
 /* Solves the positions so far. */
-static void judge(state *s)
+static void solve(state *s)
 {
     invcal_calibration calibration;
 
@@ -267,7 +267,7 @@ static int is_good(state *s)
            (is_checked() && invcal_session_is_good(&session) && *now.gyro.text == '\0');
 }
 
-static watch_outcome judge_outcome(state *s, int is_complete)
+static watch_outcome find_outcome(state *s, int is_complete)
 {
     const int is_wanted = watch_has_goal(&now);
     const int is_good_now = is_good(s);
@@ -291,13 +291,13 @@ static int take(state *s)
     now.last = WATCH_TAKEN;
     zero_update(&s->zero, is_determined(), &session);
     state_noise(s);
-    judge(s);
-    now.outcome = judge_outcome(s, s->options->set && live_program_take(&followed));
+    solve(s);
+    now.outcome = find_outcome(s, s->options->set && live_program_take(&followed));
     if (s->options->set) {
         now.wrong_count = followed.wrong_count;
         (void)live_program_wrong_text(&followed, now.wrong);
     }
-    aim(s, 0);
+    find_target(s, 0);
     now.phase = WATCH_MOVING;
     s->update(&now, WATCH_TAKEN);
     return failure;
@@ -316,7 +316,7 @@ static void report_refused(state *s, int is_left)
     if (is_left) {
         now.phase = WATCH_MOVING;
     }
-    aim(s, 0);
+    find_target(s, 0);
     s->update(&now, WATCH_REFUSED);
 }
 
@@ -365,9 +365,10 @@ static int begin_session(state *s)
     const live_options *options = s->options;
     const double *clip = options->clip;
     char text[SENSORS_TEXT_MAX];
+    char remedy[SENSORS_TEXT_MAX];
 
-    if (!zero_fits_sensor(options, &live_log, text)) {
-        return message_usage("watch", "%s: %s", live_log.table.name, text);
+    if (!zero_fits_sensor(options, &live_log, text, remedy)) {
+        return message_usage("watch", "%s: %s; %s", live_log.table.name, text, remedy);
     }
     if (!zero_begin(&s->zero, options, &live_log, s->p, &followed, &s->known) ||
         invcal_session_begin(&session, &s->known, samples_whole_rate(&live_log)) != INVCAL_OK ||
@@ -400,8 +401,8 @@ static void start(state *s)
                            !zero_is_unstated(&s->zero));
     }
     recognise(s);
-    judge(s);
-    aim(s, 0);
+    solve(s);
+    find_target(s, 0);
     s->update(&now, WATCH_BEGUN);
 }
 

@@ -174,8 +174,8 @@ static const char *const watch_help[] = {
     "  --need U            largest acceptable error of calibrated lengths in 95 % of cases:\n"
     "                      1mg, 0.1%, or a number in the unit of --gravity. Reports when it\n"
     "                      is reached\n"
-    "  --tolerance D,K,G   limits of the data sheet: PASS, or FAIL with the parameters that\n"
-    "                      exceed them\n"
+    "  --tolerance D,K,G   limits of the data sheet, as 50mg,3%,2deg: PASS, or FAIL with the\n"
+    "                      parameters that exceed them\n"
     "  --strict            exit with 1 unless the verdict is good, and --tolerance and --need\n"
     "                      pass\n",
     RECORD_OPTIONS,

@@ -49,7 +49,7 @@ static void find_covered(const invcal_magnetometer *m)
 }
 
 /* North of the magnetic equator the field points down, so the opposite of the target is up. */
-static void aim(const invcal_magnetometer *m)
+static void find_target(const invcal_magnetometer *m)
 {
     char words[INVCAL_WORDS];
 
@@ -74,7 +74,7 @@ static int reaches_target(const live_options *options, double field)
 }
 
 /* Solves the samples so far. */
-static void judge(const state *s, const invcal_magnetometer *m)
+static void solve(const state *s, const invcal_magnetometer *m)
 {
     invcal_calibration calibration;
     invcal_magnetometer_found found = {.field = 0};
@@ -100,16 +100,16 @@ static void begin(state *s, const magnetometer_moment *at)
     interrupt_stream(at->log->table.file);
     now.name = at->log->table.name;
     (void)columns_describe(&at->log->where.seen, now.recognised, sizeof now.recognised);
-    judge(s, at->magnetometer);
-    aim(at->magnetometer);
+    solve(s, at->magnetometer);
+    find_target(at->magnetometer);
     s->update(&now, WATCH_BEGUN);
 }
 
 static void take(state *s, const magnetometer_moment *at)
 {
     find_covered(at->magnetometer);
-    judge(s, at->magnetometer);
-    aim(at->magnetometer);
+    solve(s, at->magnetometer);
+    find_target(at->magnetometer);
     now.last = WATCH_TAKEN;
     now.outcome = WATCH_USED;
     s->update(&now, WATCH_TAKEN);
@@ -124,8 +124,8 @@ static void tick(state *s, const magnetometer_moment *at)
     now.has_up = at->magnetometer->samples >= SAMPLES_MIN &&
                  find_direction(&at->magnetometer->work, at->raw, now.up);
     find_covered(at->magnetometer);
-    judge(s, at->magnetometer);
-    aim(at->magnetometer);
+    solve(s, at->magnetometer);
+    find_target(at->magnetometer);
     if (strcmp(now.disturbed, before) != 0 && *now.disturbed != '\0') {
         now.refusal = now.disturbed;
         s->update(&now, WATCH_REFUSED);

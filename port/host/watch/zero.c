@@ -30,7 +30,8 @@ static double stated_scale(const zero_finder *z)
 
 /* Compares the geometric mean of the first readings, since at the end it would be late to say
  * so. */
-int zero_fits_sensor(const live_options *options, const samples *log, char text[SENSORS_TEXT_MAX])
+int zero_fits_sensor(const live_options *options, const samples *log, char text[SENSORS_TEXT_MAX],
+                     char remedy[SENSORS_TEXT_MAX])
 {
     const zero_finder z = {.options = options, .log = log};
     double sum = 0;
@@ -44,7 +45,7 @@ int zero_fits_sensor(const live_options *options, const samples *log, char text[
                      options->field);
     }
     return log->ahead_count == 0 ||
-           sensors_fit(&options->sensor, pow(10, sum / log->ahead_count), text);
+           sensors_fit(&options->sensor, pow(10, sum / log->ahead_count), text, remedy);
 }
 
 int zero_is_unstated(const zero_finder *z)

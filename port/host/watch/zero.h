@@ -23,8 +23,10 @@ typedef struct {
 int zero_begin(zero_finder *z, const live_options *options, const samples *log,
                const positions *taken, const live_program *followed, invcal_calibration *out);
 
-/* Returns 1 if the first samples can be from the stated sensor; else 0, and why in text. */
-int zero_fits_sensor(const live_options *options, const samples *log, char text[SENSORS_TEXT_MAX]);
+/* Returns 1 if the first samples can be from the stated sensor; else 0, why in text, and what to do
+ * in remedy. */
+int zero_fits_sensor(const live_options *options, const samples *log, char text[SENSORS_TEXT_MAX],
+                     char remedy[SENSORS_TEXT_MAX]);
 
 /* 1 if neither zero nor scale of the readings is stated. */
 int zero_is_unstated(const zero_finder *z);

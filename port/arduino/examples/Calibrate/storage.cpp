@@ -1,16 +1,10 @@
-/* SPDX-License-Identifier: MIT
- *
- * For the EEPROM of an AVR. Boards that emulate one in flash need EEPROM.begin(size) in setup and
- * EEPROM.commit() at the end of erase_slot and program; see their documentation for what their
- * erasing does to the other slot when power fails.
- */
+/* SPDX-License-Identifier: MIT */
 #include "storage.h"
 
-#include <EEPROM.h>
+#include "cells.h"
 
 /* Two slots for the calibration, then two for the session, which in the smallest EEPROM, of 1,024
  * bytes, hold 22 positions. A session with more is not stored. */
-const int SMALLEST_EEPROM = 1024;
 const int CALIBRATION_SLOT = INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1);
 const int SESSION_SLOT = SMALLEST_EEPROM / 2 - CALIBRATION_SLOT;
 
@@ -33,7 +27,7 @@ static int read(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, u
     int at = address(context, slot) + (int)offset;
 
     for (uint8_t n = size; n > 0; n--) {
-        *bytes++ = EEPROM.read(at++);
+        *bytes++ = cell_read(at++);
     }
     return 0;
 }
@@ -43,9 +37,9 @@ static int erase_slot(void *context, unsigned slot)
     int at = address(context, slot);
 
     for (int n = ((const region *)context)->size; n > 0; n--) {
-        EEPROM.update(at++, 0xFF);
+        cell_write(at++, 0xFF);
     }
-    return 0;
+    return cells_commit();
 }
 
 static int program(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes, uint32_t size)
@@ -53,9 +47,9 @@ static int program(void *context, unsigned slot, uint32_t offset, const uint8_t 
     int at = address(context, slot) + (int)offset;
 
     for (uint8_t n = size; n > 0; n--) {
-        EEPROM.update(at++, *bytes++);
+        cell_write(at++, *bytes++);
     }
-    return 0;
+    return cells_commit();
 }
 
 const invcal_store calibration_store = {read, erase_slot, program, &calibrations, CALIBRATION_SLOT, 1};

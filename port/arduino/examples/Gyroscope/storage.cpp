@@ -1,12 +1,7 @@
-/* SPDX-License-Identifier: MIT
- *
- * For the EEPROM of an AVR. Boards that emulate one in flash need EEPROM.begin(size) in setup and
- * EEPROM.commit() at the end of erase_slot and program; see their documentation for what their erasing does
- * to the other slot when power fails.
- */
+/* SPDX-License-Identifier: MIT */
 #include "storage.h"
 
-#include <EEPROM.h>
+#include "cells.h"
 
 const int SLOT = INVCAL_STORE_BYTES(INVCAL_IMU_RECORD_SIZE, 1);
 
@@ -15,7 +10,7 @@ static int read(void *, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t
     int at = (int)slot * SLOT + (int)offset;
 
     for (uint8_t n = size; n > 0; n--) {
-        *bytes++ = EEPROM.read(at++);
+        *bytes++ = cell_read(at++);
     }
     return 0;
 }
@@ -25,9 +20,9 @@ static int erase_slot(void *, unsigned slot)
     int at = (int)slot * SLOT;
 
     for (int n = SLOT; n > 0; n--) {
-        EEPROM.update(at++, 0xFF);
+        cell_write(at++, 0xFF);
     }
-    return 0;
+    return cells_commit();
 }
 
 static int program(void *, unsigned slot, uint32_t offset, const uint8_t *bytes, uint32_t size)
@@ -35,9 +30,9 @@ static int program(void *, unsigned slot, uint32_t offset, const uint8_t *bytes,
     int at = (int)slot * SLOT + (int)offset;
 
     for (uint8_t n = size; n > 0; n--) {
-        EEPROM.update(at++, *bytes++);
+        cell_write(at++, *bytes++);
     }
-    return 0;
+    return cells_commit();
 }
 
 const invcal_store calibration_store = {read, erase_slot, program, NULL, (uint32_t)SLOT, 1};
