@@ -35,6 +35,7 @@ enum { INITIAL_COUNT = 8 };
 #define PLACES_RMS INVCAL_REAL(0.03)   /* above the noise of any magnetometer */
 #define PLACES_ALIKE INVCAL_REAL(10.0) /* and common to this many samples in a row */
 enum { POWER_SAMPLES = 64 };
+#define DEEP INVCAL_REAL(0.3) /* square of 0.55 */
 
 invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
                                        const invcal_calibration *nominal)
@@ -115,19 +116,29 @@ static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invc
     return 1;
 }
 
-/* Before the first solution p holds the box: the smallest readings, then the largest. */
+/* Before the first solution p holds the box: the smallest readings, then the largest. Returns half
+ * its longest edge. */
+static invcal_real half_of_box(const invcal_magnetometer *m)
+{
+    invcal_real half = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        if (m->p[3 + i] - m->p[i] > 2 * half) {
+            half = (m->p[3 + i] - m->p[i]) / 2;
+        }
+    }
+    return half;
+}
+
 static void recentre_by_box(invcal_magnetometer *m)
 {
     invcal_real *const low = m->p;
     invcal_real *const high = &m->p[3];
     invcal_real shift[3];
-    invcal_real scale = 0;
+    const invcal_real scale = half_of_box(m);
 
     for (unsigned i = 0; i < 3; i++) {
         shift[i] = (low[i] + high[i]) / 2;
-        if (high[i] - low[i] > 2 * scale) {
-            scale = (high[i] - low[i]) / 2;
-        }
     }
     if (is_recentred(m, shift, scale)) {
         for (unsigned i = 0; i < 3; i++) {
@@ -159,24 +170,23 @@ static int is_far(const invcal_cell_fit *fit)
 
 /* Solves table `one` and the late samples, and moves the readings to the unit sphere. Samples are
  * then compared with p. Returns 0 if there is no solution. */
-static int has_solution(invcal_magnetometer *m, const invcal_cells *one)
+static int has_solution(invcal_magnetometer *m, const invcal_cells *one, invcal_cell_fit *fit)
 {
-    invcal_cell_fit fit;
     unsigned worst;
 
-    fit.tables.early = one;
-    fit.tables.late = &m->late;
-    if (!(invcal_cells_gap(&fit.tables, &worst) > WIDE_GAP) || !is_found(m, &fit)) {
+    fit->tables.early = one;
+    fit->tables.late = &m->late;
+    if (!(invcal_cells_gap(&fit->tables, &worst) > WIDE_GAP) || !is_found(m, fit)) {
         return 0;
     }
-    fit.tables = both_tables(m);
-    m->has_step |= (uint8_t)invcal_cells_step(&fit, m->before > 0 ? m->before : power_of(m));
-    fit.tables.early = one;
-    if (is_far(&fit) && (!is_recentred(m, fit.triad.offset, invcal_cells_field(&fit)) ||
-                         invcal_cells_solve(&fit) != INVCAL_OK)) {
+    fit->tables = both_tables(m);
+    m->has_step |= (uint8_t)invcal_cells_step(fit, m->before > 0 ? m->before : power_of(m));
+    fit->tables.early = one;
+    if (is_far(fit) && (!is_recentred(m, fit->triad.offset, invcal_cells_field(fit)) ||
+                        invcal_cells_solve(fit) != INVCAL_OK)) {
         return 0;
     }
-    memcpy(m->p, fit.p, sizeof m->p);
+    memcpy(m->p, fit->p, sizeof m->p);
     for (unsigned i = INVCAL_DK_X; i <= INVCAL_DK_Z; i++) {
         m->p[i] += INVCAL_REAL(0.5); /* J + h p is one product, less 1/2 */
     }
@@ -203,25 +213,60 @@ static void drop_unlike(invcal_magnetometer *m)
     }
 }
 
+/* The mean square of the distance of all samples from their centre. */
+static invcal_real spread_of(const invcal_cells *cells)
+{
+    invcal_real sum[INVCAL_PARAMETERS] = {0};
+    invcal_real n = 0;
+
+    for (unsigned k = 0; k < INVCAL_CELLS; k++) {
+        n += invcal_number(cells->count[k]);
+        for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
+            sum[i] += cells->sum[k][i];
+        }
+    }
+    return (sum[INVCAL_DK_X] + sum[INVCAL_DK_Y] + sum[INVCAL_DK_Z] - invcal_dot3(sum, sum) / n) / n;
+}
+
+/* A wild sample widens the box, so that all others share a few cells, and there would be no
+ * solution, however many come. So if nearly all are deep inside the box, and do not lie on an
+ * ellipsoid, the next sample is the first again. */
+static void forget_wild(invcal_magnetometer *m, invcal_cell_fit *fit)
+{
+    const invcal_real half = half_of_box(m);
+
+    fit->tables = both_tables(m);
+    if (spread_of(&m->early) < DEEP * half * half && invcal_cells_calibrate(fit) != INVCAL_OK) {
+        invcal_zero(&m->early, sizeof m->early);
+        invcal_zero(m->p, sizeof m->p);
+        m->samples = 0;
+        m->due = FIRST_LOOK;
+    }
+}
+
 /* The first samples were compared with nothing and may be disturbed. They are compared as soon as
  * later samples cover all sides too. */
 static void look_at_samples(invcal_magnetometer *m)
 {
     const int is_first = m->stage == NO_SOLUTION;
+    invcal_cell_fit fit;
 
     if (is_first) {
         recentre_by_box(m);
     }
-    if (m->stage != SECOND_SOLUTION && has_solution(m, &m->late)) {
+    if (m->stage != SECOND_SOLUTION && has_solution(m, &m->late, &fit)) {
         m->stage = SECOND_SOLUTION;
         drop_unlike(m);
     } else {
-        if (has_solution(m, &m->early) && is_first) {
+        if (has_solution(m, &m->early, &fit) && is_first) {
             m->stage = FIRST_SOLUTION;
         }
     }
     if (is_first || m->stage == SECOND_SOLUTION) {
         invcal_cells_merge(&m->early, &m->late);
+    }
+    if (m->stage == NO_SOLUTION) {
+        forget_wild(m, &fit);
     }
     end_block(m);
     m->before = power_of(m);

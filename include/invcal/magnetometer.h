@@ -70,7 +70,7 @@ typedef struct {
     invcal_real before;               /* products over samples, at the last look */
     invcal_real block[3];             /* sum eta r of the current block */
     uint32_t blocked;                 /* samples in squares, without those of the current block */
-    uint32_t samples;                 /* accepted; above 16 million fewer */
+    uint32_t samples;                 /* accepted since the first; above 16 million fewer */
     uint32_t due;                     /* number of samples at the next look */
     uint32_t left_out;                /* samples that contradicted the solution so far */
     uint16_t in_block;                /* samples in the current block */
@@ -85,7 +85,7 @@ typedef struct {
     invcal_real field; /* its length, in the unit of nominal */
     invcal_real rms;   /* of samples against the solution before them, over field; 0: unknown */
     invcal_real alike; /* number of successive samples with a common error; 0: unknown */
-    uint32_t samples;  /* accepted */
+    uint32_t samples;  /* accepted since the first */
     uint32_t left_out; /* samples that contradicted them */
     uint8_t covered;   /* cells with samples, of INVCAL_CELLS */
     uint8_t gap; /* degrees from the worst empty cell to the nearest with samples: 0, 45, 60, 90 */
@@ -105,12 +105,15 @@ invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
  *
  * From time to time it looks at all samples. After the first solution it leaves out samples that
  * contradict it; those before that solution are dropped, unless they agree with later samples once
- * these cover all sides, too.
+ * these cover all sides, too. A wild one among them would prevent any solution: if nearly all of
+ * them are far from it, they are dropped, and the next sample is the first again.
  *
- * Returns INVCAL_NOTHING; INVCAL_TAKEN if it is the first in its cell; INVCAL_REFUSED if it is left
- * out, or not a number.
+ * Returns INVCAL_NOTHING; INVCAL_TAKEN if it is the first in its cell, which may happen more than
+ * 18 times, because cells move with the solution (found.covered is their count); INVCAL_REFUSED if
+ * it is left out, or not a number.
  *
- * Cost: 220 instructions; a look up to 75,000: with ten looks 250 on average over 12,000 samples.
+ * Cost: 220 instructions; a look up to 75,000, of samples that are dropped 125,000: with ten looks
+ * 250 on average over 12,000 samples.
  * Stack: about 1,200 bytes. */
 invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const invcal_real raw[3]);
 
@@ -207,8 +210,8 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
 /* Solves for R. A rotation by more than 90 degrees may be refused: exchange the axes first if they
  * are half a turn apart.
  *
- * alike     number of successive instants with a common error (invcal_magnetometer_found), at least
- *           1: sigma counts them once.
+ * alike     number of successive instants with a common error (invcal_magnetometer_found): sigma
+ *           counts them once. Less than 1, or not a number, counts as 1.
  * rotation  out: R.
  * quality   out; may be null.
  *

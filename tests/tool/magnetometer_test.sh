@@ -88,6 +88,17 @@ check "magnetometer: that is named" matches "$work/stdout" '"disturbance": "pass
 check "magnetometer: and causes no error" near 0.002 "$(vector offset)" 0.1,-0.3,0.05
 run calibrate --magnetometer "$work/magnet.csv"
 check "magnetometer: also in words" matches "$work/stdout" 'Disturbed: samples contradict the others'
+# One sample that is not from the sensor, in the first seconds: the overflow of an HMC5883L in uT, and a bus without answer.
+for wild in 2:4:3276.7 20:5:-4096 40:6:-4096 300:5:150 300:4:-300; do
+    awk -F, -v OFS=, -v wild="$wild" 'BEGIN { split(wild, w, ":") } NR == w[1] { $w[2] = w[3] } { print }' \
+        "$work/log.csv" > "$work/wild.csv"
+    accepts "magnetometer: a wild sample in line $wild" calibrate --magnetometer "$work/wild.csv" --json
+    check "magnetometer: $wild: good all the same" matches "$work/stdout" '"verdict": "good"'
+    check "magnetometer: $wild: hard iron" near 0.002 "$(vector offset)" 0.1,-0.3,0.05
+done
+awk -F, -v OFS=, 'NR > 1 { $5 += 1.5 * exp(-((NR - 502) / 100) ^ 2) } { print }' "$work/log.csv" > "$work/early.csv"
+accepts "magnetometer: a strong magnet in the first seconds" calibrate --magnetometer "$work/early.csv" --json
+check "magnetometer: causes no error either" near 0.004 "$(vector offset)" 0.1,-0.3,0.05
 waved 0 35 0 > "$work/step.csv"
 accepts "magnetometer: a step" calibrate --magnetometer "$work/step.csv"
 check "magnetometer: that is named, too" matches "$work/stdout" 'Rough: readings changed at some time'
@@ -104,6 +115,24 @@ check "magnetometer: as JSON, too" matches "$work/stdout" '"error": "too few"'
 printf 'ax,ay,az\n0,0,1\n' > "$work/none.csv"
 refuses "magnetometer: none there" 3 'none.csv:1: the header names no columns of a magnetometer' \
     calibrate --magnetometer "$work/none.csv"
+awk -F, -v OFS=, 'NR > 1 { $5 = 0.125 } { print }' "$work/log.csv" > "$work/dead.csv"
+refuses "magnetometer: an axis that is dead" 1 'in a few directions: y never changes; check its column and the sensor; wave it' \
+    calibrate --magnetometer "$work/dead.csv"
+sed 1d "$work/log.csv" > "$work/nohead.csv"
+refuses "magnetometer: six columns without a header" 3 "which are the magnetometer's. state them by number, such as --columns 4,5,6, or" \
+    calibrate --magnetometer "$work/nohead.csv"
+awk '{ print NR / 100 "," $0 }' "$work/nohead.csv" > "$work/timed.csv"
+refuses "magnetometer: seven columns without a header" 3 'such as --columns 5,6,7,t=1, or' \
+    calibrate --magnetometer "$work/timed.csv"
+run calibrate --magnetometer "$work/timed.csv" --columns 5,6,7,t=1 --json
+check "magnetometer: which are stated then" near 0.002 "$(vector offset)" 0.1,-0.3,0.05
+cut -d, -f4-6 "$work/nohead.csv" > "$work/three.csv"
+run calibrate --magnetometer "$work/three.csv" --json
+check "magnetometer: three can be no others" near 0.002 "$(vector offset)" 0.1,-0.3,0.05
+run calibrate --magnetometer "$work/log.csv" --out "$work/out/gauss.json"
+run calibrate --magnetometer "$work/ut.csv" --out "$work/out/ut.json"
+refuses "magnetometer: compared in two units" 1 'readings are in uT and gauss; .* or state it in the heading, as mx .uT.$' \
+    compare "$work/out/gauss.json" "$work/out/ut.json"
 printf 'x,y,z,mx,my,mz\n0,0,1,1,2,3\n' > "$work/twice.csv"
 refuses "magnetometer: two possible sets of columns" 3 "x, y and z are there twice .'mx' and 'x'." \
     calibrate --magnetometer "$work/twice.csv"
@@ -130,6 +159,13 @@ check "magnetometer: nor if its samples are said to be positions" lacks "$work/s
 "$tool" simulate --plan faces | sed 1s/.*/t,u,v,w/ > "$work/rests.csv"
 run calibrate "$work/rests.csv" --columns u,v,w
 check "magnetometer: nor for a sensor that was held still six times" lacks "$work/stderr" '--magnetometer'
+
+run calibrate --magnetometer "$work/named.csv"
+check "magnetometer: the field points down" matches "$work/stdout" 'points down by'
+awk -F, -v OFS=, 'NR > 1 { x = $5; $5 = $6; $6 = x } { print }' "$work/named.csv" > "$work/swapped.csv"
+run calibrate --magnetometer "$work/swapped.csv"
+tr -s '\n ' '  ' < "$work/stdout" > "$work/flat"
+check "magnetometer: two axes exchanged: it points up" matches "$work/flat" 'points up by .* wrong sign, or two are exchanged'
 
 # ---- live ---------------------------------------------------------------------------------------
 

@@ -845,6 +845,90 @@ static void the_box_gives_centre_and_unit(void)
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, -2, (double)m->work.offset[1]);
 }
 
+/* Without a solution the box may be wider than the samples. Of 100 on two points, a at one end, the mean square
+ * around their centre is 4 a (1 - a) of half the box squared: 8 begin again, 9 stay. */
+static void a_few_far_away_begin_again(void)
+{
+    const invcal_calibration nominal = unit_nominal();
+    const invcal_magnetometer *const m = &the.magnetometer;
+
+    for (unsigned far = 8; far <= 9; far++) {
+        (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+        for (unsigned n = 0; n < 100; n++) {
+            (void)feed_at(n % 11 == 1 && n / 11 < far ? 1 : -1, 3, 0);
+        }
+        TEST_ASSERT_EQUAL_UINT(far == 8 ? 0 : 100, m->samples);
+        TEST_ASSERT_EQUAL_UINT(far == 8 ? 0 : 100, samples_in(&m->early));
+        TEST_ASSERT_EQUAL_UINT(0, samples_in(&m->late));
+        TEST_ASSERT_EQUAL_UINT(162, m->due);
+        (void)feed_at(3, 4, 5); /* is the first now, or not */
+        TEST_ASSERT_EQUAL_INT(far == 8, m->work.offset[1] == 4);
+        for (int i = 0; i < 3 && far == 8; i++) {
+            TEST_ASSERT_TRUE(m->p[i] == 0 && m->p[3 + i] == 0);
+        }
+    }
+}
+
+/* But not if they lie on an ellipsoid: that of the upper half of a sphere, though too little for a first solution. */
+static void what_is_on_an_ellipsoid_stays(void)
+{
+    for (int cells = 9; cells <= 13; cells += 4) {
+        invcal_magnetometer *const m = begin_settled();
+        for (int k = 0; k < 400; k++) {
+            (void)feed_at(0, 0, 1);
+        }
+        for (int k = 0; k < cells - 1; k++) { /* edges above, faces, and edges between these */
+            const double around = 0.78539816339744831 * (k < 8 ? 2 * (k % 4) : 2 * k + 1);
+            const double up = k < 4 ? sqrt(0.5) : 0;
+            (void)feed_at(sqrt(1 - up * up) * cos(around), sqrt(1 - up * up) * sin(around), up);
+        }
+        if (cells == 9) {
+            memset(&m->late.count[0], 0, sizeof m->late.count[0]);
+            memset(m->late.sum[0], 0, sizeof m->late.sum[0]);
+        }
+        forget_compared(samples_in(&m->late));
+        m->stage = 0;
+        for (int i = 0; i < 3; i++) {
+            m->p[i] = -1;
+            m->p[3 + i] = 1;
+        }
+        look();
+        TEST_ASSERT_EQUAL_UINT(0, m->stage);
+        TEST_ASSERT_EQUAL_UINT(cells == 9 ? 0 : 413, samples_in(&m->early));
+    }
+}
+
+/* A wild sample among the first ones, such as the code of an overflow or of a bus that did not answer, leaves the
+ * result as it is: the hand goes on. */
+static void a_wild_sample_is_forgotten(void)
+{
+    static const double times[] = {4, 80, 700, 1e5, 1e8}; /* the field */
+    static const int places[] = {0, 1, 20, 99, 130};
+    const invcal_calibration nominal = unit_nominal();
+
+    for (unsigned k = 0; k < 25; k++) {
+        random_source random = random_start(k + 1);
+        (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+        for (int n = 0; n < 1500; n++) {
+            double d[3];
+            random_direction(&random, d);
+            d[2] = n < 140 ? fabs(d[2]) : d[2]; /* no solution so soon */
+            if (n == places[k / 5]) {
+                d[k % 3] = (k % 2 ? 1 : -1) * times[k % 5];
+            }
+            (void)feed_at(0.3 + d[0] + 0.005 * random_normal(&random),
+                          d[1] - 0.6 + 0.005 * random_normal(&random),
+                          d[2] + 0.1 + 0.005 * random_normal(&random));
+        }
+        solve_the();
+        TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, the.quality.verdict);
+        TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, the.found.covered);
+        TEST_ASSERT_DOUBLE_WITHIN(0.003, 0.3, (double)the.calibration.offset[0]);
+        TEST_ASSERT_DOUBLE_WITHIN(0.003, -0.6, (double)the.calibration.offset[1]);
+        TEST_ASSERT_DOUBLE_WITHIN(0.003, 0.1, (double)the.calibration.offset[2]);
+    }
+}
+
 /* A centre or a radius that is off by more than 1 % moves the readings. */
 static void a_hundredth_moves_the_readings(void)
 {
@@ -1560,6 +1644,8 @@ int main(void)
         RUN_TEST(full_counters_stay_in_their_range);
         RUN_TEST(a_look_halves_what_is_against_an_older_solution);
         RUN_TEST(the_box_gives_centre_and_unit);
+        RUN_TEST(a_few_far_away_begin_again);
+        RUN_TEST(what_is_on_an_ellipsoid_stays);
         RUN_TEST(a_hundredth_moves_the_readings);
         RUN_TEST(a_wide_gap_gives_no_solution);
         RUN_TEST(two_cells_more_than_parameters_give_a_first_solution);
@@ -1576,6 +1662,7 @@ int main(void)
         RUN_TEST(a_cell_has_the_length_of_its_calibrated_samples);
         RUN_TEST(one_sample_is_a_cell);
     }
+    RUN_SLOW_TEST(a_wild_sample_is_forgotten);
     RUN_LONG_TEST(guidance_covers_every_cell);
     RUN_LONG_TEST(any_unit_is_found_or_refused);
     RUN_SLOW_TEST(too_small_an_axis_is_refused);

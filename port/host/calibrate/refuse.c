@@ -371,13 +371,34 @@ int calibrate_refuse_axes(calibrate_result *r)
     return EXIT_DATA;
 }
 
+/* The axis, 0 to 2, whose readings are all the same; -1: none. */
+static int find_constant_axis(const magnetometer_log *log)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        unsigned long n = 0;
+        while (n < log->instants && log->instant[n].field[axis] <= log->instant[0].field[axis] &&
+               log->instant[n].field[axis] >= log->instant[0].field[axis]) {
+            n++;
+        }
+        if (n > 1 && n == log->instants) {
+            return axis;
+        }
+    }
+    return -1;
+}
+
 int calibrate_refuse_magnetometer(calibrate_result *r)
 {
     const magnetometer_log *log = r->magnetometer;
     refusal *why = begin_refusal(r, status_name(log->status), (1u << INVCAL_PARAMETERS) - 1);
 
     if (log->status == INVCAL_TOO_FEW || log->status == INVCAL_UNDETERMINED) {
+        const int constant = find_constant_axis(log);
         append(why->reason, REFUSAL_MAX, "%lu samples, all in a few directions", log->samples);
+        if (constant >= 0) {
+            append(why->reason, REFUSAL_MAX, ": %c never changes", "xyz"[constant]);
+            append(why->remedy, REFUSAL_MAX, "check its column and the sensor; ");
+        }
         append(why->remedy, REFUSAL_MAX,
                "wave it for a minute until every side of the case has pointed along the field, "
                "which points north and steeply down in Europe and North America");

@@ -148,9 +148,9 @@ static int check(const reference *x, const calibration_file *f, const char *path
     }
     if (strcmp(f->unit, other->unit) != 0) {
         return refuse(x, path,
-                      "the readings are in %s and %s; make both from the same unit, or state it "
-                      "with --unit",
-                      f->unit, other->unit);
+                      "the readings are in %s and %s; make both from the same unit, or state it %s",
+                      f->unit, other->unit,
+                      f->is_magnetometer ? "in the heading, as mx (uT)" : "with --unit");
     }
     if (f->is_field_measured != other->is_field_measured) {
         return refuse(x, path,

@@ -711,6 +711,16 @@ static void find_gyro_by_count(const table *t, columns_kind kind, columns *out)
     out->seen.ignored = has_gyro && kind != COLUMNS_IMU ? 3 : 0;
 }
 
+/* Which three of six or more columns are its own is not known without a header. */
+static int report_unnamed_magnetometer(const table *t)
+{
+    message("%s:%lu: %u columns without a header: which are the magnetometer's? state them by "
+            "number, such as --columns %u,%u,%u%s, or name them in a header",
+            t->name, t->line, t->columns, t->columns - 2, t->columns - 1, t->columns,
+            t->columns % 3 == 1 ? ",t=1" : "");
+    return EXIT_FILE;
+}
+
 /* Without a header, the number of columns decides. In a layout, each letter is a column. */
 static int find_by_count(const table *t, columns_kind kind, columns *out)
 {
@@ -718,6 +728,9 @@ static int find_by_count(const table *t, columns_kind kind, columns *out)
                                               {"xyz", "txyz", "txyzT", "xyz...", "txyz..."}};
     static const char letters[] = "xyzabcntTAB"; /* in the order of `column`; '.': a rate */
 
+    if (kind == COLUMNS_MAGNETOMETER && t->columns > 5 && !is_cut_at_commas(t)) {
+        return report_unnamed_magnetometer(t);
+    }
     for (unsigned i = 0; i < 5 && !is_cut_at_commas(t); i++) {
         const char *layout = layouts[kind != COLUMNS_POSITIONS][i];
         if (!layout || strlen(layout) != t->columns) {

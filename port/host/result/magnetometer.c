@@ -109,7 +109,7 @@ const char *calibrate_axes_text(const calibrate_result *result, char text[CALIBR
         figure_digits(FIGURE_DEGREES * d->heading, 2, left), d->dip < 0 ? "up" : "down",
         figure_digits(FIGURE_DEGREES * fabs(d->dip), 3, dip),
         d->dip < 0 ? ", as it does south of the magnetic equator; elsewhere an axis, or the "
-                     "accelerometer, has the wrong sign"
+                     "accelerometer, has the wrong sign, or two are exchanged"
                    : "",
         axes_advice(result));
     return text;
