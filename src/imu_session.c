@@ -9,7 +9,6 @@
  */
 #include <stddef.h>
 
-#include "layout.h"
 #include "rotation.h"
 #include "solve.h"
 
@@ -84,8 +83,7 @@ invcal_status invcal_load_imu_session(const invcal_store *store, invcal_imu_sess
 {
     uint32_t size = 0;
 
-    const invcal_status status = invcal_store_load_layout(store, INVCAL_MOVES_LAYOUT,
-                                                          (uint8_t *)both + INVCAL_IMU_SESSION_FROM,
-                                                          INVCAL_IMU_SESSION_SIZE, &size);
+    const invcal_status status = invcal_store_load(store, (uint8_t *)both + INVCAL_IMU_SESSION_FROM,
+                                                   INVCAL_IMU_SESSION_SIZE, &size);
     return status == INVCAL_OK ? invcal_imu_session_resume(both, size) : status;
 }

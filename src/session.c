@@ -5,11 +5,12 @@
  * sums, since the judgement needs each of them again. Feeding a sample never solves, so its cost is
  * bounded.
  */
+#include <stddef.h>
 #include <string.h>
 
 #include "guidance.h"
+#include "invcal/store.h"
 #include "judge.h"
-#include "layout.h"
 #include "solve.h"
 #include "status.h"
 #include "vector.h"
@@ -17,6 +18,10 @@
 #define CLOSE INVCAL_REAL(0.9396926) /* cosine of 20 degrees */
 enum { DOF = 3 };                    /* min degrees of freedom to trust sigma */
 enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
+
+/* The size before the means, and an identifier of layout, number type and byte order. */
+#define HEAD ((uint32_t)offsetof(invcal_session, mean))
+#define LAYOUT (UINT32_C(0x5E040000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
 
 /* ---- settings -------------------------------------------------------------------------------- */
 
@@ -42,7 +47,7 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
     INVCAL_ASSERT(session && nominal);
     const invcal_status status = begin_stream(session, nominal, rate);
     if (status == INVCAL_OK) {
-        session->layout = INVCAL_SESSION_LAYOUT;
+        session->layout = LAYOUT;
         session->hold = 0;
         session->low = INT32_MIN;
         session->high = INT32_MAX;
@@ -101,13 +106,13 @@ void invcal_session_hold(invcal_session *session, uint32_t milliseconds)
 uint32_t invcal_session_size(const invcal_session *session)
 {
     INVCAL_ASSERT(session && session->count <= INVCAL_MAX_POSITIONS);
-    return INVCAL_SESSION_HEAD + (uint32_t)sizeof session->mean[0] * session->count;
+    return HEAD + (uint32_t)sizeof session->mean[0] * session->count;
 }
 
 invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
 {
     INVCAL_ASSERT(session);
-    if (size < INVCAL_SESSION_HEAD || session->layout != INVCAL_SESSION_LAYOUT) {
+    if (size < HEAD || session->layout != LAYOUT) {
         return INVCAL_OTHER_VERSION;
     }
     if (session->count > INVCAL_MAX_POSITIONS || size != invcal_session_size(session)) {

@@ -3,7 +3,7 @@
  * A session in a memory. Not in session.c, so that a device without such a memory does not link
  * store.c.
  */
-#include "layout.h"
+#include "invcal/store.h"
 
 invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session)
 {
@@ -14,7 +14,7 @@ invcal_status invcal_load_session(const invcal_store *store, invcal_session *ses
 {
     uint32_t size = 0;
 
-    const invcal_status status = invcal_store_load_layout(
-        store, INVCAL_SESSION_LAYOUT, (uint8_t *)session, INVCAL_SESSION_SIZE, &size);
+    const invcal_status status =
+        invcal_store_load(store, (uint8_t *)session, INVCAL_SESSION_SIZE, &size);
     return status == INVCAL_OK ? invcal_session_resume(session, size) : status;
 }

@@ -8,10 +8,8 @@
 #include "invcal/store.h"
 
 #include <limits.h>
-#include <string.h>
 
 #include "bytes.h"
-#include "layout.h"
 #include "vector.h"
 
 enum { SLOT_KIND = 0x5C, SLOT_VERSION = 1, SLOT_KIND_VERSION = SLOT_VERSION << 8 | SLOT_KIND };
@@ -38,8 +36,7 @@ typedef struct {
     state kept;        /* of the slot to load, which must survive */
     state other;       /* of the other slot */
     uint8_t *bytes;    /* receives the data, */
-    uint32_t capacity; /* up to this size, */
-    uint32_t layout;   /* if they begin with this; 0: in any case */
+    uint32_t capacity; /* up to this size */
     uint8_t chunk[CHUNK];
 } work;
 
@@ -85,14 +82,8 @@ static state confirmation(work *w, unsigned end)
 }
 
 /* Copies the chunk that begins with byte `first` of the data. */
-static void copy(work *w, unsigned first, unsigned count)
+static void copy(const work *w, unsigned first, unsigned count)
 {
-    uint32_t layout;
-
-    memcpy(&layout, w->chunk, sizeof layout);
-    if (first == 0 && w->layout != 0 && w->layout != layout) {
-        w->capacity = 0;
-    }
     const unsigned all = w->size <= w->capacity ? w->size : 0;
 
     for (unsigned i = 0; i < count; i++) {
@@ -217,8 +208,8 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
     return done ? INVCAL_OK : INVCAL_IO;
 }
 
-invcal_status invcal_store_load_layout(const invcal_store *store, uint32_t layout, uint8_t *bytes,
-                                       uint32_t capacity, uint32_t *size)
+invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint32_t capacity,
+                                uint32_t *size)
 {
     work w;
 
@@ -232,21 +223,14 @@ invcal_status invcal_store_load_layout(const invcal_store *store, uint32_t layou
     }
     w.bytes = bytes;
     w.capacity = capacity;
-    w.layout = layout;
     if (look(&w) <= EMPTY) {
         return INVCAL_IO;
     }
-    if (w.size > w.capacity) { /* nothing was copied */
-        return w.size > capacity ? INVCAL_NO_SPACE : INVCAL_OTHER_VERSION;
+    if (w.size > capacity) {
+        return INVCAL_NO_SPACE;
     }
     *size = w.size;
     return INVCAL_OK;
-}
-
-invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint32_t capacity,
-                                uint32_t *size)
-{
-    return invcal_store_load_layout(store, 0, bytes, capacity, size);
 }
 
 /* The slot to load goes last: until then a load must not find the older one instead. */

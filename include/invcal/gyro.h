@@ -309,15 +309,10 @@ invcal_status invcal_imu_session_resume(invcal_imu_session *both, uint32_t size)
 invcal_status invcal_save_imu_session(const invcal_store *store, const invcal_imu_session *both);
 
 /* Loads and resumes both, with new streams of samples and the settings they were begun with: see
- * invcal_load_session. If it fails, initialize both.
+ * invcal_load_session. If it fails, both may be overwritten: initialize both.
  *
  * Returns as invcal_store_load, then as invcal_imu_session_resume. INVCAL_OTHER_VERSION: the store
- * holds something else, or both as saved by a different build. both is overwritten only if
- *   INVCAL_IO              the second reading, of what was found, fails or differs;
- *   INVCAL_OTHER_VERSION   the moves have the layout of this build, but the session does not;
- *   INVCAL_DAMAGED, INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_RATE, INVCAL_BAD_RAILS
- *                          the bytes have this layout, but a content that no build saves.
- * Stack: as these. */
+ * holds something else, or both as saved by a different build. Stack: as these. */
 invcal_status invcal_load_imu_session(const invcal_store *store, invcal_imu_session *both);
 
 /* ---- what survives a reset: the result ----------------------------------------------------------

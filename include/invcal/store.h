@@ -104,14 +104,11 @@ invcal_status invcal_load_v1(const invcal_store *store, invcal_calibration *cali
  * Returns as invcal_store_save. Stack as that. */
 invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session);
 
-/* Loads it, to resume with a new stream. If it fails, begin a new session.
+/* Loads it, to resume with a new stream. If it fails, the session may be overwritten: begin a new
+ * one.
  *
  * Returns as invcal_store_load, then as invcal_session_resume. INVCAL_OTHER_VERSION: it holds
- * something else, or a session saved by a different build. session is overwritten only if
- *   INVCAL_IO    the second reading, of what was found, fails or differs;
- *   INVCAL_DAMAGED, INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_RATE, INVCAL_BAD_RAILS
- *                the bytes have the layout of this build, but a content that no build saves.
- * Stack as these. */
+ * something else, or a session saved by a different build. Stack as these. */
 invcal_status invcal_load_session(const invcal_store *store, invcal_session *session);
 
 /* ---- the store: any bytes -----------------------------------------------------------------------

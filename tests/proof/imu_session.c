@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "layout.h"
 #include "rotation.h"
 #include "solve.h"
 
@@ -19,11 +18,10 @@ void invcal_moves_restart(invcal_moves *m)
     ANY(*m);
 }
 
-invcal_status invcal_store_load_layout(const invcal_store *store, uint32_t layout, uint8_t *bytes,
-                                       uint32_t capacity, uint32_t *size)
+invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint32_t capacity,
+                                uint32_t *size)
 {
     (void)store->slot_size;
-    (void)layout;
     *size = BETWEEN(1, capacity);
     Frama_C_make_unknown((char *)bytes, capacity);
     return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_IO);

@@ -3,7 +3,6 @@
 #include <stddef.h>
 
 #include "driver.h"
-#include "layout.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 8 -eva-slevel 0 -eva-slevel-function main:100
 
@@ -20,7 +19,6 @@ static void use(const invcal_store *store, uint32_t size)
 
     invcal_store_save(store, bytes, size);
     invcal_store_load(store, bytes, size, &found);
-    invcal_store_load_layout(store, BETWEEN(0, UINT32_MAX), bytes, size, &found);
 }
 
 /* With any size of the slots; too small or odd ones are refused. */

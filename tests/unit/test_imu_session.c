@@ -627,13 +627,11 @@ static void what_is_not_a_session_of_both_is_not_loaded(void)
 
     begin(11);
     take(3);
-    memset(&back, FILL, sizeof back);
     TEST_ASSERT_EQUAL_INT(INVCAL_NO_RECORD, invcal_load_imu_session(&store, &back));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_session(&store, &both.session)); /* one sensor */
     TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_load_imu_session(&store, &back));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, large, sizeof large));
     TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_load_imu_session(&store, &back));
-    TEST_ASSERT_EACH_EQUAL_HEX8(FILL, &back, sizeof back); /* untouched */
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu_session(&store, &both));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu_session(&store, &back));
     assert_back();
