@@ -37,14 +37,15 @@ function text(s) {
 
 synopsis='
 /^usage:/ { on = 1 }
-!NF { exit }
-on { sub(/^usage: /, "       "); print raw(substr($0, 8)) }'
+!NF { is_past = 1 } # an exit would leave the tool writing into a closed pipe
+on && !is_past { sub(/^usage: /, "       "); print raw(substr($0, 8)) }'
 
 description='
 function fill() { if (verbatim) print ".fi"; verbatim = 0 }
 function keep() { if (!verbatim) print ".nf"; verbatim = 1 }
 /^usage:/ { usage = 1 }
-/^examples?:/ { exit }
+/^examples?:/ { is_past = 1 }
+is_past { next }
 usage { usage = NF > 0; next }
 !NF { fill(); paragraph = 1; next }
 /^  --/ {
