@@ -409,6 +409,10 @@ printf 'MPU6050 found\n# ax ay az\n1 2 3\n' > "$work/dress.csv"
 run apply "$work/simple.json" "$work/dress.csv"
 check "apply: a header in a comment below the text" \
     says 'warning: .*dress\.csv: 1 line of text before the header ignored$'
+printf 'hello\nt,x,y,z\n0,\017\n' > "$work/dress.csv"
+run apply "$work/simple.json" "$work/dress.csv"
+check "apply: if the line below the text is bad, that is all it says" \
+    test "$(cat "$work/stderr")" = "invcal: $work/dress.csv:3: byte 3 of the line has the value 15: not a text file; export the readings as CSV"
 
 for bytes in 'a,1,2\n' 'a,1,2\n# x y z\n'; do
     printf "$bytes" > "$work/dress.csv"

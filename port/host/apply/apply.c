@@ -187,12 +187,16 @@ static int find_columns(table *log, const job *j, columns *where)
                               : j->file.has_gyro        ? COLUMNS_IMU
                               : j->file.is_magnetometer ? COLUMNS_MAGNETOMETER
                                                         : COLUMNS_LOG;
-    failure = failure ? failure : columns_find(log, kind, where);
-    if (!failure && log->text_lines > 0) {
+    return failure ? failure : columns_find(log, kind, where);
+}
+
+/* After the rows: the line below the text may be bad, and an error is the last line. */
+static void warn_of_text(const table *log)
+{
+    if (log->text_lines > 0) {
         message("warning: %s: %lu line%s of text before the %s ignored", log->name, log->text_lines,
                 log->text_lines == 1 ? "" : "s", log->has_header ? "header" : "readings");
     }
-    return failure;
 }
 
 /* The calibration of a magnetometer, and columns x y z that are perhaps of an accelerometer: the
@@ -322,6 +326,7 @@ static int apply(table *log, job *j)
     }
     fclose(spool);
     if (!failure && !j->is_quiet) {
+        warn_of_text(log);
         if (!j->is_gyro && !warn_of_other_sensor(log, j) && !warn_of_unit(log, j)) {
             check_size(log, j);
         }
