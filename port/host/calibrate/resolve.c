@@ -8,6 +8,7 @@
 #include "calibrate/refuse.h"
 #include "cli/command.h"
 #include "cli/message.h"
+#include "maths/median.h"
 #include "result/calibration_file.h"
 #include "text/figure.h"
 #include "text/number.h"
@@ -125,14 +126,6 @@ int resolve_nominal(const request *r, calibrate_result *result)
 
 /* ---- the size of the readings -------------------------------------------------------------------- */
 
-static int compare_numbers(const void *a, const void *b)
-{
-    const double x = *(const double *)a;
-    const double y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 /* The median length of the readings in field units, which a few outliers do not change; NaN without
  * memory. */
 static double median_length(const positions *data, const invcal_calibration *nominal)
@@ -146,8 +139,7 @@ static double median_length(const positions *data, const invcal_calibration *nom
         length[k] = fmin(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), DBL_MAX); /* no NaN */
     }
     if (length) {
-        qsort(length, data->count, sizeof *length, compare_numbers);
-        middle = length[data->count / 2];
+        middle = median_of(length, data->count);
     }
     free(length);
     return middle;

@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "maths/median.h"
 #include "maths/rotation.h"
 
 #define LENGTH_TOLERANCE 0.1 /* relative to the median */
@@ -25,14 +26,6 @@ typedef struct {
 static double length_of(const double v[3])
 {
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a;
-    const double y = *(const double *)b;
-
-    return (x > y) - (x < y);
 }
 
 /* Calibrates all instants, and stores their lengths. Returns the number of finite ones. */
@@ -64,8 +57,7 @@ static unsigned long keep_typical(instant *all, unsigned long count, double *len
 
     for (unsigned s = 0; s < 2; s++) {
         memcpy(sorted, length[s], count * sizeof *sorted);
-        qsort(sorted, count, sizeof *sorted, compare);
-        typical[s] = sorted[count / 2];
+        typical[s] = median_of(sorted, count);
     }
     for (unsigned long n = 0; n < count; n++) {
         if (fabs(length[0][n] - typical[0]) <= LENGTH_TOLERANCE * typical[0] &&

@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "maths/matrix.h"
+#include "maths/median.h"
 #include "text/number.h"
 
 #define COUNT_BITS 24      /* of the largest reading found; others may be 128 times as large */
@@ -234,14 +235,6 @@ static void fill_rests(gyro_fit *g, long lag, const positions *p, const invcal_c
     }
 }
 
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a;
-    const double y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 /* The median of all rests, which a single false rest hardly affects. */
 static void find_median_bias(const gyro_fit *g, double bias[3])
 {
@@ -253,8 +246,7 @@ static void find_median_bias(const gyro_fit *g, double bias[3])
             x[n] = g->rest[i].bias[k];
             n += isfinite(x[n]) != 0;
         }
-        qsort(x, n, sizeof x[0], compare);
-        bias[k] = n > 0 ? x[n / 2] : 0;
+        bias[k] = median_of(x, n);
     }
 }
 
@@ -340,12 +332,6 @@ static double mean_square(const gyro_log *log, size_t first, size_t last, const 
     return last > first ? sum / (double)(last - first) : 0;
 }
 
-static double median(double *x, unsigned n)
-{
-    qsort(x, n, sizeof x[0], compare);
-    return n > 0 ? x[n / 2] : 0;
-}
-
 /* In the rests; the median, as a single reading may be wrong. */
 static double square_at_rest(const gyro_fit *g, long lag, const double bias[3])
 {
@@ -358,7 +344,7 @@ static double square_at_rest(const gyro_fit *g, long lag, const double bias[3])
         gyro_between(g->log, lag, itself, &first, &last);
         square[i] = mean_square(g->log, first, last, bias);
     }
-    return median(square, g->rests);
+    return median_of(square, g->rests);
 }
 
 /* Whether the readings are much larger between the rests than in them. */
@@ -372,7 +358,7 @@ static int has_turned(const gyro_fit *g, long lag, const double bias[3])
         gyro_between(g->log, lag, &g->rest[i], &first, &last);
         square[i] = mean_square(g->log, first, last, bias);
     }
-    return median(square, g->rests - 1) > MOTION_RATIO * square_at_rest(g, lag, bias);
+    return median_of(square, g->rests - 1) > MOTION_RATIO * square_at_rest(g, lag, bias);
 }
 
 /* A gyroscope axis without signal, although the accelerometer saw turns about it; -1: none. */

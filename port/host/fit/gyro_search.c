@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "fit/gyro.h"
+#include "maths/median.h"
 
 #define BIN 0.05                  /* seconds */
 #define LAG_BINS_MAX 40           /* to either side: 2 s */
@@ -40,16 +41,8 @@ static size_t reading_at(const gyro_log *log, long lag, size_t index)
     return at < 0 ? 0 : (size_t)at > log->readings ? log->readings : (size_t)at;
 }
 
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a;
-    const double y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 /* The median of up to a thousand readings of an axis. */
-static double median_of(const gyro_log *log, unsigned axis)
+static double usual_reading(const gyro_log *log, unsigned axis)
 {
     double x[1000];
     const size_t step = log->readings / 1000 + 1;
@@ -58,13 +51,12 @@ static double median_of(const gyro_log *log, unsigned axis)
     for (size_t i = 0; i < log->readings && n < 1000; i += step) {
         x[n++] = log->reading[i].x[axis];
     }
-    qsort(x, n, sizeof x[0], compare);
-    return n > 0 ? x[n / 2] : 0;
+    return median_of(x, n);
 }
 
 static size_t fill_bins(const gyro_log *log, bin *b, size_t each)
 {
-    const double middle[3] = {median_of(log, 0), median_of(log, 1), median_of(log, 2)};
+    const double middle[3] = {usual_reading(log, 0), usual_reading(log, 1), usual_reading(log, 2)};
     const size_t bins = log->samples / each;
     size_t next = 0;
 
@@ -171,6 +163,9 @@ typedef struct {
     const double *up[2];
     double angle; /* between them */
     double path;  /* sum of the magnitudes of the readings */
+    /* Rotates the up direction at the end back to that at the beginning: by all steps, and by all
+     * the other way. Row n is where unit vector n goes. */
+    double back[2][3][3];
 } move;
 
 void gyro_axes(const int8_t axes[3], const double x[3], double out[3])
@@ -227,54 +222,39 @@ static int fill_move(const gyro_log *log, long lag, const gyro_rest *rest, const
     return 1;
 }
 
-/* v turned by the rotation vector th. */
-static void turn_by(const double th[3], double v[3])
+/* Rotates three vectors by the rotation vector th. */
+static void rotate(const double th[3], double all[3][3])
 {
     const double x = sqrt(dot(th, th));
+    const double cosine = cos(x);
     const double s = x > 1e-6 ? sin(x) / x : 1;
-    const double c = x > 1e-6 ? (1 - cos(x)) / (x * x) : 0.5;
-    const double along = c * dot(th, v);
-    const double cross[3] = {th[1] * v[2] - th[2] * v[1], th[2] * v[0] - th[0] * v[2],
-                             th[0] * v[1] - th[1] * v[0]};
+    const double c = x > 1e-6 ? (1 - cosine) / (x * x) : 0.5;
 
-    for (unsigned i = 0; i < 3; i++) {
-        v[i] = cos(x) * v[i] + s * cross[i] + along * th[i];
-    }
-}
-
-/* The squared angle between the up direction at the beginning, and that at the end, rotated back by
- * all steps. */
-static double misfit(const move *m, const int8_t axes[3], double scale)
-{
-    double v[3];
-    double th[3];
-
-    memcpy(v, m->up[1], sizeof v);
-    for (unsigned n = m->steps; n > 0; n--) {
-        gyro_axes(axes, m->step[n - 1], th);
+    for (unsigned n = 0; n < 3; n++) {
+        double *v = all[n];
+        const double along = c * dot(th, v);
+        const double cross[3] = {th[1] * v[2] - th[2] * v[1], th[2] * v[0] - th[0] * v[2],
+                                 th[0] * v[1] - th[1] * v[0]};
         for (unsigned i = 0; i < 3; i++) {
-            th[i] *= scale;
+            v[i] = cosine * v[i] + s * cross[i] + along * th[i];
         }
-        turn_by(th, v);
     }
-    return pow(acos(fmax(-1, fmin(1, dot(v, m->up[0])))), 2);
 }
 
-/* The mean over the best three quarters of the moves: some may be between false rests. */
-static double misfit_of_all(const move *m, unsigned moves, const int8_t axes[3], double scale)
+/* The rotations of all moves with this scale. */
+static void set_scale(move *m, unsigned moves, double scale)
 {
-    const unsigned counted = moves - moves / 4;
-    double square[MOVES_MAX];
-    double sum = 0;
+    static const double identity[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-    for (unsigned i = 0; i < moves; i++) {
-        square[i] = misfit(&m[i], axes, scale);
+    for (unsigned k = 0; k < moves; k++) {
+        memcpy(m[k].back[0], identity, sizeof identity);
+        memcpy(m[k].back[1], identity, sizeof identity);
+        for (unsigned n = m[k].steps; n > 0; n--) {
+            const double *x = m[k].step[n - 1];
+            rotate((const double[3]){scale * x[0], scale * x[1], scale * x[2]}, m[k].back[0]);
+            rotate((const double[3]){-scale * x[0], -scale * x[1], -scale * x[2]}, m[k].back[1]);
+        }
     }
-    qsort(square, moves, sizeof square[0], compare);
-    for (unsigned i = 0; i < counted; i++) {
-        sum += square[i];
-    }
-    return sum / counted;
 }
 
 /* Assignment k of ASSIGNMENTS. */
@@ -288,30 +268,90 @@ static void set_assignment(unsigned k, int8_t axes[3])
     }
 }
 
-/* The best scale for an assignment: from a grid, then refined to a thousandth. Returns its
- * misfit. */
-static double best_scale(const move *m, unsigned moves, const int8_t axes[3], double from,
-                         int is_fine, double *scale)
+static int is_mirrored(unsigned k)
 {
-    double least = HUGE_VAL;
+    const unsigned signs = k / 6;
+
+    return ((signs ^ signs >> 1 ^ signs >> 2) & 1) != (k % 6 >= 3);
+}
+
+/* The squared angle between the up direction at the beginning, and that at the end, rotated back.
+ * An assignment P makes P R P' of a rotation R, so that P' may be applied to the up directions
+ * instead; a mirrored one rotates the other way, too. */
+static double misfit(const move *m, unsigned assignment)
+{
+    const double(*back)[3] = m->back[is_mirrored(assignment)];
+    int8_t axes[3];
+    double up[2][3];
+    double cosine = 0;
+
+    set_assignment(assignment, axes);
+    for (unsigned i = 0; i < 3; i++) {
+        const int to = abs(axes[i]) - 1;
+        up[0][to] = axes[i] < 0 ? -m->up[0][i] : m->up[0][i];
+        up[1][to] = axes[i] < 0 ? -m->up[1][i] : m->up[1][i];
+    }
+    for (unsigned n = 0; n < 3; n++) {
+        cosine += up[1][n] * dot(back[n], up[0]);
+    }
+    return pow(acos(fmax(-1, fmin(1, cosine))), 2);
+}
+
+/* The mean over the best three quarters of the moves: some may be between false rests. */
+static double misfit_of_all(const move *m, unsigned moves, unsigned assignment)
+{
+    const unsigned counted = moves - moves / 4;
+    double square[MOVES_MAX];
+    double sum = 0;
+
+    for (unsigned i = 0; i < moves; i++) {
+        square[i] = misfit(&m[i], assignment);
+    }
+    sort_numbers(square, moves);
+    for (unsigned i = 0; i < counted; i++) {
+        sum += square[i];
+    }
+    return sum / counted;
+}
+
+/* Refines a scale to a thousandth. Returns its misfit. */
+static double refine(move *m, unsigned moves, unsigned assignment, double least, double *scale)
+{
     double width = SCALE_STEP;
 
-    for (unsigned n = 0; n < SCALES; n++) {
-        const double tried = from * pow(SCALE_STEP, (double)n - SCALES_BELOW);
-        const double square = misfit_of_all(m, moves, axes, tried);
-        *scale = square < least ? tried : *scale;
-        least = fmin(least, square);
-    }
-    while (is_fine && width > 1.001) {
+    while (width > 1.001) {
         width = sqrt(width);
         const double middle = *scale;
         for (int side = -1; side <= 1; side += 2) {
-            const double square = misfit_of_all(m, moves, axes, middle * pow(width, side));
-            *scale = square < least ? middle * pow(width, side) : *scale;
+            const double tried = middle * pow(width, side);
+            set_scale(m, moves, tried);
+            const double square = misfit_of_all(m, moves, assignment);
+            *scale = square < least ? tried : *scale;
             least = fmin(least, square);
         }
     }
     return least;
+}
+
+/* The best scale of a grid for each assignment, and its misfit. */
+static void try_scales(move *m, unsigned moves, double from, double least[ASSIGNMENTS],
+                       double scale[ASSIGNMENTS])
+{
+    for (unsigned k = 0; k < ASSIGNMENTS; k++) {
+        least[k] = HUGE_VAL;
+        scale[k] = from;
+    }
+    for (unsigned n = 0; n < SCALES; n++) {
+        const double tried = from * pow(SCALE_STEP, (double)n - SCALES_BELOW);
+        set_scale(m, moves, tried);
+        for (unsigned k = 0; k < ASSIGNMENTS; k++) {
+            const double square = misfit_of_all(m, moves, k);
+            if (square < least[k]) {
+                least[k] = square;
+                scale[k] = tried;
+            }
+        }
+    }
 }
 
 int gyro_search(const gyro_log *log, long lag, const gyro_rest *rest, unsigned rests,
@@ -319,8 +359,8 @@ int gyro_search(const gyro_log *log, long lag, const gyro_rest *rest, unsigned r
 {
     static move all[MOVES_MAX]; /* too large for the stack */
     double ratio[MOVES_MAX];
-    double square[ASSIGNMENTS];
-    double scale = 0;
+    double least[ASSIGNMENTS];
+    double scale[ASSIGNMENTS] = {0};
     unsigned best = 0;
     unsigned moves = 0;
     double second = HUGE_VAL;
@@ -335,20 +375,18 @@ int gyro_search(const gyro_log *log, long lag, const gyro_rest *rest, unsigned r
     if (moves < 2) {
         return 0;
     }
-    qsort(ratio, moves, sizeof ratio[0], compare);
+    try_scales(all, moves, median_of(ratio, moves), least, scale);
     for (unsigned k = 0; k < ASSIGNMENTS; k++) {
-        int8_t assigned[3];
-        set_assignment(k, assigned);
-        square[k] = best_scale(all, moves, assigned, ratio[moves / 2], 0, &scale);
-        best = square[k] < square[best] ? k : best;
+        best = least[k] < least[best] ? k : best;
     }
     for (unsigned k = 0; k < ASSIGNMENTS; k++) {
-        second = k != best && square[k] < second ? square[k] : second;
+        second = k != best && least[k] < second ? least[k] : second;
     }
-    out->is_clear = second > CLEAR_RATIO * square[best];
+    out->is_clear = second > CLEAR_RATIO * least[best];
     /* unless they are clear, the stated axes are kept if they fit nearly as well */
-    best = !out->is_clear && square[0] < CLEAR_RATIO * square[best] ? 0 : best;
+    best = !out->is_clear && least[0] < CLEAR_RATIO * least[best] ? 0 : best;
     set_assignment(best, out->axes);
-    out->misfit = sqrt(best_scale(all, moves, out->axes, ratio[moves / 2], 1, &out->rate_unit));
+    out->misfit = sqrt(refine(all, moves, best, least[best], &scale[best]));
+    out->rate_unit = scale[best];
     return 1;
 }

@@ -6,8 +6,9 @@
 #include <string.h>
 
 #include "cli/command.h"
-#include "maths/f_tail.h"
 #include "cli/message.h"
+#include "maths/f_tail.h"
+#include "maths/median.h"
 #include "text/random.h"
 
 #define FALSE_ALARM 0.007 /* chance that any good position is left out */
@@ -194,14 +195,6 @@ int rejection_begin(rejection *r, const positions *p, const fit_settings *settin
     return EXIT_GOOD;
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-    const double x = *(const double *)a;
-    const double y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 /* The noise of a length by the median absolute error of the kept positions, which tolerates up to
  * half of them being wrong: 1.4826 is 1 over that of a standard normal variable. r->number, which
  * rejection_finish fills later, serves as working memory. */
@@ -210,8 +203,7 @@ static double robust_noise(rejection *r, const invcal_calibration *c)
     for (unsigned k = 0; k < r->kept_count; k++) {
         r->number[k] = fabs(length_error(c, &r->kept[3 * (size_t)k]));
     }
-    qsort(r->number, r->kept_count, sizeof *r->number, compare_numbers);
-    return 1.4826 * r->number[r->kept_count / 2];
+    return 1.4826 * median_of(r->number, r->kept_count);
 }
 
 /* Each subset has its false alarms, and may be too small to show a small error. So positions are

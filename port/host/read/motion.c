@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "maths/median.h"
+
 #define FIRST_SIZE 16u
 #define BLOCKS_MIN 8u
 #define CURVATURE_RATIO 15.0 /* over the median, which is 0.67 sigma */
@@ -102,21 +104,12 @@ static double variance(const motion *m, unsigned block, unsigned axis)
 
 typedef double block_statistic(const motion *m, unsigned block, unsigned axis);
 
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a;
-    const double y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 static double median(motion *m, block_statistic *statistic, unsigned count, unsigned axis)
 {
     for (unsigned i = 0; i < count; i++) {
         m->scratch[i] = statistic(m, i, axis);
     }
-    qsort(m->scratch, count, sizeof m->scratch[0], compare);
-    return m->scratch[count / 2];
+    return median_of(m->scratch, count);
 }
 
 static double length(const motion *m)

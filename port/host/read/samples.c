@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "maths/median.h"
 #include "read/temperature.h"
 
 #define RATE_DEFAULT 100.0
@@ -123,14 +124,6 @@ static double find_unit(const samples *s)
                        : ldexp(1, UNIT_EXPONENT_DEFAULT);
 }
 
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a;
-    const double y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 /* To three digits: clocks are no more accurate, and 99.98 means 100. */
 static double round_rate(double rate)
 {
@@ -150,10 +143,10 @@ static double usual_step(samples *s)
     for (unsigned i = 0; i < n; i++) {
         step[i] = s->ahead[i + 1][TIME] - s->ahead[i][TIME];
     }
-    qsort(step, n, sizeof step[0], compare);
     const double mean = (s->ahead[n][TIME] - s->ahead[0][TIME]) / n;
-    s->step_max = 2 * step[n - 1 - n / 50]; /* the largest 2 % may be gaps */
-    return step[n / 2] > 0 && mean > 1.5 * step[n / 2] ? step[n / 2] : mean;
+    const double median = median_of(step, n);
+    s->step_max = 2 * step[n - 1 - n / 50]; /* sorted: the largest 2 % may be gaps */
+    return median > 0 && mean > 1.5 * median ? median : mean;
 }
 
 #define RATE_SLOW 0.2 /* samples per second; fewer are times in another unit, if none is stated */

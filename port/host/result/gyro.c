@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "maths/matrix.h"
+#include "maths/median.h"
 #include "text/append.h"
 #include "text/figure.h"
 #include "text/number.h"
@@ -189,14 +190,6 @@ const char *gyro_thermal_text(const gyro_fit *g, char text[GYRO_LINE_MAX])
     return text;
 }
 
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a;
-    const double y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 /* 1.4826: 1 / median of |x|, x standard normal. */
 double gyro_bias_spread(const gyro_fit *g, unsigned axis)
 {
@@ -210,13 +203,11 @@ double gyro_bias_spread(const gyro_fit *g, unsigned axis)
     if (n < 2) {
         return 0;
     }
-    qsort(x, n, sizeof x[0], compare);
-    const double median = x[n / 2];
+    const double median = median_of(x, n);
     for (unsigned i = 0; i < n; i++) {
         x[i] = fabs(x[i] - median);
     }
-    qsort(x, n, sizeof x[0], compare);
-    return 1.4826 * x[n / 2];
+    return 1.4826 * median_of(x, n);
 }
 
 /* ---- the table ---------------------------------------------------------------------------------- */
