@@ -60,14 +60,24 @@ double covariance_find(const double (*direction)[3], const double *weight, unsig
     return log_det;
 }
 
+void covariance_image(double K[P][P], const double *a, double out[P])
+{
+    for (unsigned r = 0; r < P; r++) {
+        out[r] = 0;
+        for (unsigned c = 0; c < P; c++) {
+            out[r] += K[r][c] * a[c];
+        }
+    }
+}
+
 double covariance_product(double K[P][P], const double *a, const double *b)
 {
+    double image[P];
     double sum = 0;
 
+    covariance_image(K, a, image);
     for (unsigned r = 0; r < P; r++) {
-        for (unsigned c = 0; c < P; c++) {
-            sum += a[r] * K[r][c] * b[c];
-        }
+        sum += image[r] * b[r];
     }
     return sum;
 }

@@ -15,6 +15,10 @@ void covariance_row(const double up[3], double h[INVCAL_PARAMETERS]);
 double covariance_find(const double (*direction)[3], const double *weight, unsigned count,
                        double K[INVCAL_PARAMETERS][INVCAL_PARAMETERS]);
 
+/* K a'. */
+void covariance_image(double K[INVCAL_PARAMETERS][INVCAL_PARAMETERS], const double *a,
+                      double out[INVCAL_PARAMETERS]);
+
 /* a K b'. */
 double covariance_product(double K[INVCAL_PARAMETERS][INVCAL_PARAMETERS], const double *a,
                           const double *b);

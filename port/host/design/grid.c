@@ -94,18 +94,29 @@ static double covariance(const selection *s, double K[P][P])
     return covariance_find((const double(*)[3])up, NULL, s->n, K);
 }
 
-/* Exchanges position i for the stop that makes det H'H largest. Returns 1 if one does. */
-static int exchange(selection *s, unsigned i, double K[P][P])
+/* d_j of all stops. */
+static void find_variances(double K[P][P], double variance[CANDIDATES])
 {
-    const double *row = stops.row[s->stop[i]];
-    const double own = covariance_product(K, row, row);
+    for (unsigned j = 0; j < stops.count; j++) {
+        variance[j] = covariance_product(K, stops.row[j], stops.row[j]);
+    }
+}
+
+/* Exchanges position i for the stop that makes det H'H largest. Returns 1 if one does. */
+static int exchange(selection *s, unsigned i, double K[P][P], const double variance[CANDIDATES])
+{
+    const double own = variance[s->stop[i]];
     double max = 1 + GAIN_MIN;
+    double image[P]; /* K h_i' */
     unsigned best = s->stop[i];
 
+    covariance_image(K, stops.row[s->stop[i]], image);
     for (unsigned j = 0; j < stops.count; j++) {
-        const double *other = stops.row[j];
-        const double both = covariance_product(K, row, other);
-        const double gain = (1 + covariance_product(K, other, other)) * (1 - own) + both * both;
+        double both = 0;
+        for (unsigned c = 0; c < P; c++) {
+            both += image[c] * stops.row[j][c];
+        }
+        const double gain = (1 + variance[j]) * (1 - own) + both * both;
         if (s->uses[j] < stops.max_uses && gain > max) {
             max = gain + GAIN_MIN; /* so that rounding does not decide */
             best = j;
@@ -124,14 +135,17 @@ static int exchange(selection *s, unsigned i, double K[P][P])
 static double improve(selection *s)
 {
     double K[P][P];
+    double variance[CANDIDATES];
     double log_det = covariance(s, K);
     int has_improved = 1;
 
+    find_variances(K, variance);
     for (unsigned round = 0; round < ROUNDS_MAX && has_improved; round++) {
         has_improved = 0;
         for (unsigned i = s->fixed; i < s->n; i++) {
-            if (exchange(s, i, K)) {
+            if (exchange(s, i, K, variance)) {
                 log_det = covariance(s, K);
+                find_variances(K, variance);
                 has_improved = 1;
             }
         }
