@@ -5,7 +5,7 @@
 CC     ?= cc
 AR     ?= ar
 STD    ?= c99
-CFLAGS ?= -O2
+CFLAGS ?= -O1
 BUILD  ?= build
 # Where `make install` puts everything, below DESTDIR.
 PREFIX ?= /usr/local
@@ -33,7 +33,7 @@ ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itest
 DEGREE_FLAGS := $(if $(DEGREE),-DINVCAL_THERMAL_DEGREE=$(DEGREE))
 # By default the unit tests compile quickly, draw a tenth of their samples, and skip what takes long. LONG=1 runs all
 # of it; make check sets it, in build folders of its own.
-SHORT_FLAGS := $(if $(LONG),,-O1 -DTEST_SHORT=10)
+SHORT_FLAGS := $(if $(LONG),,-Og -DTEST_SHORT=10)
 # make V=1 shows the commands.
 Q := $(if $(V),,@)
 

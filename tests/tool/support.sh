@@ -53,10 +53,13 @@ complain() {
 
 is_empty() { [ ! -s "$1" ]; }
 
+only_line() { # FILE: into $line
+    { IFS= read -r line && ! IFS= read -r rest && [ -z "$rest" ]; } < "$1"
+}
+
 # One line that begins with "invcal: " and matches a pattern.
 says() {
-    [ "$(wc -l < "$work/stderr")" -eq 1 ] && grep -q '^invcal: ' "$work/stderr" &&
-        grep -Eq -- "$1" "$work/stderr"
+    only_line "$work/stderr" && [ "${line#invcal: }" != "$line" ] && grep -Eq -- "$1" "$work/stderr"
 }
 
 succeeded() { { [ "$code" -eq 0 ] && is_empty "$work/stderr"; } || complain; }
@@ -83,7 +86,7 @@ refuses() { # refuses SENTENCE CODE PATTERN ARGUMENTS ...
 
 # The folder of the result contains what it contained before, and nothing else.
 is_untouched() {
-    [ "$(ls -A "$work/out")" = cal.json ] && [ "$(cat "$work/out/cal.json")" = old ]
+    [ "$(ls -A "$work/out")" = cal.json ] && only_line "$work/out/cal.json" && [ "$line" = old ]
 }
 
 kept_old() { was_refused "$1" "$2" && is_untouched; }
