@@ -29,7 +29,6 @@ export class Sphere {
     constructor(canvas) {
         this.canvas = canvas;
         this.right = [1, 0, 0];
-        this.frames = 0;
         this.updateColours();
         matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.updateColours());
     }
@@ -50,7 +49,6 @@ export class Sphere {
             return;
         }
         this.lastKey = key;
-        this.frames++;
         if (this.canvas.width !== size) {
             this.canvas.width = this.canvas.height = size;
         }

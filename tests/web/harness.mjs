@@ -108,8 +108,9 @@ export async function runAll() {
         const began = Date.now();
         const pages = [];
         let why = "";
+        let figures = "";
         try {
-            await run(async (options) => {
+            figures = await run(async (options) => {
                 pages.push(await open(options));
                 return pages.at(-1);
             });
@@ -122,7 +123,7 @@ export async function runAll() {
             await page.close().catch(() => {});
         }
         failed += why !== "";
-        console.log(`${browserName}: ${name}: ${why === "" ? "ok" : `FAIL: ${why}`}${process.env.V ? ` (${Date.now() - began} ms)` : ""}`);
+        console.log(`${browserName}: ${name}: ${why !== "" ? `FAIL: ${why}` : figures ? `ok: ${figures}` : "ok"}${process.env.V ? ` (${Date.now() - began} ms)` : ""}`);
     }
     await browser.close();
     rmSync(work, { recursive: true, force: true });

@@ -196,7 +196,7 @@ test("motion sensors that Chromium emulates, and rounds itself: a position is ta
     };
     const shaking = shake();
     try {
-        await page.until("invcal.session()?.isReady()", "held long enough", 15000);
+        await page.until("invcal.session()?.isReady()", "held long enough");
     } finally {
         page.isHeld = true;
         await shaking;
@@ -209,7 +209,7 @@ test("motion sensors that Chromium emulates, and rounds itself: a position is ta
 test("a device without motion sensors says so", async (open) => {
     const page = await open();
     await page.click("#phone");
-    await page.until('document.querySelector("#notice").textContent.startsWith("No readings arrive")', "notice", 5000);
+    await page.until('document.querySelector("#notice").textContent.startsWith("No readings arrive")', "notice");
 });
 
 test("sensors that plain http hides, and sensors that the user denied: each is reported", async (open) => {
@@ -219,45 +219,66 @@ test("sensors that plain http hides, and sensors that the user denied: each is r
     await denied.click("#phone");
     await denied.until('document.querySelector("#notice").textContent.includes("does not let this page read the motion sensors")', "denied");
     equal(await denied.$eval("#phone", (button) => button.ariaPressed), "false", "pressed");
-    await insecure.until('document.querySelector("#notice").textContent.includes("only over https")', "https", 5000);
+    await insecure.until('document.querySelector("#notice").textContent.includes("only over https")', "https");
 }, { only: "chromium" });
 
 // ---- speed -----------------------------------------------------------------------------------------
 
-test("a million samples a second through the session", async (open) => {
+// Seconds mean nothing on a machine that does other things; so each is compared with a plain loop in the same page.
+const MEDIAN_OF = 9;
+const median = (list) => list.toSorted((a, b) => a - b)[list.length >> 1];
+
+test("a sample through the session costs less than 500 square roots", async (open) => {
     const page = await open();
-    const rate = await page.evaluate(() => {
+    const times = await page.evaluate((rounds) => {
+        const time = (run) => {
+            const began = performance.now();
+            run();
+            return performance.now() - began;
+        };
         const session = new invcal.Session(invcal.live, { rate: 100, unit: "16384", target: [1, 1, 1] }, () => {});
-        const n = 1e6;
-        const began = performance.now();
-        for (let i = 0; i < n; i++) {
-            session.add({ raw: false, acc: [100 + (i & 7), -200 + ((i >> 3) & 7), 16384 - (i & 3)], gyro: null }, i / 100);
-        }
-        return (n / (performance.now() - began)) * 1000;
-    });
-    expect(rate > 1e6, `${Math.round(rate)} a second`);
+        let n = 0;
+        let sum = 0;
+        return Array.from({ length: rounds }, () => [time(() => {
+            for (let i = 0; i < 1e5; i++, n++) {
+                session.add({ raw: false, acc: [100 + (n & 7), -200 + ((n >> 3) & 7), 16384 - (n & 3)], gyro: null }, n / 100);
+            }
+        }), time(() => {
+            for (let i = 0; i < 1e7; i++) {
+                sum += Math.sqrt(i + sum);
+            }
+        })]);
+    }, MEDIAN_OF);
+    const roots = 100 * median(times.map(([session, loop]) => session / loop));
+    expect(roots < 500, `${roots.toFixed(0)} of them`);
+    return `${roots.toFixed(0)}; ${(100 / median(times.map(([session]) => session))).toFixed(1)} million samples a second`;
 });
 
-test("30 pictures a second with 64 positions", async (open) => {
+test("64 positions are drawn at more than half the rate of an empty picture", async (open) => {
     const page = await open();
     await simulate(page);
     await page.until(TAKEN(3), "three positions");
+    await page.click("#stop");
     const positions = DIRECTIONS.concat(DIRECTIONS, DIRECTIONS, DIRECTIONS).slice(0, 64).map((d, i) => unit([d[0] + 0.01 * i, d[1], d[2]]));
-    const rate = await page.evaluate(async (all) => {
-        const { sphere } = invcal;
+    const rates = await page.evaluate(async (all, rounds) => {
         const sigmas = Array.from({ length: 400 }, (_, i) => 1 + i / 50);
-        const before = sphere.frames;
-        const began = performance.now();
-        let i = 0;
-        await new Promise((done) => {
+        const rate = (paint) => new Promise((done) => {
+            const began = performance.now();
+            let i = 0;
             const draw = () => {
-                i++;
-                sphere.draw({ up: [Math.cos(i / 20), Math.sin(i / 20), 0.3], next: [0, 0, 1], positions: all, sigmas, progress: 50, isReady: false });
-                i < 60 ? requestAnimationFrame(draw) : done();
+                paint(i++);
+                i < 15 ? requestAnimationFrame(draw) : done((i / (performance.now() - began)) * 1000);
             };
-            draw();
+            requestAnimationFrame(draw);
         });
-        return ((sphere.frames - before) / (performance.now() - began)) * 1000;
-    }, positions);
-    expect(rate >= 30, `${rate.toFixed(1)} a second`);
+        const sphere = (i) => invcal.sphere.draw({ up: [Math.cos(i / 20), Math.sin(i / 20), 0.3], next: [0, 0, 1], positions: all, sigmas, progress: 50, isReady: false });
+        const found = [];
+        while (found.length < rounds) {
+            found.push([await rate(sphere), await rate(() => {})]);
+        }
+        return found;
+    }, positions, MEDIAN_OF);
+    const ratio = median(rates.map(([sphere, empty]) => sphere / empty));
+    expect(ratio > 0.5, `${ratio.toFixed(2)} of it`);
+    return `${ratio.toFixed(2)}; ${median(rates.map(([sphere]) => sphere)).toFixed(0)} pictures a second`;
 });

@@ -200,13 +200,13 @@ test("serial: stopped, and started again; the port is closed between", async (op
 
 test("serial: silence and a wrong baud rate are reported, until lines arrive", async (open) => {
     const page = await connect(open);
-    const notices = (text) => page.until(`document.querySelector("#notice").textContent.includes(${JSON.stringify(text)})`, text, 6000);
+    const notices = (text) => page.until(`document.querySelector("#notice").textContent.includes(${JSON.stringify(text)})`, text);
     await notices("Nothing arrives from the board");
     await page.picture("silent");
     await print(page, "\u0001\u0002\ufffd\n".repeat(50));
     await notices("Is 115200 baud right");
     await print(page, lines([reads([0, 0, 1])], commas).join(""));
-    await page.until('document.querySelector("#notice").textContent === ""', "cleared once lines arrive", 6000);
+    await page.until('document.querySelector("#notice").textContent === ""', "cleared once lines arrive");
     await notices("has stopped printing");
     await page.click("#stop");
 }, CHROMIUM);
