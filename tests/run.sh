@@ -32,7 +32,7 @@ programs() { # FOLDER...
 scripts() {
     short='tool thermal stand case magnetometer log watch units sensor input reading citizen record compare export gyro
         fault pass refusal six_faces release'
-    [ "$LONG" = only ] && short=gyro # it takes longer then
+    [ "$LONG" = only ] && short='gyro log magnetometer' # they take longer then
     for name in ${LONG:+faults allan plan plan_moves width plan_report report screen verdict} $short; do
         echo "$name sh $tests/tool/${name}_test.sh $build/invcal $build/tool"
     done

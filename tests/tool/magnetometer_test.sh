@@ -240,8 +240,10 @@ check "magnetometer: then the angle between up and the field is constant" test "
     d = ($2 * $9 + $3 * $10 + $4 * $11) / l + 0.866; s += d; q += d * d; n++ }
     END { print n, (s / n < 0.01 && s / n > -0.01 && sqrt(q / n) < 0.05) }')" = "6000 1"
 
-# Sigma is the scatter of twenty logs: three angles each, all but one within 3 sigma.
-for seed in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+# Sigma is the scatter of the logs: three angles each, all but one within 3 sigma.
+logs=${LONG:+20}
+logs=${logs:-6}
+for seed in $(seq "$logs"); do
     both 0 "$seed" > "$work/one.csv"
     run calibrate --magnetometer "$work/one.csv" --json
     echo "$(sed -n '/"accelerometer"/,$s/.*"angle": \[\(.*\)\].*/\1/p' "$work/stdout")," \
@@ -252,7 +254,7 @@ check "magnetometer: sigma covers the scatter of the angles" test "$(awk -F, 'BE
         r = 3.14159265358979 / 180; c = cos(45 * r); d = cos(1.5 * r); e = sin(1.5 * r)
         w = c * d; q[1] = c * e; q[2] = c * e; q[3] = c * d; s = sqrt(1 - w * w); t = 2 * atan2(s, w) }
     { for (i = 1; i <= 3; i++) { e = ($i - q[i] / s * t) / $(i + 3); n++; far += e * e > 9; squares += e * e } }
-    END { print n, (far <= 1), (squares / n > 0.4 && squares / n < 2) }' "$work/angles.csv")" = "60 1 1"
+    END { print n, (far <= 1), (squares / n > 0.4 && squares / n < 2) }' "$work/angles.csv")" = "$((3 * logs)) 1 1"
 
 both 0.2 1 > "$work/offset.csv"
 echo '{"offset": [0.2, 0, 0], "matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}' > "$work/accel.json"
@@ -314,11 +316,11 @@ if [ -f "$recording" ]; then
 fi
 # ---- simulated ------------------------------------------------------------------------------------
 
-# Nine parameters and three angles of twenty logs: errors over sigma, against the options that made them.
+# Nine parameters and three angles of these logs: errors over sigma, against the options that made them.
 "$tool" simulate > "$work/still.csv"
 run calibrate "$work/still.csv" --quiet --out "$work/accel.json"
 seed=0
-while [ $((seed += 1)) -le 20 ]; do
+while [ $((seed += 1)) -le "$logs" ]; do
     "$tool" simulate --magnetometer --seed $seed > "$work/waved.csv"
     run calibrate --magnetometer "$work/waved.csv" --gravity 48 --zero 0,0,0 --lsb 1 --json --with "$work/accel.json"
     sed -n '/^  "sigma"/,/^  }/d; s/^  "\(offset\|dk\|gamma\)": \[\(.*\)\],*$/\2/p; s/^ *"angle": \[\(.*\)\],*$/\1/p' "$work/stdout" | tr '\n' ','
@@ -326,10 +328,10 @@ while [ $((seed += 1)) -le 20 ]; do
     echo
 done | tr -d ' ' > "$work/simulated.csv"
 honest() { # FIRST LAST LEAST: columns; 95 % of the errors within 2.03 sigma or so, and their mean square LEAST ... 1.5
-    awk -F, -v first="$1" -v last="$2" -v least="$3" '
+    awk -F, -v logs="$logs" -v first="$1" -v last="$2" -v least="$3" '
         BEGIN { split("12 -30 5 0.03 -0.02 0.015 0.02 -0.01 0.015 0.034907 -0.017453 0.026180", truth, " ") }
         { for (i = first; i <= last; i++) { e = ($i - truth[i]) / $(12 + i); n++; in95 += e * e < 2.03 * 2.03; squares += e * e } }
-        END { exit !(n == 20 * (last - first + 1) && in95 / n > 0.9 && squares / n > least && squares / n < 1.5) }' "$work/simulated.csv"
+        END { exit !(n == logs * (last - first + 1) && in95 / n > 0.9 && squares / n > least && squares / n < 1.5) }' "$work/simulated.csv"
 }
 check "simulate --magnetometer: offsets, scales and angles are within sigma" honest 1 9 0.4
 check "simulate --magnetometer: and its axes against the accelerometer's" honest 10 12 0.1 # these are too cautious

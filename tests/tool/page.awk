@@ -23,22 +23,25 @@ function close_tag(name) {
     if (depth == 0 || stack[depth] != name) wrong("</" name "> after <" stack[depth] ">")
     else depth--
 }
-{ all = all $0 "\n" }
+BEGIN { RS = "<" }
+/url\(|@import|javascript:/ { wrong("a reference to elsewhere") }
+NR <= 2 {
+    if ($0 != (NR == 1 ? "" : "!DOCTYPE html>\n")) wrong("no doctype")
+    next
+}
+{
+    at = index($0, ">")
+    if (at == 0) { wrong("a stray <"); exit }
+    tag = substr($0, 1, at - 1)
+    gsub(/\n/, " ", tag)
+    text = substr($0, at + 1)
+    if (tag ~ /^\//) close_tag(substr(tag, 2))
+    else open_tag(tag)
+    if (stack[depth] == "style") next
+    gsub(/&(amp|lt|gt|quot|#39);/, "", text)
+    if (text ~ /&|>/) wrong("a stray & or >: " text)
+}
 END {
-    if (!sub(/^<!DOCTYPE html>\n/, "", all)) wrong("no doctype")
-    if (all ~ /url\(|@import|javascript:/) wrong("a reference to elsewhere")
-    count = split(all, piece, "<")
-    for (i = 2; i <= count; i++) {
-        at = index(piece[i], ">")
-        if (at == 0) { wrong("a stray <"); break }
-        tag = substr(piece[i], 1, at - 1)
-        gsub(/\n/, " ", tag)
-        text = substr(piece[i], at + 1)
-        if (tag ~ /^\//) close_tag(substr(tag, 2))
-        else open_tag(tag)
-        if (stack[depth] == "style") continue
-        gsub(/&(amp|lt|gt|quot|#39);/, "", text)
-        if (text ~ /&|>/) wrong("a stray & or >: " text)
-    }
+    if (NR < 2) wrong("no doctype")
     if (depth) wrong("<" stack[depth] "> is left open")
 }
