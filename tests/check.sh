@@ -10,8 +10,8 @@
 #     clang              the unit tests at full length, with -O3 and degree 0 of thermal.h
 #
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
-# CONFIGURATION=gcc: only those whose names match. ONLY: see run.sh. BRIEF=1: gcc without the unit tests and the scripts
-# that `make test` runs in the same way.
+# CONFIGURATION=gcc: only those whose names match. ONLY: see run.sh. BRIEF=1: gcc only the long scripts, with the tool that
+# `make test` has built.
 # More arguments run one configuration: NAME COMPILER STANDARD LONG ASSERT DEGREE FLAG..., with - for what is not set;
 # DEGREE is that of thermal.h.
 out=$1
@@ -19,7 +19,7 @@ clang=${CLANG:-clang-19}
 
 # Leaves `N passed, N failed`, or what is missing, in NAME.result.
 run() {
-    name=$1 compiler=$2 std=$3 long=$4 assert=$5 degree=$6 part=
+    name=$1 compiler=$2 std=$3 long=$4 assert=$5 degree=$6 part= folder=$out/$1
     shift 6
     log=$out/$name.log
     status=0
@@ -28,8 +28,8 @@ run() {
         return
     fi
     case $name in clang*) part=src ;; esac
-    [ "$long" != only ] || part=host
-    make -s -j2 test BUILD="$out/$name" CC="$compiler" STD="$std" CFLAGS="$* -Werror" PART="$part" ONLY="$ONLY" LONG="${long#-}" \
+    [ "$long" != only ] || part=host folder=${out%/*}
+    make -s -j2 test BUILD="$folder" CC="$compiler" STD="$std" CFLAGS="$* -Werror" PART="$part" ONLY="$ONLY" LONG="${long#-}" \
         ASSERT="${assert#-}" DEGREE="${degree#-}" BRIEF="$([ "$long" = 1 ] || echo 1)" > "$log" 2>&1 || status=1
     [ $status -eq 0 ] || cat "$log"
     # A failed build is a failure, too.

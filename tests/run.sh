@@ -5,7 +5,7 @@
 # line for each suite, below it what failed and where its log is, and at the end `N passed, N failed`.
 # CC, CFLAGS and UNITY are passed on to scripts that compile something. ONLY='rests|tool': only suites whose names match.
 # PART=src: the unit tests of the library; PART=host: everything else. LONG=1: with the tests that take long. LONG=only:
-# the same, without the scripts that LONG does not change. BRIEF=1: without the pages that are followed word by word.
+# the same, without what LONG does not change. BRIEF=1: without the pages that are followed word by word.
 build=$1
 tests=$(dirname "$0")
 logs=$build/run
@@ -16,7 +16,7 @@ mkdir -p "$logs" || exit 2
 suites() {
     case $PART in
     src) programs double float ;;
-    host) scripts; programs tool; other_scripts ;;
+    host) scripts; [ "$LONG" = only ] || programs tool; other_scripts ;;
     *) scripts; programs double float tool; other_scripts ;;
     esac
 }
