@@ -379,8 +379,8 @@ invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
  *     invcal_session_init(&session, 16384, 100);
  *     for every sample:
  *         switch (invcal_session_feed(&session, raw))
- *             READY   the position is good: move on
- *             TAKEN   where to turn next: invcal_session_next_words; store.h: save the session
+ *             READY   the position is good; where to turn next: invcal_session_next_words
+ *             TAKEN   the position is in the table; store.h: save the session
  *             REFUSED why: invcal_session_why
  *     until invcal_session_is_good(&session)
  *     invcal_session_solve

@@ -75,7 +75,7 @@ async function exportFile() {
     const { code, stdout, stderr } = await run(exportArgs, [{ name: "CAL.json", blob: new Blob([outputs.get("CAL.json")]) }]);
     $("exported").textContent = stderr.trim() || "Saved.";
     if (code === 0) {
-        const ending = { c: "h", "c-arrays": "h", fusion: "h", imu_tk: "calib", ros: "yaml", px4: "params", ardupilot: "param" };
+        const ending = { c: "h", "c-arrays": "h", fusion: "h", imu_tk: "calib", "imu_tk-gyro": "calib", ros: "yaml", px4: "params", ardupilot: "param" };
         save(`calibration.${ending[format]}`, stdout);
     }
 }

@@ -8,7 +8,7 @@ import { test, expect, equal, native, file, put, work } from "./harness.mjs";
 import { samples } from "./sensor.mjs";
 
 const data = fileURLToPath(new URL("../data/", import.meta.url));
-const FORMATS = ["c", "c-arrays", "fusion", "imu_tk", "ros", "px4", "ardupilot"];
+const FORMATS = ["c", "c-arrays", "fusion", "imu_tk", "imu_tk-gyro", "ros", "px4", "ardupilot"];
 
 // Keeps what the page offers to save, by its name, instead of a download.
 const catchFiles = () => {
