@@ -164,12 +164,15 @@ void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q
 }
 
 /* By how many standard deviations residuals exceed a noise: the root of 2 chi squared is nearly
- * normal about that of 2 dof - 1 (Fisher). 0 if there is nothing to compare. */
+ * normal about that of 2 dof - 1 (Fisher). 0 if there is nothing to compare; NaN if stated is. */
 static INVCAL_NOINLINE invcal_real excess(invcal_real stated, invcal_real squares, invcal_real dof)
 {
     const invcal_real known = stated * stated;
 
-    return known > 0 && dof >= 1 ? INVCAL_SQRT(2 * squares / known) - INVCAL_SQRT(2 * dof - 1) : 0;
+    if (known <= 0 || dof < 1) {
+        return 0;
+    }
+    return INVCAL_SQRT(2 * squares / known) - INVCAL_SQRT(2 * dof - 1);
 }
 
 /* sigma_J^2 = (4 stated^2 + S) / (4 + dof), or S / dof: mathematics.md, "Uncertainty". */

@@ -84,10 +84,13 @@ static invcal_real turn_to(const invcal_real from[3], const invcal_real up[3], i
 
 invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out)
 {
+    invcal_turn turn;
+
     INVCAL_ASSERT(from && up && out);
-    if (!invcal_is_unit(from) || !invcal_is_unit(up) || !(turn_to(from, up, out) >= NO_SINE)) {
+    if (!invcal_is_unit(from) || !invcal_is_unit(up) || !(turn_to(from, up, &turn) >= NO_SINE)) {
         return INVCAL_BAD_DIRECTION;
     }
+    *out = turn;
     return INVCAL_OK;
 }
 

@@ -188,7 +188,7 @@ typedef struct {
  * Cost: 50,000 instructions for 16 octaves. Stack: about 600 bytes. */
 invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_noise *noise);
 
-/* adev(tau) of the model, counts; tau > 0 in s, else NaN or infinity. */
+/* adev(tau) of the model, counts; tau in s, above 0: else it means nothing. */
 invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau);
 
 /* ---- how long to stay ------------------------------------------------------------------------ */

@@ -21,6 +21,9 @@ extern "C" {
 #define invcal_calibrate_with_prior INVCAL_CHOSEN(invcal_calibrate_with_prior, INVCAL_MAX_POSITIONS)
 #define invcal_calibrate_six_faces INVCAL_CHOSEN(invcal_calibrate_six_faces, INVCAL_MAX_POSITIONS)
 #define invcal_background_init INVCAL_CHOSEN(invcal_background_init, INVCAL_MAX_POSITIONS)
+#define invcal_sums_init INVCAL_CHOSEN(invcal_sums_init, 9)
+#define invcal_linear_init INVCAL_CHOSEN(invcal_linear_init, 9)
+#define invcal_full_vector_init INVCAL_CHOSEN(invcal_full_vector_init, 9)
 
 /* ---- one position, one equation -----------------------------------------------------------------
  *
@@ -99,7 +102,7 @@ void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real w
  *   INVCAL_UNDETERMINED   the positions leave parameters open;
  *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid, or on one that no triad has: see
  *                         invcal_calibrate;
- *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
+ *   INVCAL_BAD_NOMINAL    the result is beyond the limits of invcal_nominal.
  * Cost: 2,900 instructions. Stack: about 180 bytes. */
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
                            invcal_calibration *out);
@@ -238,7 +241,8 @@ void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration
  * 95 %) or nearly zero; then they alone count. Residuals too large for noise (at 99.7 %) raise the
  * verdict to rough.
  *
- * stated   standard deviation of a position mean on each axis, over field; 0: not known.
+ * stated   standard deviation of a position mean on each axis, over field; 0: not known. With a NaN
+ *          the verdict is rough.
  * squares  the sum of the squared residuals, each over its standard deviation at a noise of 1.
  * quality  reads dof and verdict; sets noise, sigma_dof and verdict. noise is 1, the whole field,
  *          if there is neither a residual nor a stated noise.
@@ -412,7 +416,7 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
  *   INVCAL_TOO_FEW        fewer than nine positions;
  *   INVCAL_UNDETERMINED   the directions leave parameters open;
  *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10;
- *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
+ *   INVCAL_BAD_NOMINAL    the result is beyond the limits of invcal_nominal.
  * Cost: 1,700 instructions. Stack: about 200 bytes. */
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                   invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS]);
@@ -461,7 +465,7 @@ invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_cali
  *   INVCAL_UNDETERMINED   the ends of the directions lie in a plane, as those of a circle do;
  *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10; or
  *                         the directions are mirrored: an angle has the wrong sign;
- *   INVCAL_BAD_NOMINAL    its matrix has no inverse.
+ *   INVCAL_BAD_NOMINAL    the result is beyond the limits of invcal_nominal.
  * Cost: 2,900 instructions. Stack: about 290 bytes. */
 invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_calibration *nominal,
                                        invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS],
@@ -542,8 +546,8 @@ typedef struct {
  * Returns INVCAL_OK; INVCAL_BAD_RATE for any other. */
 invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate);
 
-/* Sets the counts at which the sensor clips (-32768, 32767); call it before the first sample.
- * Without it clipping is detected at the ends of int32 only.
+/* Sets the counts at which the sensor clips (-32768, 32767), from now on. Without it only the
+ * ends of int32 count as clipped.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RAILS unless low < high. */
 invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high);
@@ -594,8 +598,9 @@ int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3]);
  *
  * The same for a device that is never calibrated on purpose: feed it samples for days. A rest in a
  * well covered direction is refused (INVCAL_REFUSED, INVCAL_REST_SAME); the table keeps the most
- * informative positions, up to INVCAL_MAX_POSITIONS - 1; old positions are dropped before new ones,
- * and after 88 days in any case. */
+ * informative positions, up to INVCAL_MAX_POSITIONS - 1. If it is full, the least informative one
+ * is dropped, the one just taken included, and of two alike the older; after 88 days each is
+ * dropped. */
 typedef struct {
     invcal_session session;            /* the positions and the detector */
     uint8_t age[INVCAL_MAX_POSITIONS]; /* days */

@@ -32,6 +32,8 @@
 extern "C" {
 #endif
 
+#define invcal_frame_init INVCAL_CHOSEN(invcal_frame_init, 9) /* see invcal.h */
+
 /* Sums over rests of known orientation. */
 typedef struct {
     invcal_real sum[3][3]; /* of c a' */

@@ -88,6 +88,8 @@ extern "C" {
 #define invcal_imu_record_init INVCAL_CHOSEN(invcal_imu_record_init, 9)
 #define invcal_imu_record_decode INVCAL_CHOSEN(invcal_imu_record_decode, 9)
 #define invcal_load_imu INVCAL_CHOSEN(invcal_load_imu, 9)
+#define invcal_turns_begin INVCAL_CHOSEN(invcal_turns_begin, 9)
+#define invcal_turns_after INVCAL_GYRO_CHOSEN(invcal_turns_after)
 
 /* ---- moves ----------------------------------------------------------------------------------- */
 
@@ -171,7 +173,7 @@ void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_
 /* Why the move that led to a rest is unusable; INVCAL_OK if it is usable. INVCAL_REST_CLIPPED,
  * INVCAL_MOVE_GAP, INVCAL_MOVE_LONG, INVCAL_NO_SPACE; INVCAL_REST_DRIFT: the biases of its two
  * rests differ by 0.5 degrees/s, so the device turned in one of them; INVCAL_MOUNTING: more than
- * seven turns; INVCAL_TOO_FEW: no move led to it.
+ * seven turns, or faster than its segments hold; INVCAL_TOO_FEW: no move led to it.
  *
  * rest  from 0, below moves->count. */
 invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest);
@@ -231,7 +233,8 @@ typedef struct {
  *                are ignored.
  * count          number of means.
  * accelerometer  nominal calibration, or the one that is held.
- * settings       INVCAL_IMU_USUAL, with the values that you know; or null.
+ * settings       INVCAL_IMU_USUAL, with the values that you know; or null: the same values, but the
+ *                residuals are not checked against them, and the verdict is never rough.
  * out            the result; must not contain *accelerometer.
  *
  * It takes 4 to 10 Gauss-Newton passes. Up to three of these weigh rests and moves against each
@@ -257,8 +260,10 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
  *
  * axes   out: gyroscope axis |axes[i]| - 1 measures turns about accelerometer axis i, reversed if
  *        axes[i] is negative. 1, 2, 3 is right. If gyroscope axis i never turns, axes[i] is 0, and
- *        the search ends.
- * unit   out: 1; or 57.3, if readings are that many times too small: nominal was for degrees.
+ *        the search ends: the other axes and the unit are then not tested, and are given as right.
+ * unit   out: 1; or 57.3, if readings are that many times too small: degrees were converted to
+ *        radians twice. If they were not converted, every move is refused (invcal_moves_reason:
+ *        INVCAL_MOUNTING or INVCAL_NO_SPACE), and this returns INVCAL_TOO_FEW.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves do not distinguish the
  * mountings; INVCAL_BAD_NOMINAL, INVCAL_OUT_OF_RANGE as invcal_imu_solve.
@@ -274,7 +279,7 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
  * survive. The move during the reset is refused, INVCAL_MOVE_GAP: the next rest begins another.
  *
  * These bytes belong to the device, as those of a session: a build with another number type, byte
- * order, version of the library or number of moves or segments refuses them; one with a table of
+ * order, layout of the structure or number of moves or segments refuses them; one with a table of
  * means of another size accepts them if they fit. */
 typedef struct {
     invcal_moves moves;     /* its end survives */
@@ -415,7 +420,7 @@ typedef struct {
 /* The information in rests and turns, made or planned: 720 bytes (float). */
 typedef struct {
     invcal_real up[3];   /* unit vector that points up now */
-    invcal_real seconds; /* of a quarter turn or less; others in proportion; 1.5 unless set */
+    invcal_real seconds; /* of a quarter turn or less, others in proportion; 1.5, or set it */
     invcal_real noise;   /* of a position mean, over field */
     invcal_real linear;  /* internal: variance of a turn over that of a mean, per second */
     invcal_real square;  /* internal: the same, per second squared */
@@ -445,8 +450,8 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
 
 /* Finds the shortest turn after which another direction points up. Both are unit vectors.
  *
- * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, also for opposite directions: no turn is the
- * shortest. */
+ * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, also within 0.06 degrees of equal or of opposite
+ * directions: no turn is the shortest. */
 invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out);
 
 /* Turn i of a program that begins with z up. From 0 to INVCAL_TOUR - 1: quarter turns between the

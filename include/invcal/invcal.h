@@ -29,7 +29,8 @@
  *   says otherwise.
  * - Every comparison fails closed: a NaN never passes for a good value.
  * - Structures are plain data owned by the caller: they hold no pointers into themselves, need no
- *   release, and can be copied with memcpy. Read their members; change them only by the functions.
+ *   release, and can be copied with memcpy. Read their members; set only those
+ *   whose description says so.
  * - There are no globals: every function is reentrant, and safe in an interrupt or a thread as long
  *   as nothing else changes its arguments meanwhile.
  * - A null pointer is a programming error (INVCAL_ASSERT), not a status.
@@ -120,7 +121,7 @@ typedef float invcal_real; /* double with INVCAL_DOUBLE */
 
 /* Build options are part of the names of the functions that every use of a structure begins with:
  * if those of program and library differ, linking fails, before anything is written past the end of
- * a structure. */
+ * a structure (tests/packages/choices.sh). */
 #define INVCAL_CHOSEN(name, choice) INVCAL_CHOSEN_(name, INVCAL_REAL_NAME, choice)
 #define INVCAL_CHOSEN_(name, real, choice) INVCAL_CHOSEN__(name, real, choice) /* next step */
 #define INVCAL_CHOSEN__(name, real, choice) name##_##real##_##choice           /* last step */
@@ -157,8 +158,8 @@ typedef enum {
     INVCAL_REST_SHORT,   /* motion came before it was READY */
     INVCAL_REST_DRIFT,   /* readings creep: a slow turn, or settling */
     INVCAL_REST_CLIPPED, /* a reading reached the end of the sensor's range */
-    INVCAL_REST_FROZEN,  /* nothing has ever changed, or one axis stays constant while the others
-                            are noisy: it is not being read */
+    INVCAL_REST_FROZEN,  /* the readings do not change, or no longer; or one axis stays constant
+                            while the others are noisy: it is not being read */
     INVCAL_REST_GAP,     /* short, since samples were lost */
     INVCAL_REST_SAME,    /* the orientation of the last position: nothing new */
 
@@ -388,7 +389,7 @@ invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
  * A *static interval*, or rest, is a stretch of samples in which the device does not turn. The
  * session finds rests in the stream, trims the motion at their ends, and sums the samples exactly,
  * in integers. There is nothing to tune: it learns the noise from the stream. About 2 s in each
- * orientation are enough. Begin a stream at rest, if you can. */
+ * orientation are enough, 5 s at 10 samples per second. Begin a stream at rest, if you can. */
 
 /* What happened with a sample. */
 typedef enum {
@@ -398,7 +399,8 @@ typedef enum {
     INVCAL_READY,    /* enough for a position, once per rest: move on, or stay for a better mean */
     INVCAL_TAKEN,    /* the device has left the position, and its mean is in the table. Usually
                         preceded by READY; not if the rest was accepted only once motion ended it */
-    INVCAL_REFUSED   /* a rest, but not a position: invcal_session_why; once per rest */
+    INVCAL_REFUSED   /* a rest, but not a position: invcal_session_why. Once per rest, and again if
+                        the reason changes, or as it ends */
 } invcal_event;
 
 /* Internal: an axis of the rest detector. Means are in 1/1024 counts. */
@@ -483,7 +485,7 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
                                    unsigned rate);
 
 /* Sets the counts at which the sensor clips, low < high (-32768 and 32767 for 16 bits): rests that
- * reach them are refused from now on. Without it clipping is not detected.
+ * reach them are refused from now on. Without it only the ends of int32 count as clipped.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RAILS. */
 invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high);
@@ -545,7 +547,7 @@ const char *invcal_session_next_words(const invcal_session *session, char words[
  * rise": from an axis pointing up, tilt the case by that angle (rounded to 5 degrees) so that the
  * sides named come up. Plain ASCII, terminated by zero.
  *
- * up  unit vector. Returns words. */
+ * up  unit vector; anything else, a NaN too, gives words like any other. Returns words. */
 const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS]);
 
 /* Is the position that is READY, or else the last one, within 20 degrees of a direction, such as
@@ -562,9 +564,9 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality);
 
-/* Are there enough positions? Returns 1 if the result of invcal_session_solve is good, and its
- * sigma is based on 3 degrees of freedom or a stated noise. Solves only if a position was taken
- * since the last call. */
+/* Are there enough positions? Returns 1 if the result of invcal_session_solve is good, with
+ * quality.dof of 3 or more or a stated noise. Solves only if a position was taken or the noise
+ * stated since the last call. */
 int invcal_session_is_good(invcal_session *session);
 
 /* Is it accurate enough? Returns 1 if it is good, and every sigma, widened for few degrees of

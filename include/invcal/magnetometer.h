@@ -38,6 +38,9 @@
 extern "C" {
 #endif
 
+#define invcal_magnetometer_init INVCAL_CHOSEN(invcal_magnetometer_init, 9) /* see invcal.h */
+#define invcal_dip_init INVCAL_CHOSEN(invcal_dip_init, 9)
+
 #define INVCAL_CELLS 18u /* of direction: 6 faces and 12 edges of a cube, 0.7 sr each */
 
 /* Disturbances. Of two the larger value is reported. */
@@ -45,8 +48,8 @@ typedef enum {
     INVCAL_UNDISTURBED, /* none was found */
     INVCAL_PASSING, /* samples contradict the others and are left out: a magnet or iron passed by */
     INVCAL_PLACES,  /* the field differs from place to place: turn it where it is, away from iron */
-    INVCAL_STEP     /* readings changed: something magnetic has moved on the device or near it.
-                       Begin again */
+    INVCAL_STEP /* readings changed, or over a quarter were left out: something magnetic has moved
+                       on the device or near it. It stays reported: begin again */
 } invcal_disturbance;
 
 /* A sentence for it, without a full stop; "" for INVCAL_UNDISTURBED; any other value gives "unknown
@@ -140,7 +143,7 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
  * Returns INVCAL_OK; else nothing is written:
  *   INVCAL_TOO_FEW        fewer than nine cells have samples;
  *   INVCAL_UNDETERMINED   they leave parameters undetermined;
- *   INVCAL_NOT_ELLIPSOID  as for invcal_calibrate;
+ *   INVCAL_NOT_ELLIPSOID, INVCAL_OUT_OF_RANGE   as for invcal_calibrate;
  *   INVCAL_BAD_NOMINAL    the result cannot be a calibration.
  * Cost: 50,000 instructions. Stack: about 1,200 bytes. */
 invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,

@@ -136,8 +136,8 @@ invcal_status invcal_load_session(const invcal_store *store, invcal_session *ses
  * save might erase the good slot.
  *
  * Limits: it cannot guard against a driver that reports success before the memory is done, or
- * against two saves at once. The granularity is part of the format: with another one, nothing is
- * found. */
+ * against two saves at once. The granularity is part of the format: with another one, the data
+ * may not be found. */
 
 /* Saves size bytes, 1 ... 65535 (65459 where int has 16 bits). A later load returns them.
  *
@@ -273,8 +273,8 @@ invcal_status invcal_record_decode_v1(const uint8_t *bytes, uint32_t size, invca
  * after them, and is not saved: a rest in progress is lost, noise is learned again, and a device
  * still in its last orientation may record it again, which does no harm.
  *
- * These bytes are for the same device: a build with another number type, byte order or version of
- * the library refuses them. A table of another size accepts them if they fit. Those of release
+ * These bytes are for the same device: a build with another number type, byte order or layout of
+ * the structure refuses them. A table of another size accepts them if they fit. Those of release
  * 0.1.0 are refused, since its procedure was different. */
 #define INVCAL_SESSION_SIZE                                                                        \
     ((uint32_t)(offsetof(invcal_session, mean) +                                                   \

@@ -118,8 +118,8 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
  *              the whole range, and of all positions and coefficients.
  *
  * Slopes that the positions leave open are omitted, and out->fallback gives the reason: that is not
- * a failure. But without slopes over 5 K or more everything is weak: the actual slopes then pass
- * for other errors, which residuals need not show.
+ * a failure. But without slopes over 5 K or more everything is weak, since the actual slopes then
+ * pass for other errors, which residuals need not show; not if INVCAL_THERMAL_DEGREE is 0.
  *
  * Returns as invcal_calibrate, and INVCAL_BAD_TEMPERATURE for one that is not finite.
  * Cost: 350,000 instructions for 36 positions (degree 1). Stack: 1.3, 2.0, 3.0 KB for degree 0, 1,
@@ -170,9 +170,9 @@ typedef struct {
 
 /* Solves for the deviation of the positions from the base, and corrects it.
  *
- * A base with slopes keeps them, and its range, if the positions determine no others: a few
- * positions at one temperature, degree 0, renew offsets, scales and angles of a calibration that
- * has aged. Otherwise the range is that of the positions.
+ * A base with slopes keeps them if the positions determine no others: a few positions at one
+ * temperature, degree 0, renew offsets, scales and angles of a calibration that has aged. The range
+ * of the base then stays, widened by the temperatures of the positions. Otherwise it is theirs.
  *
  * prior   null, or what is known beforehand; the noise must be stated then. With a prior on every
  *         slope even one temperature is enough. If the residuals show more noise than stated,

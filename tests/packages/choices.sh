@@ -12,7 +12,7 @@ links() {
     function=$1
     library=$2
     shift 2
-    printf '#include "invcal/%s.h"\n' allan expert gyro plan store thermal > "$out/$function.c"
+    printf '#include "invcal/%s.h"\n' allan expert frame gyro magnetometer plan store thermal > "$out/$function.c"
     # The linker needs only its address, and that takes no arguments.
     echo "void (*volatile f)(void) = (void (*)(void))$function; int main(void) { return f == 0; }" \
         >> "$out/$function.c"
@@ -26,7 +26,8 @@ refuses() { # FUNCTION LIBRARY FLAG...
 
 for function in invcal_apply invcal_nominal invcal_load invcal_load_v1 invcal_record_init \
     invcal_record_decode invcal_plan_position_at invcal_imu_record_init invcal_imu_record_decode \
-    invcal_load_imu; do
+    invcal_load_imu invcal_turns_begin invcal_sums_init invcal_linear_init invcal_full_vector_init \
+    invcal_frame_init invcal_magnetometer_init invcal_dip_init; do
     check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
     check "$function: not from double to float" refuses $function "$build/float/libinvcal.a" -DINVCAL_DOUBLE=1
     check "$function: not from float to double" refuses $function "$build/double/libinvcal.a"
@@ -48,7 +49,7 @@ for function in invcal_thermal_at invcal_thermal_calibrate invcal_thermal_start 
         check "$function: not with $choice" refuses $function "$build/float/libinvcal.a" -DINVCAL_$choice
     done
 done
-for function in invcal_moves_init invcal_imu_solve invcal_imu_session_resume invcal_load_imu_session; do
+for function in invcal_moves_init invcal_imu_solve invcal_turns_after invcal_imu_session_resume invcal_load_imu_session; do
     check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
     for choice in MAX_SEGMENTS=100 MAX_MOVES=14 DOUBLE=1; do
         check "$function: not with $choice" refuses $function "$build/float/libinvcal.a" -DINVCAL_$choice

@@ -223,7 +223,7 @@ for one in "an angle misset by 1 mrad=fine" "an angle misset by 10 mrad=misset" 
     "three angles misset by 5°=several" "nine angles misset by 5°=many" \
     "columns alpha and beta exchanged=columns" "the sense of beta reversed=reversed" \
     "the sense of alpha reversed=alpha" "another zero of alpha, by 20°=zero" "two positions swapped=swapped" \
-    "a position repeated in place of the next=repeated" "a position more=twice" "a position missing=lost"; do
+    "a position repeated in place of the next=repeated" "an extra position=twice" "a position missing=lost"; do
     row "${one%=*}" 0 "$work/${one##*=}.1" --positions --stand
 done
 row "angles in radians, without a unit in the heading" 0 "$work/radians" --positions --stand

@@ -232,11 +232,12 @@ static void a_stated_noise_is_weighed_against_residuals_of_other_equations(void)
         double variance;
         unsigned sigma_dof;
         invcal_verdict verdict;
-    } of[] = {{1e-3, 6e-6, 6, 1e-6, 10, INVCAL_GOOD},      {1e-3, 9e-6, 6, 1.3e-6, 10, INVCAL_GOOD},
-              {1e-3, 16e-6, 6, 16e-6 / 6, 6, INVCAL_GOOD}, {1e-3, 30e-6, 6, 5e-6, 6, INVCAL_ROUGH},
-              {1e-3, 1e-8, 6, 1e-8 / 6, 6, INVCAL_GOOD},   {0, 6e-6, 6, 1e-6, 6, INVCAL_GOOD},
-              {1e-3, 0, 0, 1e-6, 4, INVCAL_GOOD},          {0, 0, 0, 1, 0, INVCAL_GOOD},
-              {1e-3, (double)NAN, 6, 0, 6, INVCAL_ROUGH}};
+    } of[] = {
+        {1e-3, 6e-6, 6, 1e-6, 10, INVCAL_GOOD},      {1e-3, 9e-6, 6, 1.3e-6, 10, INVCAL_GOOD},
+        {1e-3, 16e-6, 6, 16e-6 / 6, 6, INVCAL_GOOD}, {1e-3, 30e-6, 6, 5e-6, 6, INVCAL_ROUGH},
+        {1e-3, 1e-8, 6, 1e-8 / 6, 6, INVCAL_GOOD},   {0, 6e-6, 6, 1e-6, 6, INVCAL_GOOD},
+        {1e-3, 0, 0, 1e-6, 4, INVCAL_GOOD},          {0, 0, 0, 1, 0, INVCAL_GOOD},
+        {1e-3, (double)NAN, 6, 0, 6, INVCAL_ROUGH},  {(double)NAN, 6e-6, 6, 0, 6, INVCAL_ROUGH}};
 
     for (unsigned i = 0; i < sizeof of / sizeof of[0]; i++) {
         invcal_quality q = {0};

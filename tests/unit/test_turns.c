@@ -477,11 +477,15 @@ static void bad_arguments_are_refused(void)
     invcal_real prior[18] = {0};
     invcal_imu_settings settings = perfect;
     invcal_turn turn;
+    invcal_turn kept;
 
+    memset(&kept, 0x55, sizeof kept);
+    memcpy(&turn, &kept, sizeof turn);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(z_up, down, &turn));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(z_up, z_up, &turn));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(longer, x_up, &turn));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(x_up, longer, &turn));
+    TEST_ASSERT_EQUAL_MEMORY(&kept, &turn, sizeof turn);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turns_begin(&t, none, NULL));
     settings.noise = -1;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_begin(&t, z_up, &settings));
