@@ -19,7 +19,7 @@ clang=${CLANG:-clang-19}
 
 # Leaves `N passed, N failed`, or what is missing, in NAME.result.
 run() {
-    name=$1 compiler=$2 std=$3 long=$4 assert=$5 degree=$6 part= folder=$out/$1
+    name=$1 compiler=$2 std=$3 long=$4 assert=$5 degree=$6 part='' folder=$out/$1
     shift 6
     log=$out/$name.log
     status=0
