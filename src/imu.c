@@ -286,8 +286,8 @@ static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a
 }
 
 /* Adds a move. Its residual is the rotation from a to up0: 3 / (2 + cos) times the sine is the
- * angle up to its fifth power. Its variance is 2 sigma_a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2: the
- * directions of up in both rests, the random walk of the angle, and the bias. */
+ * angle up to its fifth power. Its variance is 2 sigma_a^2 + N^2 T + (N^2 / (2 s) + (1.5 B)^2) T^2:
+ * the directions of up in both rests, the random walk of the angle, the bias of rests of 1 s. */
 static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *segment,
                      const invcal_real up[2][3])
 {

@@ -175,7 +175,7 @@ static INVCAL_NOINLINE invcal_real excess(invcal_real stated, invcal_real square
     return INVCAL_SQRT(2 * squares / known) - INVCAL_SQRT(2 * dof - 1);
 }
 
-/* sigma_J^2 = (4 stated^2 + S) / (4 + dof), or S / dof: mathematics.md, "Uncertainty". */
+/* sigma_J^2 = (4 stated^2 + Q) / (4 + dof), or Q / dof: mathematics.md, "Uncertainty". */
 void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof, invcal_quality *q)
 {
     const invcal_real above = excess(stated, squares, dof);

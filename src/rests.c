@@ -54,7 +54,7 @@ enum {
 
 /* Place. A block mean belongs to the rest within the largest of */
 enum {
-    OF_NOISE = OCTAVE,       /* 2 times the variance of a sample: chance is 7e-4 for 4 samples, */
+    OF_NOISE = OCTAVE,       /* 2 times the variance of a sample: chance is 4e-3 for 4 samples, */
     OF_WANDER = 594,         /* 5 usual steps of a hand: 25, */
     OF_REACH = -16 * OCTAVE, /* 1/256 of the reach: 8 mg of 2 g, */
     OF_QUANTUM = 203         /* one count on each axis: 3. */

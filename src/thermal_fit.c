@@ -2,9 +2,9 @@
  *
  * Fits polynomials of temperature to positions (mathematics.md, "Temperature"). The exact row is
  * widened to h (x) (1 t t^2), and one system of 9 (degree + 1) unknowns solves for all coefficients
- * of p. But X, not p, is a polynomial: so p becomes X at the ends of the range, the readings are
- * calibrated by that, and a second solve is for the remainder, whose square is negligible. Exactly
- * two: nothing has to converge.
+ * of p. But X, not p, is a polynomial: so p becomes X at the ends of the range (and in the middle),
+ * the readings are calibrated by that, and a second solve is for the remainder, whose square is
+ * negligible. Nothing has to converge.
  *
  * Order: the system; the solution, which falls back to a lower degree if slopes are open; the
  * judgement, with the steps of judge.c, at several temperatures; all in one.

@@ -285,7 +285,7 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
 
 /* ---- what is known beforehand -------------------------------------------------------------------
  *
- * Parameter r is 0 with standard deviation sigma(r): one more row, noise / sigma(r) X(r) = 0, which
+ * Parameter r is 0 with standard deviation sigma(r): one more row, noise / sigma(r) p(r) = 0, which
  * makes the solution a Bayesian update (mathematics.md, "Prior"). A parameter that the positions
  * leave open keeps its nominal value, with the sigma of the prior. Use it for a device that can
  * only be tilted, or to renew the offsets of an earlier calibration with three positions. */

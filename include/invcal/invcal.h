@@ -306,7 +306,7 @@ typedef struct {
     invcal_real rms; /* of the residuals |calibrated| - 1 over the positions */
     invcal_real max; /* the largest absolute value of these */
     /* of the normal equations: tr K tr K^-1, with K the covariance over noise^2, an upper bound of
-     * their condition number. The best possible value is 130 */
+     * their condition number. The best sets have 125 to 130 */
     invcal_real condition;
     invcal_real sigma[INVCAL_PARAMETERS]; /* standard deviation of delta (over field), dk (1) and
                                              gamma (rad) against nominal: the Cramer-Rao bound */

@@ -166,7 +166,7 @@ static void parameters_and_sigma_of_real_sensors_are_those_of_the_reference(void
     }
 }
 
-/* The trace of a matrix of nine rows times that of its inverse: 130 at best, where the condition is 5. */
+/* The trace of a matrix of nine rows times that of its inverse: 130 for a D-optimal set, where the condition is 5. */
 static void the_condition_of_real_sensors_bounds_that_of_the_reference(void)
 {
     for (int i = 0; i < SETS; i++) {

@@ -6,7 +6,7 @@
 #include "plan/words.h"
 
 #define MISFIT_MAX 1.5 /* of misfit (invcal/allan.h) */
-#define REST_MIN 2.0   /* seconds (invcal/still.h) */
+#define REST_MIN 2.0   /* seconds (invcal/expert.h) */
 #define FIXED_MIN 1e-4
 #define FIXED_MAX 1e5
 #define NO_BREAK_SPACE "\302\240" /* U+00A0, between a number and its unit */

@@ -25,7 +25,7 @@
 #include "design/optimal.h"
 
 #define LABOUR_MAX OPTIMAL_MAX /* positions, of either family */
-#define LABOUR_DWELL_MIN 2.0   /* seconds: shorter rests are not found in a log (invcal/still.h) */
+#define LABOUR_DWELL_MIN 2.0   /* seconds: shorter rests are not found in a log (invcal/expert.h) */
 #define LABOUR_RANGE 3u        /* sizes are tried at least up to this many times the best one */
 #define LABOUR_DWELL_MAX 1e6   /* seconds in a position; more is never taken */
 

@@ -12,7 +12,7 @@
 
 #define TEXT_MAX 800
 #define OUTLIER_MIN 11u /* positions needed to identify an outlier (outlier.h) */
-#define REST_MIN 2.0    /* seconds; shorter rests are not found in a log (still.h) */
+#define REST_MIN 2.0    /* seconds; shorter rests are not found in a log (invcal/expert.h) */
 
 /* ---- the verdict ------------------------------------------------------------------------------- */
 
