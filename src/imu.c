@@ -336,11 +336,12 @@ static void add_prior(invcal_imu_work *w)
     invcal_real h[IMU_ALL + 1];
 
     for (unsigned i = 0; prior && i < w->n; i++) {
-        if (prior[i] > 0) {
+        const invcal_real weight = prior[i] > 0 ? 1 / (prior[i] * prior[i]) : 0;
+        if (weight > 0) {
             const invcal_real ideal = i < IMU_GYRO && i % 4 == 0 ? 1 : 0;
             invcal_zero(h, sizeof h);
             h[i] = 1;
-            add_row(w, h, ideal - w->out->parameter[i], 1 / (prior[i] * prior[i]));
+            add_row(w, h, ideal - w->out->parameter[i], weight);
             w->pass.rows++;
         }
     }

@@ -318,6 +318,7 @@ invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const i
         m->due += 5 * m->due / 8;
         if (m->due > FULL_COUNT) { /* the older ones count half */
             m->samples /= 2;
+            m->left_out /= 2;
             m->due = FULL_COUNT;
         }
     }

@@ -277,9 +277,9 @@ static int measure_bias(const invcal_moves *m, int16_t bias[3])
     int is_far = 0;
 
     for (unsigned i = 0; i < 3; i++) { /* 0 / 0 without a sample: packed as 0 */
-        (void)pack(m->still[i] * pace, &bias[i]);
+        const int fits = pack(m->still[i] * pace, &bias[i]);
         const int32_t change = (int32_t)bias[i] - last->bias[i];
-        is_far |= change > MOST_CHANGE || change < -MOST_CHANGE;
+        is_far |= change > MOST_CHANGE || change < -MOST_CHANGE || (!fits && m->still_samples > 0);
     }
     return is_far;
 }
@@ -391,7 +391,7 @@ void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_
         return;
     }
     close_segment(moves, 1);
-    moves->blocks = (uint16_t)(moves->blocks + (moves->blocks < UINT16_MAX));
+    moves->blocks = (uint16_t)(moves->blocks + (moves->count > 0 && moves->blocks < UINT16_MAX));
     const unsigned bits = rests->bits;
     /* A refused rest counts as rest until eight blocks of motion have passed. */
     const uint32_t resting = (rests->time - rests->begin) >> bits;

@@ -300,7 +300,7 @@ invcal_status invcal_noise_dwell(const invcal_noise *noise, invcal_real sigma, i
         return INVCAL_BAD_NOISE;
     }
     const invcal_real wanted = time_of(noise, sigma);
-    const invcal_real seconds = wanted > noise->shortest ? wanted : noise->shortest;
+    const invcal_real seconds = wanted <= noise->shortest ? noise->shortest : wanted;
     const invcal_real reached = invcal_noise_sigma(noise, seconds);
     if (!invcal_is_positive(seconds) || !invcal_is_positive(reached)) {
         return INVCAL_BAD_NOISE;

@@ -7,10 +7,12 @@
  *     invcal_allan_init(&allan);
  *     for every sample:
  *         invcal_allan_push(&allan, raw);
- *     invcal_allan_noise(&allan, 100, &noise);                  100 samples per second
- *     invcal_noise_dwell(&noise, 1e-4f * 16384, &dwell);        target: 1e-4 of the field
- *     invcal_session_hold(&session, (uint32_t)(1000 * dwell.seconds));
- *     invcal_session_noise(&session, dwell.sigma / 16384);
+ *     if (invcal_allan_noise(&allan, 100, &noise) == INVCAL_OK &&            100 a second
+ *         invcal_noise_dwell(&noise, 1e-4f * 16384, &dwell) == INVCAL_OK &&  1e-4 of the field
+ *         dwell.seconds < 3600) {
+ *         invcal_session_hold(&session, (uint32_t)(1000 * dwell.seconds));
+ *         invcal_session_noise(&session, dwell.sigma / 16384);
+ *     }
  *
  * The worst axis decides; a session holds at most an hour. The unit is the raw count throughout.
  *
@@ -105,8 +107,9 @@ void invcal_allan_init(invcal_allan *allan);
  * Returns INVCAL_OK; INVCAL_BAD_TAU for any other list. */
 invcal_status invcal_allan_begin(invcal_allan *allan, const uint32_t *m, unsigned count);
 
-/* Uses adjacent windows from now on (NIST SP 1065, 5.2.2), to compare with published figures;
- * overlapping ones give more degrees of freedom. Costs a 32-bit division for each difference. */
+/* Uses adjacent windows (NIST SP 1065, 5.2.2), to compare with published figures; overlapping ones
+ * give more degrees of freedom. Call it before the first sample. Costs a 32-bit division for each
+ * difference. */
 void invcal_allan_apart(invcal_allan *allan);
 
 /* Feeds one sample, of any value.

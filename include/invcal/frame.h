@@ -19,7 +19,7 @@
  *     for each rest:
  *         invcal_frame_add(&frame, &calibration, mean, up);     up: {0, 0, 1}, {1, 0, 0} ...
  *     if (invcal_frame_solve(&frame, r, NULL) == INVCAL_OK)
- *         invcal_frame_turn(r, &calibration);     of accelerometer, gyroscope and magnetometer
+ *         invcal_frame_turn((const invcal_real(*)[3])r, &calibration);     of each sensor
  *
  * invcal.h states the rules and units.
  */

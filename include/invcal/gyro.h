@@ -126,7 +126,7 @@ typedef struct {
     uint32_t layout;                     /* identifies this build */
     int32_t low;                         /* lower rail */
     uint32_t between;                    /* readings between the rails */
-    uint16_t blocks;                     /* blocks of rests so far; at most 65535 */
+    uint16_t blocks;                     /* blocks of rests since the first; at most 65535, 2 h */
     uint16_t first;                      /* segments of complete moves; those of the next follow */
     uint8_t count;                       /* rests */
     uint8_t none[3];                     /* 0 */
@@ -139,8 +139,9 @@ typedef struct {
 
 /* Begins.
  *
- * nominal  data sheet: rad/s per count; offset as far as known, else 0. Its axes must be those of
- *          the accelerometer (invcal_imu_mounting).
+ * nominal  data sheet: rad/s per count; offset as far as known, else 0: within 7 degrees/s, if
+ *          the first rest is TAKEN without being READY. Its axes must be those of the accelerometer
+ *          (invcal_imu_mounting).
  * rate     samples per second, 8 ... 8000. Its error becomes a scale error.
  *
  * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. */
@@ -156,7 +157,8 @@ invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high)
 /* Feeds one sample, moving or not, raw counts. Cost: 150 instructions. Stack: about 110 bytes. */
 void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3]);
 
-/* Reports lost samples: the current move is refused, rests are kept. */
+/* Reports lost samples: the current move is refused, rests are kept. A move lasts until the rest
+ * after it is TAKEN: samples lost in that rest cost it, too. */
 void invcal_moves_gap(invcal_moves *moves);
 
 /* Call it after every sample of the accelerometer, with its event. INVCAL_TAKEN ends a move, and
@@ -172,8 +174,9 @@ void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_
 
 /* Why the move that led to a rest is unusable; INVCAL_OK if it is usable. INVCAL_REST_CLIPPED,
  * INVCAL_MOVE_GAP, INVCAL_MOVE_LONG, INVCAL_NO_SPACE; INVCAL_REST_DRIFT: the biases of its two
- * rests differ by 0.5 degrees/s, so the device turned in one of them; INVCAL_MOUNTING: more than
- * seven turns, or faster than its segments hold; INVCAL_TOO_FEW: no move led to it.
+ * rests differ by 0.5 degrees/s, so the device turned in one of them, or one by 7 degrees/s from
+ * that of the first rest; INVCAL_MOUNTING: more than seven turns, or faster than its segments hold;
+ * INVCAL_TOO_FEW: no move led to it.
  *
  * rest  from 0, below moves->count. */
 invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest);
@@ -207,13 +210,13 @@ typedef struct {
     invcal_real sigma[INVCAL_IMU_PARAMETERS]; /* standard deviations; 0 for what is held */
     /* of the bias of each axis: g-sensitivity, rad/s per field along x, y, z; drift from the first
      * rest to the last, rad/s. In nominal rates: multiply by M for calibrated ones, which differ by
-     * the scale error. All 0 with fewer than 12 rests */
+     * the scale error. All 0 with fewer than 12 rests, or if these do not determine them */
     invcal_real slope[3][4];
-    invcal_real slope_sigma[3][4]; /* standard deviations; 0 with fewer than 12 rests */
+    invcal_real slope_sigma[3][4]; /* standard deviations; 0 as slope */
     invcal_real noise;             /* of a position mean, used for sigma, over field */
     invcal_real move_noise;        /* of a move, rad on each axis, root mean square */
     invcal_real move_rms;          /* residuals of moves, rad on each axis, root mean square */
-    invcal_real move_max;          /* the largest, both axes together, rad */
+    invcal_real move_max;          /* the one farthest beyond its noise, both axes together, rad */
     uint32_t left_out; /* bit i: the move to rest i contradicts the others: INVCAL_MOVE_APART */
     uint32_t idle;     /* bit i: the move to rest i did not turn: INVCAL_REST_SAME */
     /* bit r: parameter r is undetermined; or weak: sigma above both 2.5 noise and 2.5 move_noise */
@@ -247,8 +250,8 @@ typedef struct {
  *                                         or more in total;
  *   INVCAL_OUT_OF_RANGE   a mean is not a reading of this field;
  *   INVCAL_TOO_FEW        no moves, or fewer equations than unknowns;
- *   INVCAL_UNDETERMINED   out->open names the undetermined parameters; or none, if too few moves to
- *                         converge;
+ *   INVCAL_UNDETERMINED   out->open names the undetermined parameters, and may name weak ones; or
+ *                         none, if too few moves to converge;
  *   INVCAL_MOUNTING       residuals of 0.1 rad, or divergence: call invcal_imu_mounting.
  * Cost: 300,000 instructions per pass for 25 rests and 24 moves. Stack: about 2,400 bytes. */
 invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
@@ -350,7 +353,7 @@ invcal_status invcal_load_imu_session(const invcal_store *store, invcal_imu_sess
 typedef struct {
     invcal_real move_noise;  /* of a move, rad on each axis */
     invcal_real move_rms;    /* residuals of moves */
-    invcal_real move_max;    /* the largest */
+    invcal_real move_max;    /* the one farthest beyond its noise */
     invcal_calibration gyro; /* counts to rad/s; its offset is the bias at that time */
     invcal_real sigma[INVCAL_GYRO_PARAMETERS]; /* of the gyroscope's parameters */
     invcal_real slope[3][4];                   /* g-sensitivity along x, y, z; drift */

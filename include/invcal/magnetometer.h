@@ -88,7 +88,7 @@ typedef struct {
     invcal_real field; /* its length, in the unit of nominal */
     invcal_real rms;   /* of samples against the solution before them, over field; 0: unknown */
     invcal_real alike; /* number of successive samples with a common error; 0: unknown */
-    uint32_t samples;  /* accepted since the first */
+    uint32_t samples;  /* accepted since the first; above 16 million fewer, as left_out is then */
     uint32_t left_out; /* samples that contradicted them */
     uint8_t covered;   /* cells with samples, of INVCAL_CELLS */
     uint8_t gap; /* degrees from the worst empty cell to the nearest with samples: 0, 45, 60, 90 */
@@ -176,7 +176,7 @@ unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
  *     invcal_dip_init(&dip);
  *     ... for each instant: invcal_dip_add(&dip, a, m);           calibrated, of any length
  *     if (invcal_dip_solve(&dip, found.alike, r, &quality) == INVCAL_OK) {
- *         invcal_frame_turn(r, &calibration);                     frame.h; turns the magnetometer's
+ *         invcal_frame_turn((const invcal_real(*)[3])r, &calibration);    the magnetometer
  *     }
  *
  * Turn slowly: the hand's acceleration is not gravity. */

@@ -230,7 +230,8 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
 /* The content of the bytes. */
 typedef struct {
     invcal_thermal thermal; /* the calibration for every temperature */
-    invcal_record record;   /* of the calibration at the reference; fill in what you know */
+    invcal_record record;   /* at the reference, or the nearest temperature seen; fill in what you
+                               know */
     uint8_t is_triangular;  /* 1: turned by invcal_make_triangular, as 0.1.0 offered */
 } invcal_thermal_record;
 

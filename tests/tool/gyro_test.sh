@@ -551,4 +551,24 @@ if [ -f "$recordings/xsens_mti_gyro.txt" ]; then
         "position 4,the move from position 6 to 7,position 12,"
 fi
 
+# ---- apply --gyro: by header, --columns or number ------------------------------------------------------
+
+"$tool" simulate --gyro --dwell 3 --plan edges > "$work/both.csv"
+"$tool" calibrate "$work/both.csv" --quiet --out "$work/both.json"
+"$tool" apply "$work/both.json" "$work/both.csv" --gyro | awk -F, 'NR > 1 { print $2, $3, $4 }' > "$work/rates"
+sed 1d "$work/both.csv" > "$work/seven.csv"
+cut -d, -f 1,5-7 "$work/seven.csv" > "$work/four.csv"
+same_rates() { # LOG OPTION...
+    log=$1
+    shift
+    run apply "$work/both.json" "$log" --gyro "$@"
+    succeeded && awk -F, '$NF + 0 == $NF { print $(NF - 2), $(NF - 1), $NF }' "$work/stdout" | cmp -s - "$work/rates"
+}
+check "apply --gyro: the same rates with --columns by name" same_rates "$work/both.csv" --columns gx,gy,gz
+check "apply --gyro: with --columns by number" same_rates "$work/four.csv" --columns 2,3,4
+check "apply --gyro: of four columns without a header" same_rates "$work/four.csv"
+check "apply --gyro: of seven, the last three" same_rates "$work/seven.csv"
+refuses "a magnetometer has no gyroscope" 2 '--magnetometer: cannot be combined with --gyro-lsb' \
+    calibrate "$work/both.csv" --magnetometer --gyro-lsb 1
+
 finish

@@ -359,4 +359,20 @@ refuses "simulate: a field without a magnetometer" 2 '--mag-field: needs --magne
 refuses "simulate: no length" 2 '--mag-field: must be a length above 0' simulate --magnetometer --mag-field 0,60
 refuses "simulate: a dip beyond the vertical" 2 '--mag-field: must be a length above 0' simulate --magnetometer --mag-field 48,91
 
+# ---- an earlier calibration of another sensor ----------------------------------------------------------
+
+run calibrate "$work/still.csv" --quiet --out "$work/accel.json"
+"$tool" simulate --magnetometer > "$work/waved.csv"
+run calibrate --magnetometer "$work/waved.csv" --quiet --out "$work/magnet.json"
+refuses "magnetometer: the calibration of an accelerometer is not its nominal" 2 \
+    '--nominal .*accel.json: is a calibration of an accelerometer' \
+    calibrate --magnetometer "$work/waved.csv" --nominal "$work/accel.json"
+refuses "magnetometer: nor its own that of an accelerometer" 2 \
+    '--nominal .*magnet.json: is a calibration of a magnetometer' \
+    calibrate "$work/still.csv" --nominal "$work/magnet.json"
+accepts "magnetometer: its own is" calibrate --magnetometer "$work/waved.csv" --nominal "$work/magnet.json"
+refuses "an earlier calibration over another field" 2 \
+    '--nominal .*accel.json: was made with --gravity 9.80665, but here it is 1' \
+    calibrate "$work/still.csv" --nominal "$work/accel.json" --gravity 1
+
 finish

@@ -68,6 +68,13 @@ check "stand: nor does one less" quiet lost 'group 2 ' --stand
 check "stand: exchanged columns are named" each columns 'Stand: .*only with alpha and beta swapped: ' --stand
 check "stand: a reversed beta is" each reversed 'Stand: .*only with the sense of beta reversed' --stand
 check "stand: and corrected when stated" quiet reversed ' closure ' --stand --stand-sense 1,-1
+check "stand: a wrong sense that was stated is reversed" each none \
+    'only with the sense of beta reversed: state --stand-sense 1,1 ' --stand --stand-sense 1,-1
+"$tool" simulate --plan edges > "$work/edges.csv"
+run calibrate "$work/edges.csv" --plan per-group:6
+tr '\n' ' ' < "$work/stdout" > "$work/words"
+check "stand: with --plan, options that it excludes are not advised" matches "$work/words" \
+    'do not fit the angles of the plan: check the order of the positions, and the senses and zeros of the stand; or add columns'
 check "stand: another zero of alpha is reported" each zero 'Stand: the angles do not fit the readings' --stand
 check "stand: and subtracted when stated" quiet zero ' closure ' --stand --stand-zero 20,0
 check "stand: a reversed alpha is half a turn about y" each alpha \

@@ -619,8 +619,11 @@ refuses_file "a wrong scale" 2 '^invcal: with --lsb 9\.8 the readings are 40[0-9
 refuses_file "a wrong field" 2 'with --lsb 1 the readings are 19[0-9] times the field: .*, if --gravity is right;' "$good" \
     --zero 0,0,0 --lsb 1 --gravity 0.05
 run calibrate "$good" --positions --out "$work/nominal.json" --quiet
-hopeless "a field other than that of --nominal" "$good" 'out of range' 'position 1 reads .*check --gravity' \
-    --nominal "$work/nominal.json" --gravity 0.05
+refuses_file "a field other than that of --nominal" 2 '--nominal .*: was made with --gravity 9.80665, but here it is 0.05' \
+    "$good" --nominal "$work/nominal.json" --gravity 0.05
+sed '/"gravity"/d' "$work/nominal.json" > "$work/bare.json"
+hopeless "the same, if the file states none" "$good" 'out of range' 'position 1 reads .*check --gravity' \
+    --nominal "$work/bare.json" --gravity 0.05
 refuses_file "a scale too small to calculate with" 2 '^invcal: --lsb: the scale is too small' "$good" --lsb 1e-320
 refuses_file "a noise larger than the field" 2 '^invcal: --noise: is larger than the field' "$good" \
     --noise 10

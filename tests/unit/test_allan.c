@@ -990,6 +990,10 @@ static void no_dwell_comes_from_invalid_noise(void)
     noise.shortest = 1; /* no time is too short, but there is no sigma */
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_noise_dwell(&noise, (invcal_real)1e-4, &dwell));
     TEST_ASSERT_TRUE(dwell.seconds == 77);
+    noise = data_sheet(1, 1, 0); /* float cannot hold the square of so small a target */
+    noise.shortest = INVCAL_REAL(0.01);
+    TEST_ASSERT_TRUE(invcal_noise_dwell(&noise, INVCAL_REAL(1e-20), &dwell) == INVCAL_BAD_NOISE ||
+                     dwell.seconds > 1);
 }
 
 /* Positions one after the other, each the mean of n samples, in sessions of `positions`: the

@@ -1286,8 +1286,14 @@ static void a_bad_prior_is_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
     prior[17] = -1;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, world_solve(&w, &settings, &imu));
-    prior[17] = (invcal_real)INFINITY; /* as good as unknown */
+    prior[17] = 0;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    const unsigned dof = imu.dof;
+    for (int i = 0; i < INVCAL_IMU_PARAMETERS; i++) { /* unknown, too */
+        prior[i] = i % 2 ? (invcal_real)INFINITY : INVCAL_REAL_MAX;
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_EQUAL_UINT(dof, imu.dof);
     for (int i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
         prior[i] = INVCAL_REAL(0.05);
     }

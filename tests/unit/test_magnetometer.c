@@ -1531,14 +1531,19 @@ static void a_session_of_days_stays_as_good(void)
     live(&s, 12, 0.05, &the);
     the.magnetometer.samples = most - 10000; /* as if by then */
     the.magnetometer.due = most - 4000;
-    the.magnetometer.left_out = most;
+    the.magnetometer.left_out = most / 20;
     for (long n = 0; n < 40000; n++) {
         const unsigned k = (unsigned)n % INVCAL_CELLS;
         invcal_real raw[3] = {0, 0, 0};
         (void)invcal_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
         TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&the.magnetometer, raw));
         TEST_ASSERT_TRUE(the.magnetometer.samples < most);
+        TEST_ASSERT_TRUE(the.magnetometer.left_out < the.magnetometer.samples / 16);
     }
+    the.status =
+        invcal_magnetometer_solve(&the.magnetometer, &the.calibration, &the.quality, &the.found);
+    TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, the.quality.verdict);
+    the.magnetometer.left_out = most;
     const invcal_real far[3] = {30000, 0, 0};
     TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, far));
     TEST_ASSERT_TRUE(the.magnetometer.left_out == most);

@@ -446,11 +446,11 @@ static void a_move_is_what_lies_between_two_rests(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&w.moves, 0));
         TEST_ASSERT_EQUAL_INT(more ? INVCAL_MOVE_LONG : INVCAL_OK,
                               invcal_moves_reason(&w.moves, 1));
-        TEST_ASSERT_EQUAL_INT(18, w.moves.rest[0].when);
+        TEST_ASSERT_EQUAL_INT(0, w.moves.rest[0].when);
         for (int a = 0; a < 3; a++) {
             TEST_ASSERT_EQUAL_INT(0, w.moves.rest[0].bias[a]);
         }
-        TEST_ASSERT_EQUAL_INT(36, w.moves.rest[1].when);
+        TEST_ASSERT_EQUAL_INT(18, w.moves.rest[1].when);
         TEST_ASSERT_EQUAL_INT(16, w.moves.rest[1].bias[0]);
         TEST_ASSERT_EQUAL_INT(-16, w.moves.rest[1].bias[1]);
         TEST_ASSERT_EQUAL_INT(8, w.moves.rest[1].bias[2]);
@@ -520,7 +520,7 @@ static void the_oldest_moves_go_with_their_segments(void)
         const int segments = i == 0 ? 0 : k % 3 == 2 ? 2 : 1;
         int32_t sum[3];
         TEST_ASSERT_EQUAL_INT(8 * k, w.moves.rest[i].bias[0]);
-        TEST_ASSERT_EQUAL_INT(16 * (k + 1), w.moves.rest[i].when);
+        TEST_ASSERT_EQUAL_INT(16 * k, w.moves.rest[i].when);
         TEST_ASSERT_EQUAL_INT(i == 0 ? -INVCAL_TOO_FEW : segments, w.moves.rest[i].move);
         sum_of_move(at, at + (unsigned)segments, sum);
         if (i > 0) {
@@ -870,6 +870,10 @@ static void a_refused_rest_ends_no_move(void)
 static void blocks_are_counted_as_far_as_they_can(void)
 {
     begin_exactly();
+    block(0, 0, 0, INVCAL_MOVING, 0);
+    TEST_ASSERT_EQUAL_INT(0, w.moves.blocks); /* waiting for the first rest does not count */
+    begin_exactly();
+    w.moves.count = 1;
     for (int i = 1; i < 12; i++) {
         invcal_moves_follow(&w.moves, &w.rests, INVCAL_NOTHING);
         block(0, 0, 0, INVCAL_MOVING, 0);
@@ -882,6 +886,28 @@ static void blocks_are_counted_as_far_as_they_can(void)
         block(0, 0, 0, INVCAL_MOVING, 0);
         TEST_ASSERT_EQUAL_UINT(i == 0 ? 65534 : 65535, w.moves.blocks);
     }
+}
+
+/* More than 2^15 times the unit of a bias, 7 degrees/s: not that of any rest. */
+static void a_bias_that_does_not_fit_is_a_turn(void)
+{
+    for (int32_t rate = 32000; rate <= 34000; rate += 2000) {
+        begin_exactly();
+        rest_exactly(0, 0, 0);
+        leave_exactly();
+        w.moves.rest[0].bias[2] = 32000;
+        rest_exactly(0, 0, rate);
+        leave_exactly();
+        TEST_ASSERT_EQUAL_INT(2, w.moves.count);
+        TEST_ASSERT_EQUAL_INT(rate < 32767 ? INVCAL_OK : INVCAL_REST_DRIFT,
+                              invcal_moves_reason(&w.moves, 1));
+    }
+    begin_exactly();
+    rest_exactly(0, 0, 0);
+    leave_exactly();
+    rest_exactly(0, 0, -34000);
+    leave_exactly();
+    TEST_ASSERT_EQUAL_INT(INVCAL_REST_DRIFT, invcal_moves_reason(&w.moves, 1));
 }
 
 /* Events that no detector produces: a rest without a sample has no bias, but is still a rest. */
@@ -1039,6 +1065,7 @@ int main(void)
     RUN_TEST(a_gap_in_a_rest_costs_the_move_before);
     RUN_TEST(a_refused_rest_ends_no_move);
     RUN_TEST(blocks_are_counted_as_far_as_they_can);
+    RUN_TEST(a_bias_that_does_not_fit_is_a_turn);
     RUN_TEST(a_rest_without_samples_has_no_bias);
     RUN_TEST(segments_are_merged_by_the_series);
     RUN_TEST(a_full_table_costs_both_moves_in_it);

@@ -318,7 +318,7 @@ int calibrate_refuse_no_rest(calibrate_result *r)
            log->samples == 1 ? "" : "s", log->seconds, log->rate,
            log->is_rate_known ? "" : " (a guess)");
     if (log->gaps > 0) {
-        append(why->reason, REFUSAL_MAX, "; %lu gaps", log->gaps);
+        append(why->reason, REFUSAL_MAX, "; %lu gap%s", log->gaps, log->gaps == 1 ? "" : "s");
     }
     add_rests(r->data, why);
     if (log->samples < SAMPLES_FEW) {

@@ -90,11 +90,11 @@ int request_usage(const request *r, unsigned which, const char *what)
 /* A magnetometer has no positions, and a field of any length. */
 static int read_magnetometer(request *r)
 {
-    static const unsigned others[] = {OPT_POSITIONS, OPT_LATITUDE,   OPT_HEIGHT, OPT_CASE,
-                                      OPT_UNIT,      OPT_NOISE,      OPT_PRIOR,  OPT_SIX_FACES,
-                                      OPT_THERMAL,   OPT_CLIP,       OPT_ROBUST, OPT_QUADRATIC,
-                                      OPT_CUBIC,     OPT_STAND,      OPT_PLAN,   OPT_KEEP_ALL,
-                                      OPT_SENSOR,    OPT_MEAN_SIGMA, OPT_ALLAN};
+    static const unsigned others[] = {
+        OPT_POSITIONS, OPT_LATITUDE,  OPT_HEIGHT,   OPT_CASE,     OPT_UNIT,   OPT_NOISE,
+        OPT_PRIOR,     OPT_SIX_FACES, OPT_THERMAL,  OPT_CLIP,     OPT_ROBUST, OPT_QUADRATIC,
+        OPT_CUBIC,     OPT_STAND,     OPT_PLAN,     OPT_KEEP_ALL, OPT_SENSOR, OPT_MEAN_SIGMA,
+        OPT_ALLAN,     OPT_GYRO,      OPT_GYRO_LSB, OPT_GYRO_AXES};
 
     if (!r->value[OPT_MAGNETOMETER]) {
         return r->value[OPT_WITH] ? request_usage(r, OPT_WITH, "needs --magnetometer")

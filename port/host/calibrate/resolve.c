@@ -13,6 +13,7 @@
 #include "text/figure.h"
 #include "text/number.h"
 
+#define FIELD_TOLERANCE 0.1   /* of an earlier calibration: fields on earth differ by less */
 #define READINGS_RATIO 1.5    /* readings over the field: no sensor has a larger scale error */
 #define IMPOSSIBLE_RATIO 10.0 /* the library refuses readings beyond it */
 #define MEANT_RATIO 1.15      /* readings that still match a scale: g is 1.23 times 8 */
@@ -100,6 +101,32 @@ static int check_sensor(const request *r, calibrate_result *result)
                : calibrate_refuse_readings(result, reason, remedy);
 }
 
+/* An earlier calibration, of such a sensor and over the same field. A file written by hand need not
+ * state these. */
+static int read_earlier(const request *r, nominal_choice *n)
+{
+    const char *path = r->value[OPT_NOMINAL];
+    const int is_magnetometer = r->value[OPT_MAGNETOMETER] != NULL;
+    static calibration_file file; /* large */
+    const int failure = calibration_file_read_correction(path, &file);
+
+    if (failure) {
+        return failure;
+    }
+    if (isfinite(file.gravity) && file.is_magnetometer != is_magnetometer) {
+        return message_usage(r->syntax->command, "--nominal %s: is a calibration of %s", path,
+                             is_magnetometer ? "an accelerometer" : "a magnetometer");
+    }
+    if (!is_magnetometer && fabs(file.gravity / r->settings.field - 1) > FIELD_TOLERANCE) {
+        return message_usage(r->syntax->command,
+                             "--nominal %s: was made with --gravity %.6g, but here it is %.6g",
+                             path, file.gravity, r->settings.field);
+    }
+    n->zero = n->lsb = NOMINAL_EARLIER;
+    n->calibration = file.calibration;
+    return EXIT_GOOD;
+}
+
 int resolve_nominal(const request *r, calibrate_result *result)
 {
     const positions *data = result->data;
@@ -108,8 +135,7 @@ int resolve_nominal(const request *r, calibrate_result *result)
     double lsb[3];
 
     if (r->value[OPT_NOMINAL]) {
-        n->zero = n->lsb = NOMINAL_EARLIER;
-        return calibration_file_read(r->value[OPT_NOMINAL], &n->calibration);
+        return read_earlier(r, n);
     }
     n->sensor = r->sensor;
     const int has_scale = find_nominal(r, data, n, zero, lsb);
@@ -305,8 +331,7 @@ int resolve_magnetometer(const request *r, nominal_choice *n)
     n->zero = r->value[OPT_ZERO] ? NOMINAL_GIVEN : NOMINAL_UNIT;
     n->lsb = r->value[OPT_LSB] ? NOMINAL_GIVEN : NOMINAL_UNIT;
     if (r->value[OPT_NOMINAL]) {
-        n->zero = n->lsb = NOMINAL_EARLIER;
-        return calibration_file_read(r->value[OPT_NOMINAL], &n->calibration);
+        return read_earlier(r, n);
     }
     for (unsigned i = 0; i < 3; i++) {
         c.offset[i] = r->value[OPT_ZERO] ? r->zero[i] : 0;

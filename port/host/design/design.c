@@ -477,7 +477,8 @@ static int make_grid(design *d, const char *command, const char *text)
             return failure;
         }
     }
-    return message_usage(command, "grid: '%.*s': 15, 30 or 45 degrees expected",
+    return message_usage(command,
+                         "grid: '%.*s': STEP:N expected, with a step of 15, 30 or 45 degrees",
                          (int)strcspn(text, ":"), text);
 }
 

@@ -793,8 +793,8 @@ static const char *const help[] = {
     "                      its limit is the smallest\n"
     "  --grid S            with --optimal: for a stand that stops every S degrees in alpha\n"
     "                      and beta; S is 15, 30 or 45\n"
-    "  --angles FILE       columns alpha and beta of a table, degrees, as written by --csv; a\n"
-    "                      column dwell, seconds, replaces --dwell\n"
+    "  --angles FILE       columns alpha and beta of a table, degrees, as written by --csv;\n"
+    "                      the mean of a column dwell, seconds, is the default of --dwell\n"
     "  --directions FILE   columns x y z of a table: up directions, whose length is ignored;\n"
     "                      - reads the standard input\n",
     "  --limits D,K,G      choose the smallest set whose sigmas of offsets, scale errors and\n"

@@ -437,7 +437,6 @@ static int find_gyro_alone(const table *t, columns *out)
     if (out->gyro[0] < 0) {
         const int failure = find_xyz(t, COLUMNS_LOG, out);
         out->seen.rate_unit = failure ? 0 : headings[out->index[COLUMN_X]].rate_unit;
-        memcpy(out->gyro, out->index, sizeof out->gyro);
         return failure;
     }
     memcpy(out->index, out->gyro, sizeof out->gyro);
@@ -695,7 +694,7 @@ static int is_cut_at_commas(const table *t)
            (is_fraction(t->field[1]) || is_fraction(t->field[3]) || is_fraction(t->field[5]));
 }
 
-/* The last three of six or seven columns; in a file with a gyroscope only, x, y and z. */
+/* The last three of six or seven columns. */
 static void find_gyro_by_count(const table *t, columns_kind kind, columns *out)
 {
     static const char *const names[] = {"gx", "gy", "gz"};
@@ -705,8 +704,8 @@ static void find_gyro_by_count(const table *t, columns_kind kind, columns *out)
         out->gyro[i] = (int)(t->columns - 3 + i);
         snprintf(out->seen.gyro[i], HEADING_NAME_MAX, "%s", names[i]);
     }
-    if (kind == COLUMNS_GYRO) {
-        memcpy(out->gyro, out->index, sizeof out->gyro);
+    for (unsigned i = 0; i < 3 && kind == COLUMNS_GYRO && has_gyro; i++) {
+        out->index[COLUMN_X + i] = (int)(t->columns - 3 + i);
     }
     out->seen.ignored = has_gyro && kind != COLUMNS_IMU ? 3 : 0;
 }
@@ -818,6 +817,9 @@ int columns_find(table *t, columns_kind kind, columns *out)
                         : *columns_option_text() != '\0' ? find_by_number(t, out)
                                                          : find_by_count(t, kind, out);
 
+    if (kind == COLUMNS_GYRO) { /* its x, y and z, however they were found */
+        memcpy(out->gyro, out->index, sizeof out->gyro);
+    }
     for (unsigned c = 0; c < COLUMN_COUNT; c++) {
         out->last = out->index[c] > out->last ? out->index[c] : out->last;
     }

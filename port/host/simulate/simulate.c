@@ -122,7 +122,7 @@ static int read_option(const char *const *value, const number_option *o)
     failure = options_numbers(&syntax, o->which, value[o->which], o->count, read, NULL);
     for (unsigned i = 0; i < o->count && !failure; i++) {
         if (!(read[i] >= o->min && read[i] <= o->max)) {
-            return message_usage(syntax.command, "%s %s: must be within %.6g ... %.6g",
+            return message_usage(syntax.command, "%s %s: must be within %.6g ... %.10g",
                                  options[o->which].name, value[o->which], o->min, o->max);
         }
         o->out[i] = read[i];

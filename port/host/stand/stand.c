@@ -298,13 +298,14 @@ const char *stand_convention_name(stand_convention convention)
 
 const char *stand_advice(const stand *s)
 {
+    static char text[STAND_ADVICE_MAX];
     static const char *const texts[] = {
         "",
         "the angles fit the readings only with the sense of beta reversed: state --stand-sense "
-        "1,-1 (unless an axis of the sensor has the wrong sign).",
+        "%g,%g (unless an axis of the sensor has the wrong sign).",
         "the angles fit the readings only with alpha and beta swapped: exchange the two columns.",
         "the angles fit the readings only with alpha and beta swapped and the sense of the new "
-        "beta reversed: exchange the two columns, and state --stand-sense 1,-1.",
+        "beta reversed: exchange the two columns, and state --stand-sense %g,%g.",
         "the angles do not fit the readings, not even with alpha and beta swapped or a sense "
         "reversed: check the zeros of the angles (--stand-zero) and the order of the positions.",
         "the angles are off by more than 10 mrad (0.6 degrees), root mean square, which is more "
@@ -312,8 +313,17 @@ const char *stand_advice(const stand *s)
         "of the positions.",
         "too few positions have angles to compare."};
 
-    return s->may_be_radians && s->convention == STAND_STRANGE
-               ? "the angles do not fit the readings: are they in radians? Head them alpha (rad) "
-                 "and beta (rad)."
-               : texts[s->convention];
+    const int is_swapped = s->convention == STAND_SWAPPED_REVERSED;
+
+    if (s->may_be_radians && s->convention == STAND_STRANGE) {
+        return "the angles do not fit the readings: are they in radians? Head them alpha (rad) and "
+               "beta (rad).";
+    }
+    if (strcmp(s->from, "columns") != 0 && s->convention >= STAND_BETA_REVERSED &&
+        s->convention <= STAND_STRANGE) {
+        return "the readings do not fit the angles of the plan: check the order of the positions, "
+               "and the senses and zeros of the stand; or add columns alpha and beta.";
+    }
+    snprintf(text, sizeof text, texts[s->convention], s->sense[is_swapped], -s->sense[!is_swapped]);
+    return text;
 }

@@ -102,7 +102,8 @@ void stand_free(stand *s);
 /* "as stated", "beta reversed", ... */
 const char *stand_convention_name(stand_convention convention);
 
-/* What is wrong with the angles, and what to do: a sentence; "" if nothing is. */
+/* What is wrong with the angles, and what to do: a sentence, until the next call; "" if nothing is. */
+#define STAND_ADVICE_MAX 300
 const char *stand_advice(const stand *s);
 
 #endif
