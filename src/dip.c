@@ -36,14 +36,13 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
     if (!invcal_are_finite(up) || !invcal_are_finite(field)) {
         return INVCAL_NOT_FINITE;
     }
-    if (!(invcal_is_positive(a) && invcal_is_positive(m))) {
+    const invcal_real scale = 1 / (INVCAL_SQRT(a) * INVCAL_SQRT(m));
+    if (!invcal_is_positive(scale)) { /* a length is 0, or beyond the number type */
         return INVCAL_OUT_OF_RANGE;
     }
-    const invcal_real of_up = 1 / INVCAL_SQRT(a); /* apart: their product may be infinite */
-    const invcal_real of_field = 1 / INVCAL_SQRT(m);
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            row[3 * i + j] = of_up * up[i] * (of_field * field[j]);
+            row[3 * i + j] = scale * up[i] * field[j];
         }
     }
     row[INVCAL_DIP_ROW - 1] = 1;

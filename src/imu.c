@@ -337,7 +337,7 @@ static void add_prior(invcal_imu_work *w)
 
     for (unsigned i = 0; prior && i < w->n; i++) {
         const invcal_real weight = prior[i] > 0 ? 1 / (prior[i] * prior[i]) : 0;
-        if (weight > 0) {
+        if (weight > 0) { /* not if infinite, either */
             const invcal_real ideal = i < IMU_GYRO && i % 4 == 0 ? 1 : 0;
             invcal_zero(h, sizeof h);
             h[i] = 1;

@@ -241,7 +241,7 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 }
 
 /* From now on the bias of the first rest is subtracted from v. The newest blocks still contain it.
- * They are at rest, so they can be dropped. */
+ * They are at rest, so they can be dropped. Time begins. */
 static void subtract_bias(invcal_moves *m)
 {
     const invcal_real pace = m->rate / (invcal_real)m->still_samples;
@@ -252,6 +252,7 @@ static void subtract_bias(invcal_moves *m)
     }
     m->used = m->fixed;
     m->marks = 0;
+    m->blocks = 0;
 }
 
 /* The oldest rest goes, and with it the move that begins there, to the next one. */
@@ -269,17 +270,18 @@ static void drop_oldest(invcal_moves *m)
     m->rest[0].move = -INVCAL_TOO_FEW;
 }
 
-/* Measures the bias of a rest. Returns whether it is far from that of the rest before. */
+/* Measures the bias of a rest. Returns whether it is far from that of the rest before, too large, or
+ * unknown: without a sample it is 0 / 0. */
 static int measure_bias(const invcal_moves *m, int16_t bias[3])
 {
     const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / (invcal_real)m->still_samples;
     const invcal_still *last = &m->rest[m->count > 0 ? m->count - 1 : 0];
     int is_far = 0;
 
-    for (unsigned i = 0; i < 3; i++) { /* 0 / 0 without a sample: packed as 0 */
-        const int fits = pack(m->still[i] * pace, &bias[i]);
+    for (unsigned i = 0; i < 3; i++) {
+        is_far |= !pack(m->still[i] * pace, &bias[i]);
         const int32_t change = (int32_t)bias[i] - last->bias[i];
-        is_far |= change > MOST_CHANGE || change < -MOST_CHANGE || (!fits && m->still_samples > 0);
+        is_far |= change > MOST_CHANGE || change < -MOST_CHANGE;
     }
     return is_far;
 }
@@ -391,7 +393,7 @@ void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_
         return;
     }
     close_segment(moves, 1);
-    moves->blocks = (uint16_t)(moves->blocks + (moves->count > 0 && moves->blocks < UINT16_MAX));
+    moves->blocks = (uint16_t)(moves->blocks + (moves->blocks < UINT16_MAX));
     const unsigned bits = rests->bits;
     /* A refused rest counts as rest until eight blocks of motion have passed. */
     const uint32_t resting = (rests->time - rests->begin) >> bits;

@@ -126,7 +126,7 @@ typedef struct {
     uint32_t layout;                     /* identifies this build */
     int32_t low;                         /* lower rail */
     uint32_t between;                    /* readings between the rails */
-    uint16_t blocks;                     /* blocks of rests since the first; at most 65535, 2 h */
+    uint16_t blocks;                     /* blocks of rests since the first READY, up to 2 h */
     uint16_t first;                      /* segments of complete moves; those of the next follow */
     uint8_t count;                       /* rests */
     uint8_t none[3];                     /* 0 */

@@ -206,8 +206,8 @@ void invcal_dip_init(invcal_dip *dip);
  *
  * up, field  calibrated, in the axes of each sensor; of any length above 0.
  *
- * Returns INVCAL_OK; else the sums are unchanged: INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE for a
- * length of 0, or one that cannot be squared. Cost: 350 instructions. Stack: about 80 bytes. */
+ * Returns INVCAL_OK; else the sums are unchanged: INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE if the
+ * product of the lengths is 0 or beyond the number type. Cost: 350 instructions. Stack: about 80 bytes. */
 invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const invcal_real field[3]);
 
 /* Solves for R. A rotation by more than 90 degrees may be refused: exchange the axes first if they

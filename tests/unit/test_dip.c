@@ -249,6 +249,9 @@ static void bad_input_leaves_the_sums_as_they_were(void)
     const invcal_real nothing[3] = {0, 0, 0};
     const invcal_real bad[3] = {(invcal_real)NAN, 0, 0};
     const invcal_real huge[3] = {INVCAL_REAL_MAX, 0, 0};
+    const invcal_real small = INVCAL_SQRT(1 / INVCAL_REAL_MAX) / 4;
+    const invcal_real tiny[2][3] = {{0, 0, small},
+                                    {small, 0, 0}}; /* 1 over their product is infinite */
     invcal_dip dip;
     invcal_dip before;
 
@@ -259,12 +262,8 @@ static void bad_input_leaves_the_sums_as_they_were(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_dip_add(&dip, good, bad));
     TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_dip_add(&dip, nothing, good));
     TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_dip_add(&dip, good, huge));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_dip_add(&dip, tiny[0], tiny[1]));
     TEST_ASSERT_EQUAL_MEMORY(&before, &dip, sizeof dip);
-    const invcal_real tiny[2][3] = {{0, 0, INVCAL_REAL(1e-19)}, {INVCAL_REAL(1e-21), 0, 0}};
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, tiny[0], tiny[1])); /* of any length */
-    for (unsigned i = 0; i < INVCAL_PACKED_SIZE(INVCAL_DIP_ROW); i++) {
-        TEST_ASSERT_TRUE(dip.sum[i] >= -2 && dip.sum[i] <= 2);
-    }
     dip.count = UINT_MAX;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, good, good));
     TEST_ASSERT_TRUE(dip.count == UINT_MAX);

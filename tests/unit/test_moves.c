@@ -446,11 +446,11 @@ static void a_move_is_what_lies_between_two_rests(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&w.moves, 0));
         TEST_ASSERT_EQUAL_INT(more ? INVCAL_MOVE_LONG : INVCAL_OK,
                               invcal_moves_reason(&w.moves, 1));
-        TEST_ASSERT_EQUAL_INT(0, w.moves.rest[0].when);
+        TEST_ASSERT_EQUAL_INT(8, w.moves.rest[0].when);
         for (int a = 0; a < 3; a++) {
             TEST_ASSERT_EQUAL_INT(0, w.moves.rest[0].bias[a]);
         }
-        TEST_ASSERT_EQUAL_INT(18, w.moves.rest[1].when);
+        TEST_ASSERT_EQUAL_INT(26, w.moves.rest[1].when);
         TEST_ASSERT_EQUAL_INT(16, w.moves.rest[1].bias[0]);
         TEST_ASSERT_EQUAL_INT(-16, w.moves.rest[1].bias[1]);
         TEST_ASSERT_EQUAL_INT(8, w.moves.rest[1].bias[2]);
@@ -520,7 +520,7 @@ static void the_oldest_moves_go_with_their_segments(void)
         const int segments = i == 0 ? 0 : k % 3 == 2 ? 2 : 1;
         int32_t sum[3];
         TEST_ASSERT_EQUAL_INT(8 * k, w.moves.rest[i].bias[0]);
-        TEST_ASSERT_EQUAL_INT(16 * k, w.moves.rest[i].when);
+        TEST_ASSERT_EQUAL_INT(5 + 16 * k, w.moves.rest[i].when);
         TEST_ASSERT_EQUAL_INT(i == 0 ? -INVCAL_TOO_FEW : segments, w.moves.rest[i].move);
         sum_of_move(at, at + (unsigned)segments, sum);
         if (i > 0) {
@@ -870,10 +870,9 @@ static void a_refused_rest_ends_no_move(void)
 static void blocks_are_counted_as_far_as_they_can(void)
 {
     begin_exactly();
-    block(0, 0, 0, INVCAL_MOVING, 0);
+    rest_exactly(0, 0, 0);
     TEST_ASSERT_EQUAL_INT(0, w.moves.blocks); /* waiting for the first rest does not count */
     begin_exactly();
-    w.moves.count = 1;
     for (int i = 1; i < 12; i++) {
         invcal_moves_follow(&w.moves, &w.rests, INVCAL_NOTHING);
         block(0, 0, 0, INVCAL_MOVING, 0);
