@@ -337,9 +337,11 @@ static int has(int argc, char **argv, const char *word)
     return 0;
 }
 
+/* --help, and --sensor list: text, whatever else is asked for. */
 static void look_at_results(int argc, char **argv, int code)
 {
-    const int is_help = has(argc, argv, "--help") || has(argc, argv, "--help=all");
+    const int is_help = has(argc, argv, "--help") || has(argc, argv, "--help=all") ||
+                        has(argc, argv, "--sensor=list") || has(argc, argv, "list");
     if (code <= 1 && printed.size > 0 && has(argc, argv, "--json") && !is_help) {
         look_at_json();
     }
