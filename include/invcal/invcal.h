@@ -29,8 +29,8 @@
  *   says otherwise.
  * - Every comparison fails closed: a NaN never passes for a good value.
  * - Structures are plain data owned by the caller: they hold no pointers into themselves, need no
- *   release, and can be copied with memcpy. Read their members; set only those
- *   whose description says so.
+ *   release, and can be copied with memcpy. Read their members; set only those whose
+ *   description says so.
  * - There are no globals: every function is reentrant, and safe in an interrupt or a thread as long
  *   as nothing else changes its arguments meanwhile.
  * - A null pointer is a programming error (INVCAL_ASSERT), not a status.

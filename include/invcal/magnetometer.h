@@ -48,8 +48,8 @@ typedef enum {
     INVCAL_UNDISTURBED, /* none was found */
     INVCAL_PASSING, /* samples contradict the others and are left out: a magnet or iron passed by */
     INVCAL_PLACES,  /* the field differs from place to place: turn it where it is, away from iron */
-    INVCAL_STEP /* readings changed, or over a quarter were left out: something magnetic has moved
-                       on the device or near it. It stays reported: begin again */
+    INVCAL_STEP     /* readings changed, or over a quarter were left out: something magnetic has
+                       moved on the device or near it. It stays reported: begin again */
 } invcal_disturbance;
 
 /* A sentence for it, without a full stop; "" for INVCAL_UNDISTURBED; any other value gives "unknown
@@ -207,7 +207,8 @@ void invcal_dip_init(invcal_dip *dip);
  * up, field  calibrated, in the axes of each sensor; of any length above 0.
  *
  * Returns INVCAL_OK; else the sums are unchanged: INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE if the
- * product of the lengths is 0 or beyond the number type. Cost: 350 instructions. Stack: about 80 bytes. */
+ * product of the lengths is 0 or beyond the number type. Cost: 350 instructions. Stack: about 80
+ * bytes. */
 invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const invcal_real field[3]);
 
 /* Solves for R. A rotation by more than 90 degrees may be refused: exchange the axes first if they
