@@ -270,7 +270,7 @@ static void drop_oldest(invcal_moves *m)
     m->rest[0].move = -INVCAL_TOO_FEW;
 }
 
-/* Measures the bias of a rest. Returns whether it is far from that of the rest before, too large, or
+/* Measures the bias of a rest. Returns whether it is far from that of the rest before, too large or
  * unknown: without a sample it is 0 / 0. */
 static int measure_bias(const invcal_moves *m, int16_t bias[3])
 {
