@@ -32,8 +32,9 @@ ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itest
 # The degree of thermal.h, for the library and its tests; without DEGREE, its default.
 DEGREE_FLAGS := $(if $(DEGREE),-DINVCAL_THERMAL_DEGREE=$(DEGREE))
 # By default the unit tests compile quickly, draw a tenth of their samples, and skip what takes long. LONG=1 runs all
-# of it; make check sets it, in build folders of its own.
+# of it, in double, too; make check sets it, in build folders of its own.
 SHORT_FLAGS := $(if $(LONG),,-Og -DTEST_SHORT=10)
+TYPES ?= float $(if $(LONG),double)
 # make V=1 shows the commands.
 Q := $(if $(V),,@)
 
@@ -222,10 +223,10 @@ web: $(BUILD)/invcal.html ## build/invcal.html: calibrate live in a browser, or 
 need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps' >&2; exit 1; }
 
 # PART=src: only the unit tests of the library, without building the tool. PART=host: everything else.
-UNIT_TESTS := $(SUITES:%=$(BUILD)/float/%) $(SUITES:%=$(BUILD)/double/%)
+UNIT_TESTS := $(foreach type,$(TYPES),$(SUITES:%=$(BUILD)/$(type)/%))
 TOOL_TESTS := $(TOOL_SUITES:%=$(BUILD)/tool/%) all
 test: $(if $(filter host,$(PART)),,$(UNIT_TESTS)) $(if $(filter src,$(PART)),,$(TOOL_TESTS)) ## the tests with one compiler; make check also runs the long ones
-	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" LONG="$(LONG)" PART="$(PART)" sh tests/run.sh $(BUILD)
+	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" LONG="$(LONG)" PART="$(PART)" TYPES="$(TYPES)" sh tests/run.sh $(BUILD)
 
 coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the tool (PART=src, PART=host)
 	$(call need,llvm-cov-19)

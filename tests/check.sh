@@ -11,7 +11,7 @@
 #
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
 # CONFIGURATION=gcc: only those whose names match. ONLY: see run.sh. BRIEF=1: gcc only the long scripts, with the tool that
-# `make test` has built.
+# `make test` has built, and no search for leaks, which costs more than all else in a run of the tool; the fuzzers search.
 # More arguments run one configuration: NAME COMPILER STANDARD LONG ASSERT DEGREE FLAG..., with - for what is not set;
 # DEGREE is that of thermal.h.
 out=$1
@@ -29,8 +29,8 @@ run() {
     fi
     case $name in clang*) part=src ;; esac
     [ "$long" != only ] || part=host folder=${out%/*}
-    make -s -j2 test BUILD="$folder" CC="$compiler" STD="$std" CFLAGS="$* -Werror" PART="$part" ONLY="$ONLY" LONG="${long#-}" \
-        ASSERT="${assert#-}" DEGREE="${degree#-}" BRIEF="$([ "$long" = 1 ] || echo 1)" > "$log" 2>&1 || status=1
+    make -s -j2 test BUILD="$folder" CC="$compiler" STD="$std" CFLAGS="$* -Werror" PART="$part" ONLY="$ONLY" TYPES='float double' \
+        LONG="${long#-}" ASSERT="${assert#-}" DEGREE="${degree#-}" BRIEF="$([ "$long" = 1 ] || echo 1)" > "$log" 2>&1 || status=1
     [ $status -eq 0 ] || cat "$log"
     # A failed build is a failure, too.
     awk -v status=$status '/^[0-9]+ passed, [0-9]+ failed$/ { passed = $1; failed = $3 }
@@ -54,6 +54,7 @@ clang $clang c11 1 - 0 -O3"
 
 cd "$(dirname "$0")/.." || exit 1
 mkdir -p "$out"
+[ -z "$BRIEF" ] || export ASAN_OPTIONS=detect_leaks=0
 if [ $# -gt 1 ]; then
     shift
     run "$@"

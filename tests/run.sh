@@ -4,8 +4,8 @@
 # Runs every test in the build folder $1, and the scripts next to this file, two at a time. Prints a
 # line for each suite, below it what failed and where its log is, and at the end `N passed, N failed`.
 # CC, CFLAGS and UNITY are passed on to scripts that compile something. ONLY='rests|tool': only suites whose names match.
-# PART=src: the unit tests of the library; PART=host: everything else. LONG=1: with the tests that take long. LONG=only:
-# the same, without what LONG does not change. BRIEF=1: without the pages that are followed word by word.
+# PART=src: the unit tests of the library, of the TYPES 'float double' or one of them; PART=host: everything else. LONG=1:
+# with the tests that take long. LONG=only: the same, without what LONG does not change.
 build=$1
 tests=$(dirname "$0")
 logs=$build/run
@@ -15,9 +15,9 @@ mkdir -p "$logs" || exit 2
 # NAME COMMAND...; the longest first.
 suites() {
     case $PART in
-    src) programs double float ;;
+    src) programs $TYPES ;;
     host) scripts; [ "$LONG" = only ] || programs tool; other_scripts ;;
-    *) scripts; programs double float tool; other_scripts ;;
+    *) scripts; programs $TYPES tool; other_scripts ;;
     esac
 }
 
@@ -39,18 +39,17 @@ scripts() {
 }
 
 other_scripts() {
-    [ "$LONG" ] && echo "unity sh $tests/unity/selftest.sh $build/unity"
+    if [ "$LONG" ]; then
+        echo "unity sh $tests/unity/selftest.sh $build/unity"
+        for page in tutorial magnetometer porting drone inclinometer production mathematics_judgement mathematics_imu; do
+            echo "page-$page sh $tests/tutorial.sh $build $page"
+        done
+    fi
     [ "$LONG" = only ] && return
     echo "run sh $tests/run_test.sh $build/run_test"
     echo "library sh $tests/library.sh $build"
     echo "readme sh $tests/readme.sh $build"
     echo "errors sh $tests/errors.sh $build"
-    [ "$BRIEF" ] && return
-    echo "tutorial sh $tests/tutorial.sh $build tutorial"
-    echo "waved sh $tests/tutorial.sh $build magnetometer"
-    for page in porting drone inclinometer production mathematics_judgement mathematics_imu; do
-        echo "$page sh $tests/tutorial.sh $build $page"
-    done
 }
 
 # (Not with `&`, whose jobs ignore SIGINT.)

@@ -29,7 +29,7 @@ suite() { # NAME, its script on stdin
     chmod +x "$out/double/test_$1"
 }
 runs() { # NAME: runs only that suite; what it prints goes to $out/said
-    PART='' ONLY="^double-$1\$" sh "$here/run.sh" "$out" > "$out/said" 2>&1
+    PART='' TYPES=double ONLY="^double-$1\$" sh "$here/run.sh" "$out" > "$out/said" 2>&1
 }
 says() { grep -Fqx -- "$1" "$out/said"; }
 lines() { [ "$(wc -l < "$out/said")" -eq "$1" ]; }
