@@ -375,7 +375,7 @@ static void a_singular_matrix_is_neither_encoded_nor_decoded(void)
  * flags. */
 static void a_record_that_contradicts_itself_is_neither_encoded_nor_decoded(void)
 {
-    for (unsigned k = 0; k < 8 * 2 * 12 * 3 * 2; k++) {
+    for (unsigned k = 0; k < 8 * 2 * 12 * 3 * 2; k += SLOW(1, 7)) {
         const uint8_t verdict = (uint8_t)(k % 8);
         const int other_is_weak = k / 8 % 2;
         const unsigned weak = k / 16 % 12 ? 1u << (k / 16 % 12 - 1) : 0;
@@ -415,7 +415,7 @@ static void any_wrong_bit_is_noticed(void)
     uint8_t bytes[SIZE];
 
     memcpy(bytes, golden, SIZE);
-    for (unsigned bit = 0; bit < 8 * SIZE; bit++) {
+    for (unsigned bit = 0; bit < 8 * SIZE; bit += SLOW(1, 3)) {
         bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
         TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, SIZE));
         bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
@@ -427,7 +427,7 @@ static void a_wrong_bit_within_is_noticed(void)
 {
     uint8_t bytes[SIZE];
 
-    for (unsigned bit = 0; bit < 8 * INVCAL_RECORD_SIZE; bit++) {
+    for (unsigned bit = 0; bit < 8 * INVCAL_RECORD_SIZE; bit += SLOW(1, 3)) {
         memcpy(bytes, golden, SIZE);
         bytes[RECORD_AT + bit / 8] ^= (uint8_t)(1u << bit % 8);
         seal_bytes(bytes, SIZE - 4);

@@ -944,9 +944,9 @@ static void a_sample_is_a_bias(void)
 /* ---- the detector itself, and every sample of both ---------------------------------------------- */
 
 enum {
-    FAST = 400,
-    TURNING = 480,
-    RESTING = 1000
+    FAST = SLOW(400, 200),
+    TURNING = FAST * 6 / 5,
+    RESTING = FAST * 5 / 2
 }; /* samples of the gyroscope: per second; of a turn; of a rest */
 
 /* Feeds what the gyroscope reads of a step. */
@@ -1018,7 +1018,7 @@ static void the_session_says_where_rests_are(void)
     world_draw(&w, 0.02, 0.02);
     const invcal_calibration gyro = w.moves.nominal;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, &gyro, FAST));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&session, 16384, 100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&session, 16384, FAST / 4));
     int taken = turn_and_rest(&session, none, &random);
     for (int k = 0; k < 13; k++) {
         taken += turn_and_rest(&session, turns[k / 5], &random);

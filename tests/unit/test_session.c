@@ -21,7 +21,7 @@ void tearDown(void)
 /* ---- a simulated sensor, and a record of what its session says ------------------------------- */
 
 #define COUNTS 16384.0 /* per g */
-#define RATE 100.0
+#define RATE SLOW(100.0, 50.0)
 #define NOISE 5e-4 /* g, of a sample on each axis */
 
 enum { EVENTS = INVCAL_REFUSED + 1, DAYS = 88 };
