@@ -639,6 +639,111 @@ static void slopes_of_the_bias_are_those_of_closed_form(void)
 }
 
 /* Both are 9 where nothing is found. */
+/* Inverts by Gauss and Jordan; a is symmetric and positive definite. */
+static void invert(double a[5][5], double inverse[5][5])
+{
+    for (int i = 0; i < 25; i++) {
+        inverse[i / 5][i % 5] = i / 5 == i % 5;
+    }
+    for (int i = 0; i < 5; i++) {
+        const double pivot = a[i][i];
+        for (int j = 0; j < 5; j++) {
+            a[i][j] /= pivot;
+            inverse[i][j] /= pivot;
+        }
+        for (int k = 0; k < 5; k++) {
+            const double times = k == i ? 0 : a[k][i];
+            for (int j = 0; j < 5; j++) {
+                a[k][j] -= times * a[i][j];
+                inverse[k][j] -= times * inverse[i][j];
+            }
+        }
+    }
+}
+
+/* Of 25 rests with one bias each, b: p by (H'H)^-1 H'b, sigma, and the bias of the last rest with its share of the
+ * residual, by mathematics_imu.md, "The bias". */
+static void expect_bias(double h[25][5], const double b[25], double p[5], double sigma[4],
+                        double *last)
+{
+    double a[5][5] = {{0}}, inverse[5][5], y[5] = {0}, squares = 0, changes = 0, before = 0;
+
+    for (int k = 0; k < 25; k++) {
+        for (int i = 0; i < 5; i++) {
+            y[i] += h[k][i] * b[k];
+            for (int j = 0; j < 5; j++) {
+                a[i][j] += h[k][i] * h[k][j];
+            }
+        }
+    }
+    invert(a, inverse);
+    for (int i = 0; i < 5; i++) {
+        p[i] = 0;
+        for (int j = 0; j < 5; j++) {
+            p[i] += inverse[i][j] * y[j];
+        }
+    }
+    for (int k = 0; k < 25; k++) {
+        double r = -b[k];
+        for (int i = 0; i < 5; i++) {
+            r += h[k][i] * p[i];
+        }
+        squares += r * r;
+        changes += (r - before) * (r - before);
+        before = r;
+    }
+    const double square = squares / (25 - 5);
+    const double noise = changes / (4 * 25);
+    for (int i = 0; i < 4; i++) {
+        sigma[i] = sqrt(square * inverse[i][i]);
+    }
+    TEST_ASSERT_TRUE(noise < 0.4 * square); /* the share is not all */
+    *last = b[24] + noise / (square - noise) * before;
+}
+
+/* Biases that wander: a step of +-100 units of 2^-18 rad/s from rest to rest, drawn once. */
+static void the_bias_of_a_wanderer_is_that_of_closed_form(void)
+{
+    static const char steps[3][26] = {"+++-++-+--+-----++-+--++++", "--+----+-+++++-+++--+-----",
+                                      "+-++++-+++-----+---+-++++-"};
+    invcal_imu_settings settings;
+    double h[25][5], b[3][25], p[3][5], sigma[3][4], last[3];
+    int is_used = 0;
+
+    settle_settings(&settings, 1);
+    begin_exact(upright);
+    tour_exact(unit, 10294);
+    tour_exact(unit, 10294);
+    for (int i = 0; i < 3; i++) {
+        int bias = 0;
+        for (int k = 0; k < 25; k++) {
+            bias += steps[i][k] == '+' ? 100 : -100;
+            b[i][k] = bias;
+            w.moves.rest[k].bias[i] = (int16_t)bias;
+            for (int j = 0; j < 5; j++) {
+                h[k][j] = j < 3 ? w.mean[k][j] : j == 3 ? k / 24.0 : 1;
+            }
+        }
+        expect_bias(h, b[i], p[i], sigma[i], &last[i]);
+        for (int j = 0; j < 3; j++) {
+            is_used |= fabs(p[i][j]) > 4 * sigma[i][j];
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
+    TEST_ASSERT_EQUAL_INT(is_used, imu.g_is_used);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 4; j++) {
+            TEST_ASSERT_DOUBLE_WITHIN(0.1, p[i][j], (double)imu.slope[i][j] * 262144);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-3 * sigma[i][j], sigma[i][j],
+                                      (double)imu.slope_sigma[i][j] * 262144);
+        }
+        const double g = is_used ? p[i][0] * h[24][0] + p[i][1] * h[24][1] + p[i][2] * h[24][2] : 0;
+        const double offset = (double)imu.gyro.offset[i] - (double)w.moves.nominal.offset[i];
+        TEST_ASSERT_DOUBLE_WITHIN(0.1, last[i] - g,
+                                  offset * (double)w.moves.nominal.matrix[i][i] * 262144);
+    }
+}
+
 static invcal_status find_mounting(int8_t axes[3], invcal_real *scale)
 {
     const invcal_calibration nominal = unit_nominal();
@@ -1326,6 +1431,24 @@ static void bad_readings_and_scales_are_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, world_solve(&w, NULL, &imu));
 }
 
+/* Of the accelerometer, whose length does not matter if it is held. */
+static void readings_have_a_tenth_to_ten_times_the_field(void)
+{
+    static const float length[4] = {0.095F, 0.105F, 9.5F, 10.5F};
+    invcal_imu_settings settings;
+
+    settle_settings(&settings, 1);
+    for (int i = 0; i < 4; i++) {
+        begin_exact(upright);
+        tour_exact(unit, 10294);
+        for (int k = 0; k < 3; k++) {
+            w.mean[3][k] *= (double)length[i];
+        }
+        TEST_ASSERT_EQUAL_INT(i == 1 || i == 2 ? INVCAL_OK : INVCAL_OUT_OF_RANGE,
+                              world_solve(&w, &settings, &imu));
+    }
+}
+
 /* More rests than means, or more means than rests: they are matched from the last on. */
 static void the_last_rests_belong_together(void)
 {
@@ -1383,6 +1506,7 @@ int main(void)
     RUN_TEST(weak_and_undetermined_begin_at_their_bounds);
     RUN_TEST(a_move_is_apart_beyond_its_bound);
     RUN_TEST(slopes_of_the_bias_are_those_of_closed_form);
+    RUN_TEST(the_bias_of_a_wanderer_is_that_of_closed_form);
     RUN_TEST(moves_may_leave_the_mapping_of_axes_open);
     RUN_SLOW_TEST(errors_are_those_that_sigma_says);
     RUN_SLOW_TEST(noisy_moves_spoil_no_accelerometer);
@@ -1410,6 +1534,7 @@ int main(void)
     RUN_TEST(bad_noise_is_refused);
     RUN_TEST(a_bad_prior_is_refused);
     RUN_TEST(bad_readings_and_scales_are_refused);
+    RUN_TEST(readings_have_a_tenth_to_ten_times_the_field);
     RUN_SLOW_TEST(the_last_rests_belong_together);
     RUN_TEST(every_parameter_has_a_name);
     return UNITY_END();

@@ -490,6 +490,14 @@ static void a_position_that_is_ready_counts_as_taken(void)
     leave();
     next(after);
     TEST_ASSERT_TRUE(is_along(after, ready));
+    for (unsigned i = 1; i < 9; i++) { /* among others, too */
+        reach(after);
+        next(ready);
+        leave();
+        next(after);
+        TEST_ASSERT_EQUAL_UINT(i + 1, b.s->count);
+        TEST_ASSERT_TRUE(is_along(after, ready));
+    }
 }
 
 static void the_next_direction_has_its_words(void)
@@ -756,6 +764,7 @@ static void positions_vanish_after_their_days_and_younger_ones_stay(void)
     TEST_ASSERT_EQUAL_UINT(7, b.s->count);
     const invcal_session young = *b.s;
     for (unsigned day = 10; day < DAYS; day++) {
+        TEST_ASSERT_EQUAL_UINT(7, b.s->count);
         invcal_background_age(&b.background);
     }
     TEST_ASSERT_EQUAL_UINT(3, b.s->count);
