@@ -775,6 +775,11 @@ static void positions_vanish_after_their_days_and_younger_ones_stay(void)
     TEST_ASSERT_EQUAL_UINT(0, b.s->count);
     invcal_background_age(&b.background);
     TEST_ASSERT_EQUAL_UINT(0, b.s->count);
+    visit_plan(0, 1); /* its days begin with it */
+    for (unsigned day = 1; day < DAYS; day++) {
+        invcal_background_age(&b.background);
+    }
+    TEST_ASSERT_EQUAL_UINT(1, b.s->count);
 }
 
 static void an_old_position_is_dropped_before_a_new_one(void)
