@@ -5,7 +5,7 @@ Runs the unit tests on SAMPLE mutants of the FILEs (default: all of src/), two a
 that they kill 90 % of them. BUILD has the tests with TEST_SHORT, BUILD/whole those at full length:
 mutation.sh makes both. A mutant is killed if a suite fails, crashes or does not end: first the short form
 of every suite that links the module, its own and the quick ones first, in float and in double; then, in
-float, the module's own with the sanitizers of `make check`, and its own at full length.
+float, the module's own with the sanitizers of `make check`, and its own at full length (see `own`).
 One that compiles to the same bytes, or not at all, does not count.
 
 Known survivors are in survivors.txt with a reason; they still count as survivors. Prints the others, and
@@ -26,7 +26,7 @@ import time
 import mutants
 
 CC = os.environ["CC"].split()
-FLAGS = "-std=c99 -ffp-contract=off -O2 -w -Iinclude".split()
+FLAGS = "-std=c99 -ffp-contract=off -fno-math-errno -O2 -w -Iinclude".split()
 FLAGS_OF = {"short": FLAGS + ["-DINVCAL_THERMAL_DEGREE=2"],  # the same code as in BUILD
             "own": FLAGS + ["-DINVCAL_THERMAL_DEGREE=2"], "full": FLAGS}
 LEAST = 0.90
@@ -93,22 +93,25 @@ class Workshop:
 
     @functools.lru_cache(maxsize=None)
     def own(self, file):
-        """The suite of its name, or else the one that names most of its functions; if equal, most often."""
+        """The suite of its name, or else the one that names most of its functions; if equal, most often. If
+        no suite names any, all that have the name of a module around those that use it."""
         if "test_" + name_of(file) in self.modules:
-            return "test_" + name_of(file)
+            return ["test_" + name_of(file)]
         functions = re.findall(r"^\w.*?\b(invcal_\w+)\(", read(file), re.M)
 
         def named(suite):
             words = re.findall(r"\w+", read("tests/unit/%s.c" % suite))
             return len(set(functions) & set(words)), sum(map(functions.count, words))
-        return max(self.modules, key=named)
+        best = max(self.modules, key=named)
+        near = ["test_" + n for n in neighbours(file)]
+        return [best] if named(best)[0] else [s for s in near if s in self.modules] or [best]
 
     def suites(self, kind, file, modules):
         own = self.own(file)
         if kind != "short":
-            return [own]
+            return own
         return sorted((s for s in self.modules if self.modules[s] & modules),
-                      key=lambda s: (s != own, self.cost[s]))
+                      key=lambda s: (s not in own, self.cost[s]))
 
     @functools.lru_cache(maxsize=None)
     def require(self, kind, suite, real, options, modules):
@@ -146,6 +149,17 @@ class Workshop:
                         self.require(kind, suite, real, options, modules)
                         return "killed", " ".join(["by", kind, suite, real, *options[:1]])
         return "survived" if differs else "same", ""
+
+
+def neighbours(file):
+    """The names of the modules that use a source, directly or not, and of what those include."""
+    includes = {f: set(re.findall(r'#include "(\w+)\.h"', read(f))) for f in glob.glob("src/*.[ch]")}
+    users, found = set(), {name_of(file)}
+    while found - users:
+        users |= found
+        found = {name_of(f) for f in includes if includes[f] & users}
+    users.discard(name_of(file))
+    return sorted(users.union(*(includes["src/%s.c" % u] for u in users if "src/%s.c" % u in includes)))
 
 
 def modules_with(file):

@@ -737,6 +737,11 @@ static void the_bias_of_a_wanderer_is_that_of_closed_form(void)
             TEST_ASSERT_DOUBLE_WITHIN(1e-3 * sigma[i][j], sigma[i][j],
                                       (double)imu.slope_sigma[i][j] * 262144);
         }
+        for (int j = 0; j < 3; j++) { /* in counts */
+            const double m =
+                (double)imu.parameter[3 * i + j] * (double)w.moves.nominal.matrix[j][j];
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6 / COUNTS, m, (double)imu.gyro.matrix[i][j]);
+        }
         const double g = is_used ? p[i][0] * h[24][0] + p[i][1] * h[24][1] + p[i][2] * h[24][2] : 0;
         const double offset = (double)imu.gyro.offset[i] - (double)w.moves.nominal.offset[i];
         TEST_ASSERT_DOUBLE_WITHIN(0.1, last[i] - g,

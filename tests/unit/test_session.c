@@ -647,6 +647,18 @@ static void a_target_is_reached_when_every_sigma_is_within_it(void)
     TEST_ASSERT_TRUE(invcal_session_reaches(b.s, wide));
     TEST_ASSERT_FALSE(invcal_session_reaches(b.s, narrow));
     TEST_ASSERT_FALSE(invcal_session_reaches(b.s, none));
+    /* nine degrees of freedom: Student's t is 2.2622 where the normal distribution has 1.9600 */
+    invcal_calibration calibration;
+    const invcal_quality q = solve(&calibration);
+    TEST_ASSERT_EQUAL_UINT(9, q.dof);
+    for (unsigned i = 0; i < 2; i++) {
+        invcal_real target[3] = {0, 0, 0};
+        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+            const double wide_enough = (i == 0 ? 1.15 : 1.16) * (double)q.sigma[r];
+            target[r / 3] = (invcal_real)larger((double)target[r / 3], wide_enough);
+        }
+        TEST_ASSERT_EQUAL_INT(i, invcal_session_reaches(b.s, target));
+    }
 }
 
 /* 0.3 mg of noise in a sample, 18 positions: lengths are right within some 0.1 mg. */
