@@ -303,12 +303,19 @@ static void fewer_than_nine_positions_are_too_few(void)
     random_source random = random_start(12);
     const triad_truth truth = triad_random(&random, 0.1);
     reading_set set;
+    double v[9][3];
     invcal_calibration calibration = nominal;
 
     read_positions(&truth, expected_plan18, 8, 0, &random, &set);
     invcal_sums sums = sums_of(&set);
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_solve(&sums, &nominal, &calibration));
     TEST_ASSERT_EQUAL_MEMORY(&nominal, &calibration, sizeof nominal);
+    for (int i = 0; i < 9; i++) {
+        random_direction(&random, v[i]);
+    }
+    read_positions(&truth, (const double(*)[3])v, 9, 0, &random, &set);
+    sums = sums_of(&set);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&sums, &nominal, &calibration));
 }
 
 /* Whatever it is solved with: a result that is not finite does not count. */
@@ -377,10 +384,14 @@ static void semi_axes_beyond_their_limits_are_not_triads(void)
         int r;
         double error;
         invcal_status status;
-    } limits[] = {{INVCAL_DK_X, 0.13 - 1, INVCAL_OK},
-                  {INVCAL_DK_X, 0.07 - 1, INVCAL_NOT_ELLIPSOID},
-                  {INVCAL_DK_Y, 0.13 - 1, INVCAL_OK},
-                  {INVCAL_DK_Z, 0.07 - 1, INVCAL_NOT_ELLIPSOID}};
+    } limits[] = {
+        {INVCAL_DK_X, 0.13 - 1, INVCAL_OK},
+        {INVCAL_DK_X, 0.07 - 1, INVCAL_NOT_ELLIPSOID},
+        {INVCAL_DK_Y, 0.13 - 1, INVCAL_OK},
+        {INVCAL_DK_Z, 0.07 - 1, INVCAL_NOT_ELLIPSOID},
+        /* a centre so far away that float does not resolve it */
+        {INVCAL_DELTA_X, 9.8, INVCAL_DOUBLE ? INVCAL_OK : INVCAL_UNDETERMINED},
+        {INVCAL_DELTA_Y, -10.2, INVCAL_DOUBLE ? INVCAL_NOT_ELLIPSOID : INVCAL_UNDETERMINED}};
     const invcal_calibration nominal = unit_nominal();
     random_source random = random_start(15);
 

@@ -307,6 +307,10 @@ static void each_version_has_its_function(void)
     seal_bytes(bytes, OLD - 4);
     TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_decode_v1(bytes, OLD, &r));
     memcpy(bytes, golden_of_version_1, OLD);
+    bytes[DEGREE_AT + 48 + 2] = 4; /* no reason for a lower degree */
+    seal_bytes(bytes, OLD - 4);
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_decode_v1(bytes, OLD, &r));
+    memcpy(bytes, golden_of_version_1, OLD);
     bytes[RECORD_AT + 20] ^= 1; /* of the record within */
     seal_bytes(bytes, OLD - 4);
     TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_decode_v1(bytes, OLD, &r));
