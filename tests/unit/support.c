@@ -76,6 +76,30 @@ double length3(const double v[3])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
+double invert(double *a, int n)
+{
+    double log_det = 0;
+
+    for (int k = 0; k < n; k++) {
+        const double pivot = 1 / a[k * n + k];
+        log_det -= log(pivot);
+        a[k * n + k] = 1;
+        for (int c = 0; c < n; c++) {
+            a[k * n + c] *= pivot;
+        }
+        for (int r = 0; r < n; r++) {
+            if (r != k) {
+                const double factor = a[r * n + k];
+                a[r * n + k] = 0;
+                for (int c = 0; c < n; c++) {
+                    a[r * n + c] -= factor * a[k * n + c];
+                }
+            }
+        }
+    }
+    return log_det;
+}
+
 double larger(double a, double b)
 {
     return isnan(a) || a > b ? a : b;

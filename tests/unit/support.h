@@ -80,6 +80,10 @@ double parameter(const invcal_calibration *calibration, unsigned r);
 
 double length3(const double v[3]);
 
+/* a <- a^-1, n by n, by Gauss-Jordan elimination; positive definite, so that no pivot is small.
+ * Returns ln det a. */
+double invert(double *a, int n);
+
 /* The larger one, and NaN if either is: then no bound holds. (fmax() drops it.) */
 double larger(double a, double b);
 

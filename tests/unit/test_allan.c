@@ -936,11 +936,6 @@ static void dwell_is_the_shortest_time_that_is_enough(void)
     check_dwell(&noise, 1e-4, 100, 1e-4, INVCAL_DWELL_BEYOND);
     noise.longest = 101;
     check_dwell(&noise, 1e-4, 100, 1e-4, INVCAL_DWELL_REACHED);
-    noise.coefficient[INVCAL_NOISE_WHITE] = 1; /* all of this without rounding */
-    noise.longest = 4;
-    check_dwell(&noise, 0.5, 4, 0.5, INVCAL_DWELL_REACHED);
-    noise = data_sheet(1e-3, 0, 0);
-    noise.longest = 101;
     noise.shortest = (invcal_real)0.01;
     check_dwell(&noise, 1, 0.01, 0.01, INVCAL_DWELL_REACHED);
     noise.coefficient[INVCAL_NOISE_INSTABILITY] = (invcal_real)(6e-4 / floor_of_b);
@@ -949,6 +944,10 @@ static void dwell_is_the_shortest_time_that_is_enough(void)
     noise = data_sheet(1e-3, 0, sqrt(3e-8));
     noise.longest = 100;
     check_dwell(&noise, sqrt(25e-8), 5, sqrt(25e-8), INVCAL_DWELL_REACHED);
+    /* exactly the longest time seen, without rounding */
+    noise = data_sheet(1, 0, 0);
+    noise.longest = 4;
+    check_dwell(&noise, 0.5, 4, 0.5, INVCAL_DWELL_REACHED);
 }
 
 static void dwell_ends_at_the_minimum_if_nothing_is_enough(void)

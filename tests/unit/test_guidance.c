@@ -37,29 +37,12 @@ static void row_of(const double v[3], double h[N])
     memcpy(h, row, sizeof row);
 }
 
-/* By Gauss-Jordan elimination; positive definite, so the diagonal supplies the pivots. */
-static inverse_matrix invert(double a[N][N])
+static inverse_matrix inverse_of(double a[N][N])
 {
-    inverse_matrix out = {{{0}}, 0};
+    inverse_matrix out;
 
-    for (int i = 0; i < N; i++) {
-        out.k[i][i] = 1;
-    }
-    for (int p = 0; p < N; p++) {
-        const double pivot = a[p][p];
-        out.log_det += log(pivot);
-        for (int c = 0; c < N; c++) {
-            a[p][c] /= pivot;
-            out.k[p][c] /= pivot;
-        }
-        for (int r = 0; r < N; r++) {
-            const double factor = r == p ? 0 : a[r][p];
-            for (int c = 0; c < N; c++) {
-                a[r][c] -= factor * a[p][c];
-                out.k[r][c] -= factor * out.k[p][c];
-            }
-        }
-    }
+    memcpy(out.k, a, sizeof out.k);
+    out.log_det = invert(out.k[0], N);
     return out;
 }
 
@@ -100,7 +83,7 @@ static inverse_matrix covariance(const reading_list *list, double ridge, const d
     for (int r = 0; r < N; r++) {
         a[r][r] += ridge * trace;
     }
-    return invert(a);
+    return inverse_of(a);
 }
 
 static double leverage_of(const inverse_matrix *inverse, const double up[3])
@@ -260,7 +243,7 @@ static double cost_of_drift(const reading_list *list)
     for (int r = 0; r < N; r++) {
         memcpy(left[r], a[r], sizeof left[r]);
     }
-    const inverse_matrix twelve = invert(left);
+    const inverse_matrix twelve = inverse_of(left);
     for (int r = 0; r < N; r++) {
         most = larger(most, sqrt(twelve.k[r][r] / nine.k[r][r]));
     }

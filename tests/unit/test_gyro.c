@@ -638,35 +638,12 @@ static void slopes_of_the_bias_are_those_of_closed_form(void)
     }
 }
 
-/* Both are 9 where nothing is found. */
-/* Inverts by Gauss and Jordan; a is symmetric and positive definite. */
-static void invert(double a[5][5], double inverse[5][5])
-{
-    for (int i = 0; i < 25; i++) {
-        inverse[i / 5][i % 5] = i / 5 == i % 5;
-    }
-    for (int i = 0; i < 5; i++) {
-        const double pivot = a[i][i];
-        for (int j = 0; j < 5; j++) {
-            a[i][j] /= pivot;
-            inverse[i][j] /= pivot;
-        }
-        for (int k = 0; k < 5; k++) {
-            const double times = k == i ? 0 : a[k][i];
-            for (int j = 0; j < 5; j++) {
-                a[k][j] -= times * a[i][j];
-                inverse[k][j] -= times * inverse[i][j];
-            }
-        }
-    }
-}
-
 /* Of 25 rests with one bias each, b: p by (H'H)^-1 H'b, sigma, and the bias of the last rest with its share of the
  * residual, by mathematics_imu.md, "The bias". */
 static void expect_bias(double h[25][5], const double b[25], double p[5], double sigma[4],
                         double *last)
 {
-    double a[5][5] = {{0}}, inverse[5][5], y[5] = {0}, squares = 0, changes = 0, before = 0;
+    double a[5][5] = {{0}}, y[5] = {0}, squares = 0, changes = 0, before = 0;
 
     for (int k = 0; k < 25; k++) {
         for (int i = 0; i < 5; i++) {
@@ -676,11 +653,11 @@ static void expect_bias(double h[25][5], const double b[25], double p[5], double
             }
         }
     }
-    invert(a, inverse);
+    invert(a[0], 5);
     for (int i = 0; i < 5; i++) {
         p[i] = 0;
         for (int j = 0; j < 5; j++) {
-            p[i] += inverse[i][j] * y[j];
+            p[i] += a[i][j] * y[j];
         }
     }
     for (int k = 0; k < 25; k++) {
@@ -695,14 +672,14 @@ static void expect_bias(double h[25][5], const double b[25], double p[5], double
     const double square = squares / (25 - 5);
     const double noise = changes / (4 * 25);
     for (int i = 0; i < 4; i++) {
-        sigma[i] = sqrt(square * inverse[i][i]);
+        sigma[i] = sqrt(square * a[i][i]);
     }
     TEST_ASSERT_TRUE(noise < 0.4 * square); /* the share is not all */
     *last = b[24] + noise / (square - noise) * before;
 }
 
 /* Biases that wander: a step of +-100 units of 2^-18 rad/s from rest to rest, drawn once. */
-static void the_bias_of_a_wanderer_is_that_of_closed_form(void)
+static void a_bias_that_wanders_is_that_of_closed_form(void)
 {
     static const char steps[3][26] = {"+++-++-+--+-----++-+--++++", "--+----+-+++++-+++--+-----",
                                       "+-++++-+++-----+---+-++++-"};
@@ -749,6 +726,7 @@ static void the_bias_of_a_wanderer_is_that_of_closed_form(void)
     }
 }
 
+/* Both are 9 where nothing is found. */
 static invcal_status find_mounting(int8_t axes[3], invcal_real *scale)
 {
     const invcal_calibration nominal = unit_nominal();
@@ -1439,7 +1417,7 @@ static void bad_readings_and_scales_are_refused(void)
 /* Of the accelerometer, whose length does not matter if it is held. */
 static void readings_have_a_tenth_to_ten_times_the_field(void)
 {
-    static const float length[4] = {0.095F, 0.105F, 9.5F, 10.5F};
+    static const double length[4] = {0.095, 0.105, 9.5, 10.5};
     invcal_imu_settings settings;
 
     settle_settings(&settings, 1);
@@ -1447,7 +1425,7 @@ static void readings_have_a_tenth_to_ten_times_the_field(void)
         begin_exact(upright);
         tour_exact(unit, 10294);
         for (int k = 0; k < 3; k++) {
-            w.mean[3][k] *= (double)length[i];
+            w.mean[3][k] *= length[i];
         }
         TEST_ASSERT_EQUAL_INT(i == 1 || i == 2 ? INVCAL_OK : INVCAL_OUT_OF_RANGE,
                               world_solve(&w, &settings, &imu));
@@ -1511,7 +1489,7 @@ int main(void)
     RUN_TEST(weak_and_undetermined_begin_at_their_bounds);
     RUN_TEST(a_move_is_apart_beyond_its_bound);
     RUN_TEST(slopes_of_the_bias_are_those_of_closed_form);
-    RUN_TEST(the_bias_of_a_wanderer_is_that_of_closed_form);
+    RUN_TEST(a_bias_that_wanders_is_that_of_closed_form);
     RUN_TEST(moves_may_leave_the_mapping_of_axes_open);
     RUN_SLOW_TEST(errors_are_those_that_sigma_says);
     RUN_SLOW_TEST(noisy_moves_spoil_no_accelerometer);

@@ -388,27 +388,6 @@ static void inform(const double x[9], const double u[3], double sigma, double in
     }
 }
 
-/* a <- a^-1, by Gauss-Jordan elimination; positive definite, so that no pivot is small. */
-static void invert(double a[9][9])
-{
-    for (int k = 0; k < 9; k++) {
-        const double pivot = 1 / a[k][k];
-        a[k][k] = 1;
-        for (int c = 0; c < 9; c++) {
-            a[k][c] *= pivot;
-        }
-        for (int r = 0; r < 9; r++) {
-            if (r != k) {
-                const double factor = a[r][k];
-                a[r][k] = 0;
-                for (int c = 0; c < 9; c++) {
-                    a[r][c] -= factor * a[k][c];
-                }
-            }
-        }
-    }
-}
-
 /* K of a set of positions, for a noise of 1, and its lower bound for unbiased estimates. */
 static void covariance(const triad_truth *truth, const double v[][3], int count, double k[9][9])
 {
@@ -418,7 +397,7 @@ static void covariance(const triad_truth *truth, const double v[][3], int count,
         triad_read(truth, v[i], u);
         inform(truth->x, u, 1, k);
     }
-    invert(k);
+    invert(k[0], 9);
 }
 
 /* Noise of the readings adds about 9 noise^2 to every information, 1 / K. Without residuals it is that

@@ -654,8 +654,8 @@ static void a_target_is_reached_when_every_sigma_is_within_it(void)
     for (unsigned i = 0; i < 2; i++) {
         invcal_real target[3] = {0, 0, 0};
         for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-            const double wide_enough = (i == 0 ? 1.15 : 1.16) * (double)q.sigma[r];
-            target[r / 3] = (invcal_real)larger((double)target[r / 3], wide_enough);
+            const double bound = (i == 0 ? 1.15 : 1.16) * (double)q.sigma[r];
+            target[r / 3] = (invcal_real)larger((double)target[r / 3], bound);
         }
         TEST_ASSERT_EQUAL_INT(i, invcal_session_reaches(b.s, target));
     }
