@@ -1383,7 +1383,7 @@ int main(void)
     RUN_LONG_TEST(a_stated_noise_may_be_wrong);
     RUN_LONG_TEST(the_innocent_stay_where_two_positions_may_be_the_wrong_one);
     RUN_LONG_TEST(the_rules_of_judgement_decide);
-    RUN_TEST(a_step_in_the_middle_third_is_a_rival_of_two_outliers);
+    RUN_SLOW_TEST(a_step_in_the_middle_third_is_a_rival_of_two_outliers);
     RUN_TEST(the_order_of_positions_does_not_matter);
     RUN_SLOW_TEST(units_do_not_matter);
     RUN_LONG_TEST(exact_readings_have_no_outliers);
