@@ -330,9 +330,11 @@ deps: ## install what these need besides a C compiler (Debian, root)
 	    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr zip unzip gcc-mingw-w64-x86-64 wine wine64
 	command -v npm > /dev/null || $(APT) install -y --no-install-recommends nodejs npm
 
+# As typed, whatever is special to make or a shell.
+package_folder = '$(subst ','\'',$(or $(value DEST),$(BUILD)/packages/$(PACKAGE)))'
 package: ## lay out a package, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
-	$(Q)sh port/stage.sh "$(PACKAGE)" "$(or $(DEST),$(BUILD)/packages/$(PACKAGE))"
-	@echo "$(PACKAGE) is in $(or $(DEST),$(BUILD)/packages/$(PACKAGE))"
+	$(Q)sh port/stage.sh "$(PACKAGE)" $(package_folder)
+	@echo "$(PACKAGE) is in" $(package_folder)
 
 packages: ## lay out all packages, in build/packages
 	$(Q)rm -rf $(BUILD)/packages
