@@ -10,8 +10,9 @@
 #     clang              the unit tests at full length, with -O3 and degree 0 of thermal.h
 #
 # Compilers that are not installed are named and counted as a failure; `make deps` gets them.
-# CONFIGURATION=gcc: only those whose names match. ONLY: see run.sh. BRIEF=1: gcc only the long scripts, with the tool that
-# `make test` has built, and no search for leaks, which costs more than all else in a run of the tool; the fuzzers search.
+# CONFIGURATION=gcc: only those whose names match. ONLY: see run.sh. BRIEF=1: sanitizers for float only; gcc only the long
+# scripts, with the tool that `make test` has built; no search for leaks, which costs more than all else in a run of the
+# tool; the fuzzers search.
 # More arguments run one configuration: NAME COMPILER STANDARD LONG ASSERT DEGREE FLAG..., with - for what is not set;
 # DEGREE is that of thermal.h.
 out=$1
@@ -22,14 +23,16 @@ run() {
     name=$1 compiler=$2 std=$3 long=$4 assert=$5 degree=$6 part='' folder=$out/$1
     shift 6
     log=$out/$name.log
+    types='float double'
     status=0
     if ! command -v "$compiler" > /dev/null; then
         echo "$compiler is not installed: make deps" > "$out/$name.result"
         return
     fi
     case $name in clang*) part=src ;; esac
+    [ -z "$BRIEF" ] || types=float
     [ "$long" != only ] || part=host folder=${out%/*}
-    make -s -j2 test BUILD="$folder" CC="$compiler" STD="$std" CFLAGS="$* -Werror" PART="$part" ONLY="$ONLY" TYPES='float double' \
+    make -s -j2 test BUILD="$folder" CC="$compiler" STD="$std" CFLAGS="$* -Werror" PART="$part" ONLY="$ONLY" TYPES="$types" \
         LONG="${long#-}" ASSERT="${assert#-}" DEGREE="${degree#-}" BRIEF="$([ "$long" = 1 ] || echo 1)" > "$log" 2>&1 || status=1
     [ $status -eq 0 ] || cat "$log"
     # A failed build is a failure, too.

@@ -36,6 +36,10 @@ check() { # SENTENCE COMMAND...: passes if the command succeeds
     fi
 }
 
+long() { # the same, but with BRIEF=1 left out
+    [ "$BRIEF" ] || check "$@"
+}
+
 finish() {
     echo "$passed passed, $failed failed"
     [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Checks a JSON file against one object of a schema: schema.py SCHEMA OBJECT FILE
+"""Checks a JSON file against one object of a schema: schema.py SCHEMA OBJECT FILE; or only the schema: schema.py SCHEMA
 
 Fails if the file is not strict JSON, is not that object, or is not one of those that the schema as
 a whole allows. Fails, too, if the schema would accept a mistake: in turn, every object gets a surplus
@@ -30,10 +30,10 @@ def read(path):
 
 
 def places(value, path=()):
-    """The path of the value and of everything inside."""
+    """The path of the value and of everything inside; of a list the first three, as all must be alike."""
     yield path
     if isinstance(value, (dict, list)):
-        for key, item in value.items() if isinstance(value, dict) else enumerate(value):
+        for key, item in value.items() if isinstance(value, dict) else enumerate(value[:3]):
             yield from places(item, path + (key,))
 
 
@@ -61,9 +61,11 @@ def mistakes(value):
             yield path, wrong
 
 
-def main(schema_path, name, path):
+def main(schema_path, name=None, path=None):
     schema = read(schema_path)
-    jsonschema.Draft202012Validator.check_schema(schema)
+    if name is None:
+        jsonschema.Draft202012Validator.check_schema(schema)
+        return 0
     whole = jsonschema.Draft202012Validator(schema)
     one = jsonschema.Draft202012Validator({"$defs": schema["$defs"], "$ref": "#/$defs/" + name})
     value = read(path)

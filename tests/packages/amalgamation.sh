@@ -88,9 +88,9 @@ for compiler in gcc clang-19; do
         runs_example $compiler
     check "$compiler, double: the example prints what it must" \
         runs_example $compiler -DINVCAL_DOUBLE=1
-    check "$compiler, parabolas and 64 positions" compiles $compiler -DINVCAL_THERMAL_DEGREE=2 \
+    long "$compiler, parabolas and 64 positions" compiles $compiler -DINVCAL_THERMAL_DEGREE=2 \
         -DINVCAL_MAX_POSITIONS=64
-    check "$compiler, no thermal polynomial" compiles $compiler -DINVCAL_THERMAL_DEGREE=0
+    long "$compiler, no thermal polynomial" compiles $compiler -DINVCAL_THERMAL_DEGREE=0
 done
 check "it has a header of every name" has_every_header
 check "only what is called is linked" links_what_is_called gcc

@@ -302,16 +302,16 @@ for macro in ESP32 ESP8266 ARDUINO_ARCH_RP2040; do
     check "storage.cpp of Gyroscope stores with $macro" emulated_stores Gyroscope $macro
 done
 check "the example for both sensors builds for a Mega, without a warning" builds_gyroscope
-check "its image runs there, from power-on to the end" runs_on_board atmega2560 Gyroscope gyroscope
-check "it asks for the tour, then for the missing turns, and begins again on request" said \
+long "its image runs there, from power-on to the end" runs_on_board atmega2560 Gyroscope gyroscope
+long "it asks for the tour, then for the missing turns, and begins again on request" said \
     '^stored calibration: none$' '^calibration begins$' '^next: [+]z up$' '^good: move on$' '^next: [+]x up$' \
     '^turns made, of 12: 0$' '^turns made, of 12: 1$' '^move refused: ' '^turns made, of 12: 10$' \
     '^next: [+]x up$' '^turns made, of 12: 11$' '^turns made, of 12: 12$' '^verdict: good$' \
     '^calibration stored$' '^world: power returns$' '^stored calibration: found$' '^rate, mrad/s: ' \
     '^calibration begins$'
-check "the spoilt moves are refused" refused_moves
-check "what it stored of both sensors is true" near_both_truths
-check "after the last power-on it finds and applies that" readings
-check "it leaves a Mega half a kilobyte of RAM" fits_mega
+long "the spoilt moves are refused" refused_moves
+long "what it stored of both sensors is true" near_both_truths
+long "after the last power-on it finds and applies that" readings
+long "it leaves a Mega half a kilobyte of RAM" fits_mega
 check "it says that an Uno is too small" too_large_for_uno
 finish

@@ -31,7 +31,7 @@ same() { # CODE ARGUMENT...
 number=0
 
 check "it compiles without a warning" compiles
-check "CMake builds it" cmake_builds
+long "CMake builds it" cmake_builds
 check "simulate" same 0 simulate --plan edges --seed 3 --truth truth.json
 for folder in here there; do
     cp "$out/$folder/1.out" "$out/$folder/log.csv"

@@ -31,6 +31,18 @@ prints() { # prints CODE OBJECT ARGUMENTS ...
     check "$* is a $object" is_object "$expected" "$object"
 }
 
+is_schema() {
+    "$python" "$here/../schema.py" "$1"
+}
+
+is_no_schema() {
+    ! is_schema "$1" 2> "$work/why" && grep -q SchemaError "$work/why"
+}
+
+check "the schema is one" is_schema "$schema"
+sed 's/"type": "object"/"type": "objekt"/' "$schema" > "$work/lax.json"
+check "refused: a schema with a type that does not exist" is_no_schema "$work/lax.json"
+
 # ---- calibrations ------------------------------------------------------------------------------
 
 xsens=$data/xsens_mti_positions.csv
