@@ -31,6 +31,7 @@ same() { # CODE ARGUMENT...
 number=0
 
 check "it compiles without a warning" compiles
+check "Wine starts" wine wineboot
 long "CMake builds it" cmake_builds
 check "simulate" same 0 simulate --plan edges --seed 3 --truth truth.json
 for folder in here there; do

@@ -40,7 +40,7 @@ is_no_schema() {
 }
 
 check "the schema is one" is_schema "$schema"
-sed 's/"type": "object"/"type": "objekt"/' "$schema" > "$work/lax.json"
+sed 's/"type": "object"/"type": "thing"/' "$schema" > "$work/lax.json"
 check "refused: a schema with a type that does not exist" is_no_schema "$work/lax.json"
 
 # ---- calibrations ------------------------------------------------------------------------------
