@@ -8,4 +8,4 @@ SHARE := 200
 # They need more RAM than there is.
 WITHOUT := test_allan_nist test_imu_session test_gyro_greedy
 # QUICK leaves out those that take longest and are not of 16-bit arithmetic in the first place.
-WITHOUT += $(if $(QUICK),test_gyro test_moves test_moves_few test_session)
+WITHOUT += $(if $(QUICK),test_gyro test_moves test_moves_few test_session test_thermal)
