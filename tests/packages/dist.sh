@@ -46,7 +46,7 @@ demo_works() {
 }
 
 all_tests_pass() {
-    make -s -C "$tree" test > "$out/test"
+    make -s -C "$tree" clean && make -s -C "$tree" test > "$out/test"
     result=$?
     tail -n 1 "$out/test"
     return $result
