@@ -15,10 +15,10 @@ static void begin(void)
     invcal_allan_init(&allan);
     check_allan(&allan);
     ANY(m);
-    (void)invcal_allan_begin(&allan, m, BETWEEN(0, UINT32_MAX));
+    (void)invcal_allan_begin(&allan, m, UINT32_BETWEEN(0, UINT32_MAX));
     invcal_allan_init(&allan);
     for (unsigned k = 0; k < INVCAL_ALLAN_TAUS; k++) { /* what is_usable accepts */
-        m[k] = BETWEEN(1, INVCAL_ALLAN_LONGEST);
+        m[k] = UINT32_BETWEEN(1, INVCAL_ALLAN_LONGEST);
         (void)invcal_allan_begin(&allan, m, k + 1);
     }
     check_allan(&allan);

@@ -15,6 +15,7 @@
 #define WITHIN(x, low, high) (HOLDS((x) >= (low)), HOLDS((x) <= (high)))
 
 #define INT32_BETWEEN(low, high) ((int32_t)Frama_C_long_interval(low, high))
+#define UINT32_BETWEEN(low, high) ((uint32_t)Frama_C_unsigned_long_interval(low, high))
 #define INT64_BETWEEN(low, high) Frama_C_long_long_interval(low, high)
 
 #endif

@@ -11,7 +11,7 @@ static void any_allan(invcal_allan *a)
     ANY(*a);
     a->taus = (uint8_t)BETWEEN(0, INVCAL_ALLAN_TAUS);
     for (unsigned k = 0; k < INVCAL_ALLAN_TAUS; k++) {
-        a->tau[k].m = BETWEEN(0, INVCAL_ALLAN_LONGEST);
+        a->tau[k].m = UINT32_BETWEEN(0, INVCAL_ALLAN_LONGEST);
     }
 }
 
