@@ -9,28 +9,17 @@
 #include "invcal/invcal.h"
 #include "vector.h"
 
-#ifndef INVCAL_FAST
+#if !INVCAL_FAST
 invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {
-    invcal_real sum = 0;
-
-    for (unsigned i = 0; i < n; i++) {
-        sum += a[i] * b[i];
-    }
-    return sum;
+    return invcal_dot_inline(a, b, n);
 }
 #endif
 
 void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
                   invcal_real calibrated[3])
 {
-    const invcal_real u[3] = {raw[0] - calibration->offset[0], raw[1] - calibration->offset[1],
-                              raw[2] - calibration->offset[2]};
-
-    INVCAL_UNROLL
-    for (unsigned i = 0; i < 3; i++) {
-        calibrated[i] = invcal_dot3(calibration->matrix[i], u);
-    }
+    invcal_correct_inline(calibration, raw, calibrated);
 }
 
 void invcal_apply_counts(const invcal_calibration *calibration, const int32_t raw[3],

@@ -48,7 +48,7 @@ static inline unsigned invcal_cell_of_inline(const invcal_real h[INVCAL_PARAMETE
 }
 
 /* Inlined where it is called often, if speed matters. */
-#ifdef INVCAL_FAST
+#if INVCAL_FAST
 #define invcal_cell_of_often invcal_cell_of_inline
 #else
 #define invcal_cell_of_often invcal_cell_of

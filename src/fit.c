@@ -25,7 +25,6 @@ invcal_status invcal_fit_solve(invcal_fit *fit)
 
     invcal_status status = invcal_positions_sum(&fit->positions, &fit->sums);
     if (status == INVCAL_OK) {
-        invcal_sums_system(&fit->sums);
         status =
             invcal_determine(fit->sums.sum, INVCAL_PARAMETERS + 1, x, &condition); /* L^-1 and p */
     }

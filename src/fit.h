@@ -80,7 +80,7 @@ static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *f
 }
 
 /* For frequent callers: inline if optimised for speed. */
-#ifdef INVCAL_FAST
+#if INVCAL_FAST
 #define invcal_fit_row_often invcal_fit_row_inline
 #define invcal_fit_append_often invcal_fit_append_inline
 #else

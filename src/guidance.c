@@ -46,7 +46,6 @@ invcal_real invcal_ridged_inverse(invcal_sums *sums)
 {
     invcal_real *a = sums->sum;
 
-    invcal_sums_system(sums);
     /* 10: at first the trace is 0 */
     const invcal_real ridge = RIDGE * (10 + invcal_trace(a, INVCAL_PARAMETERS));
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {

@@ -244,7 +244,6 @@ static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
     }
     if (status == INVCAL_OK) {
         invcal_real k[INVCAL_PARAMETERS];
-        invcal_sums_system(sums);
         status = invcal_determine(sums->sum, INVCAL_PARAMETERS + 1, k, &condition);
     }
     if (status != INVCAL_OK) {

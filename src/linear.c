@@ -66,7 +66,6 @@ invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calib
     if (linear->sums.count < INVCAL_PARAMETERS) {
         return INVCAL_TOO_FEW;
     }
-    invcal_sums_system(&linear->sums);
     invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
     if (status != INVCAL_OK) {
         return status;

@@ -104,7 +104,7 @@ static void sum_curve(const curve *c, const mixture *x, equations *e)
         for (unsigned i = 0; i <= KINDS; i++) {
             row[i] *= scale;
         }
-        invcal_rank_one_inline(e->a, row, KINDS + 1, c->weight[k]);
+        invcal_rank_one(e->a, row, KINDS + 1, c->weight[k]);
     }
     invcal_real *a = e->a;
     for (unsigned i = 0; i <= KINDS; i++) {

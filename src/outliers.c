@@ -31,9 +31,28 @@ typedef struct {
     invcal_real rival_squares;
 } contest;
 
+/* Leaving position k out is the same as adding an unknown, its error: a column that is 1 there and
+ * 0 elsewhere. Of two such columns the nine unknowns leave the product -h_i K h_k, of one with
+ * itself 1 - h_k K h_k. So each position is read and weighed once, and a group costs only the
+ * products of its rows. */
+typedef struct {
+    invcal_real u[3];        /* the corrected reading */
+    invcal_real unexplained; /* the part of c'c that the nine leave */
+    invcal_real rest;        /* c'r: the residual */
+} single;
+
+/* Member d continues the Cholesky factor: its element below column k is -h_k v. */
+typedef struct {
+    invcal_mask out;                  /* it, those before it, and those left out in advance */
+    invcal_real squares;              /* of the others */
+    invcal_real v[INVCAL_PARAMETERS]; /* K h, without the share of the members before it */
+    invcal_real rest;                 /* c'r, likewise */
+} member;
+
 /* The search in a fit. */
 typedef struct {
     const invcal_fit *fit;
+    single single[INVCAL_MAX_POSITIONS];
     invcal_real promising; /* max squares left by a pair, see visit */
     contest contests[INVCAL_GROUP + 1];
 } search;
@@ -44,13 +63,6 @@ static invcal_mask bit(unsigned i)
 }
 
 /* ---- the best group of each size ------------------------------------------------------------- */
-
-/* Leaving position k out is the same as adding an unknown, with a column that is 1 there and 0
- * elsewhere. */
-typedef struct {
-    invcal_mask out;     /* those left out so far */
-    invcal_real squares; /* of the others */
-} left_over;
 
 /* A triple may come up once for each of its pairs; it must not be its own rival. */
 static void enter(contest *c, invcal_mask out, invcal_real squares)
@@ -69,49 +81,110 @@ static void enter(contest *c, invcal_mask out, invcal_real squares)
     }
 }
 
-/* Position k as member d: the group enters the contest of its size. Returns 1 if a member may
- * follow: after one always; after two if they leave at most 1 - 9.5 / n of the squares. 99 of 100
- * clear groups of three have such a pair, but only one in fifteen pairs of a good set is one. */
-static INVCAL_OFTEN int visit(search *s, left_over *over, invcal_column group[INVCAL_MORE],
-                              unsigned d, unsigned k)
+/* h v, where h is the row of u. */
+static INVCAL_OFTEN invcal_real along(const invcal_real u[3], const invcal_real v[INVCAL_PARAMETERS])
 {
-    const left_over *before = &over[d];
-    left_over *after = &over[d + 1];
-    invcal_real *const x = group[d];
+    const invcal_real x = u[0];
+    const invcal_real y = u[1];
+    const invcal_real z = u[2];
+
+    return x * (v[INVCAL_DELTA_X] + x * v[INVCAL_DK_X] + y * v[INVCAL_GAMMA_XY] +
+                z * v[INVCAL_GAMMA_XZ]) +
+           y * (v[INVCAL_DELTA_Y] + y * v[INVCAL_DK_Y] + z * v[INVCAL_GAMMA_ZY]) +
+           z * (v[INVCAL_DELTA_Z] + z * v[INVCAL_DK_Z]);
+}
+
+/* v = K h, from L^-1: first y = L^-1 h, then v = L^-T y. */
+static void make_weights(const invcal_real *inverse, const invcal_real u[3],
+                  invcal_real v[INVCAL_PARAMETERS])
+{
+    invcal_real y[INVCAL_PARAMETERS];
+
+    memcpy(y, u, 3 * sizeof *u);
+    invcal_row_of(y);
+    (void)invcal_leverage(inverse, y);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        v[r] = 0;
+        for (unsigned c = 0; c <= r; c++) {
+            v[c] += *inverse++ * y[r];
+        }
+    }
+}
+
+/* Position k as the next member: the group enters the contest of its size. Unless it is the last,
+ * it is made ready for members after it. Returns 1 if one may follow: after one always; after two
+ * if they leave at most 1 - 9.5 / n of the squares. 99 of 100 clear groups of three have such a
+ * pair, but only one in fifteen pairs of a good set is one. */
+static INVCAL_OFTEN int visit(search *s, member *group, unsigned d, unsigned k, int is_last)
+{
+    const single *const one = &s->single[k];
+    const member *const before = &group[d];
+    member *const m = &group[d + 1];
+    invcal_real l[INVCAL_GROUP];
+    invcal_real left = one->unexplained;
+    invcal_real rest = one->rest;
 
     if (before->out >> k & 1u) {
         return 0;
     }
-    invcal_fit_row_often(s->fit, k, x); /* H'c = h, c'r = r, */
-    x[INVCAL_C] = 0;
-    x[INVCAL_C + 1] = 0;
-    x[INVCAL_C + d] = 1; /* c'c */
-    (void)invcal_fit_append_often(s->fit, group, d);
-    after->out = before->out | bit(k);
-    after->squares = before->squares - x[INVCAL_REST] * x[INVCAL_REST];
-    enter(&s->contests[d + 1], after->out, after->squares);
-    return d == 0 || after->squares <= s->promising;
+    for (unsigned i = 0; i < d; i++) {
+        l[i] = -along(one->u, group[i + 1].v);
+        rest -= l[i] * group[i + 1].rest;
+        left -= l[i] * l[i];
+    }
+    const invcal_real reciprocal = left > INVCAL_TOLERANCE ? 1 / INVCAL_SQRT(left) : 0;
+    rest *= reciprocal;
+    m->out = before->out | bit(k);
+    m->squares = before->squares - rest * rest;
+    enter(&s->contests[d + 1], m->out, m->squares);
+    if (is_last || !(d == 0 || m->squares <= s->promising)) {
+        return 0;
+    }
+    make_weights(s->fit->sums.sum, one->u, m->v);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        for (unsigned i = 0; i < d; i++) {
+            m->v[r] -= l[i] * group[i + 1].v[r];
+        }
+        m->v[r] *= reciprocal;
+    }
+    m->rest = rest;
+    return 1;
+}
+
+/* Reads and weighs each position. */
+static void weigh_singles(search *s)
+{
+    const invcal_fit *const fit = s->fit;
+    invcal_column x;
+
+    for (unsigned k = 0; k < fit->positions.count; k++) {
+        single *const one = &s->single[k];
+        invcal_fit_row(fit, k, x);
+        memcpy(one->u, x, sizeof one->u);
+        one->rest = x[INVCAL_REST];
+        one->unexplained = 1 - invcal_leverage(fit->sums.sum, x);
+    }
 }
 
 /* All groups of one and two, and those of three with a promising pair. */
 static INVCAL_NOINLINE void search_groups(search *s, unsigned size)
 {
     const unsigned count = s->fit->positions.count;
-    left_over over[INVCAL_GROUP + 1];
-    invcal_column group[INVCAL_GROUP];
+    member group[INVCAL_GROUP + 1];
 
-    over[0].out = s->fit->positions.left_out;
-    over[0].squares = s->contests[0].squares;
+    weigh_singles(s);
+    group[0].out = s->fit->positions.left_out;
+    group[0].squares = s->contests[0].squares;
     for (unsigned i = 0; i < count; i++) {
-        if (!visit(s, over, group, 0, i) || size < 2) {
+        if (!visit(s, group, 0, i, size < 2)) {
             continue;
         }
         for (unsigned j = 0; j < i; j++) {
-            if (!visit(s, over, group, 1, j) || size < 3) {
+            if (!visit(s, group, 1, j, size < 3)) {
                 continue;
             }
             for (unsigned k = 0; k < count; k++) {
-                (void)visit(s, over, group, 2, k);
+                (void)visit(s, group, 2, k, 1);
             }
         }
     }

@@ -91,7 +91,6 @@ static invcal_status solve_with(const invcal_positions *positions, update *prior
     if (sums->count == 0 || sums->count + prior->count < INVCAL_PARAMETERS) {
         return INVCAL_TOO_FEW;
     }
-    invcal_sums_system(sums);
     status = factor_with(sums->sum, prior, l);
     if (status != INVCAL_OK) {
         return status;

@@ -88,16 +88,6 @@ enum {
     ALL_CHANGED = 7 * CHANGED
 };
 
-/* If the compiler optimises for size, all samples are added the slow way, which takes three times
- * as long; and COMPACT functions are not inlined. */
-#ifdef __OPTIMIZE_SIZE__
-#define QUICK 0
-#define COMPACT INVCAL_NOINLINE
-#else
-#define QUICK 1
-#define COMPACT
-#endif
-
 /* ---- numbers --------------------------------------------------------------------------------- */
 
 static int larger(int a, int b)
@@ -155,21 +145,25 @@ static int octaves(uint32_t x)
     return ((int)top - 1) * OCTAVE + (int)(x << (31 - top) >> 24);
 }
 
-/* Adds x^2. Without a 64-bit product of the processor, the compiler's is a large function. */
-COMPACT static void add_squared(uint64_t *sum, uint32_t x)
+/* Adds d^2, where d is a number modulo 2^32. Without a 64-bit product of the processor, the
+ * compiler's is a large function. */
+INVCAL_OFTEN static void add_squared(uint64_t *sum, uint32_t d)
 {
 #ifdef __ARM_ARCH_6M__
+    const uint32_t x = size_of(d);
     const uint32_t low = x & 0xFFFFu;
     const uint32_t high = x >> 16;
 
     *sum += ((uint64_t)(high * high) << 32) + low * low + ((uint64_t)(high * low) << 17);
 #else
-    *sum += (uint64_t)x * x;
+    const int64_t x = as_signed(d);
+
+    *sum += (uint64_t)(x * x);
 #endif
 }
 
 /* The level of a square whose unit is 1/2^20: a variance, the square of a mean. */
-COMPACT static int level_of(uint64_t square)
+INVCAL_OFTEN static int level_of(uint64_t square)
 {
     int level = ONE - 2 * FINE * OCTAVE;
 
@@ -179,26 +173,16 @@ COMPACT static int level_of(uint64_t square)
     return level + octaves((uint32_t)square);
 }
 
-/* The level of the squared length of d. */
-COMPACT static int length_of(const int32_t d[3])
+/* The level of the distance of the rest from the previous position. */
+INVCAL_OFTEN static int distance_from_place(const invcal_rests *s)
 {
     uint64_t square = 0;
 
+    INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
-        add_squared(&square, size_of((uint32_t)d[a]));
+        add_squared(&square, (uint32_t)s->axis[a].origin - (uint32_t)s->axis[a].place);
     }
-    return level_of(square);
-}
-
-/* The level of the distance of the rest from the previous position. */
-COMPACT static int distance_from_place(const invcal_rests *s)
-{
-    int32_t d[3];
-
-    for (unsigned a = 0; a < 3; a++) {
-        d[a] = as_signed((uint32_t)s->axis[a].origin - (uint32_t)s->axis[a].place);
-    }
-    return length_of(d) + 2 * (int)FINE * OCTAVE;
+    return level_of(square) + 2 * (int)FINE * OCTAVE;
 }
 
 /* Takes the rest as the place of the last position, or of the first rest. */
@@ -252,12 +236,12 @@ static void begin(invcal_rests *s, const int32_t raw[3])
     s->missing = samples_of(s);
     s->square = 0;
     s->seen = 0;
-    s->span = QUICK && s->quantum == 1 ? 2 * NEAR : 0;
+    s->span = INVCAL_FAST && s->quantum == 1 ? 2 * NEAR : 0;
     for (unsigned a = 0; a < 3; a++) {
         s->axis[a].first = raw[a];
         s->axis[a].sum = 0;
         const uint32_t above = (uint32_t)raw[a] - (uint32_t)s->low - 1u;
-        if (QUICK && (above >= s->between || smaller(above, s->between - 1u - above) < NEAR)) {
+        if (INVCAL_FAST && (above >= s->between || smaller(above, s->between - 1u - above) < NEAR)) {
             s->span = 0;
         }
     }
@@ -275,7 +259,7 @@ INVCAL_NOINLINE static void add_any(invcal_rests *s, const int32_t raw[3])
         const uint32_t d = (uint32_t)raw[a] - (uint32_t)s->axis[a].first;
         const uint32_t size = raw[a] < s->axis[a].first ? 0u - d : d;
         s->axis[a].sum += d;
-        add_squared(&s->square, size);
+        add_squared(&s->square, d);
         if ((uint32_t)raw[a] - (uint32_t)s->low - 1u >= s->between) {
             seen |= CLIPPED;
         }
@@ -325,7 +309,7 @@ static void measure(invcal_rests *s)
         if (s->axis[a].sum != 0) {
             s->seen = (uint8_t)(s->seen | (unsigned)CHANGED << a);
         }
-        add_squared(&square, size_of(s->axis[a].sum));
+        add_squared(&square, s->axis[a].sum);
     }
     s->square = ((uint64_t)(high << up | low >> (32 - up)) << 32 | low << up) - square;
 }
@@ -339,13 +323,13 @@ static int quantum_level(const invcal_rests *s)
 }
 
 /* Places that differ by less are the same. */
-COMPACT static int resolution_level(const invcal_rests *s)
+INVCAL_OFTEN static int resolution_level(const invcal_rests *s)
 {
     return larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
 }
 
 /* Follows a low quantile. */
-COMPACT static int follow(int level, int x)
+INVCAL_OFTEN static int follow(int level, int x)
 {
     if (level != NONE && x > level + RISE) {
         return level + RISE;
@@ -390,28 +374,33 @@ static void learn_new_noise(invcal_rests *s, int level, int jump)
 
 /* ---- the trend of a rest --------------------------------------------------------------------- */
 
-/* Measures the mean from origin; without a rest, origin moves to it, in whole counts. Returns the
- * distance of the block from the trend of the rest, which may drift slowly. */
+/* Measures the mean of an axis from origin; without a rest, origin moves to it, in whole counts.
+ * Returns the distance of the block from the trend of the rest, which may drift slowly. */
+static uint32_t locate_axis(invcal_rests_axis *x, int has_rest)
+{
+    uint32_t off = (uint32_t)x->first - (uint32_t)x->origin;
+    const uint32_t d = x->sum + (off << FINE) - (uint32_t)x->rest.once - (uint32_t)x->rest.lag;
+
+    if (!has_rest) {
+        off = 0u - (uint32_t)shifted(as_signed(x->sum), FINE);
+        x->origin = as_signed((uint32_t)x->first - off);
+    }
+    x->sum += off << FINE;
+    return d;
+}
+
+/* The level of that distance, all axes together. */
 static int locate(invcal_rests *s)
 {
-    int32_t d[3];
-    int jump = NONE;
+    uint64_t square = 0;
+    int is_beyond = 0;
 
     for (unsigned a = 0; a < 3; a++) {
-        invcal_rests_axis *x = &s->axis[a];
-        uint32_t off = (uint32_t)x->first - (uint32_t)x->origin;
-        d[a] = as_signed(x->sum + (off << FINE) - (uint32_t)s->rest.once[a] -
-                         (uint32_t)s->rest.lag[a]);
-        if (off + WIDE >= 2 * WIDE) {
-            jump = BEYOND;
-        }
-        if (s->pended == 0) {
-            off = 0u - (uint32_t)shifted(as_signed(x->sum), FINE);
-            x->origin = as_signed((uint32_t)x->first - off);
-        }
-        x->sum += off << FINE;
+        invcal_rests_axis *const x = &s->axis[a];
+        is_beyond |= (uint32_t)x->first - (uint32_t)x->origin + WIDE >= 2 * WIDE;
+        add_squared(&square, locate_axis(x, s->pended > 0));
     }
-    return larger(jump, length_of(d));
+    return is_beyond ? BEYOND : level_of(square);
 }
 
 /* The blocks of the rest, with those held back. */
@@ -420,12 +409,23 @@ static uint32_t blocks_of(const invcal_rests *s)
     return (uint32_t)s->blocks + s->pended;
 }
 
+/* Brown's double exponential smoothing: an exponential mean, and the exponential mean of that. On a
+ * slope the first lags, the second lags again: that lag gives the slope. */
+static void add_mean(invcal_rests_axis *x, unsigned bits, unsigned fade)
+{
+    x->rest.total += (uint64_t)(int64_t)shifted(x->rest.pending[0], bits);
+    x->rest.pending[0] = x->rest.pending[1];
+    x->rest.pending[1] = as_signed(x->sum);
+    const uint32_t once = (uint32_t)x->rest.once;
+    const uint32_t step = (uint32_t)shifted(as_signed(x->sum - once), fade);
+    const uint32_t lag = (uint32_t)x->rest.lag + step;
+    x->rest.once = as_signed(once + step);
+    x->rest.lag = as_signed(lag - (uint32_t)shifted(as_signed(lag), fade));
+}
+
 /* The rest has one more block: the oldest one held back is safe now, since no motion followed it.
- *
- * Brown's double exponential smoothing: an exponential mean, and the exponential mean of that. On a
- * slope the first lags, the second lags again: that lag gives the slope. The first blocks have
- * nearly equal weights. */
-COMPACT static void add_block(invcal_rests *s)
+ * The first blocks have nearly equal weights. */
+INVCAL_OFTEN static void add_block(invcal_rests *s)
 {
     const unsigned fade = (unsigned)smaller(top_of(2 * blocks_of(s) + 1), FADE);
 
@@ -435,17 +435,10 @@ COMPACT static void add_block(invcal_rests *s)
         s->blocks++;
     }
     s->end = s->time;
-    s->rest.variance += s->square >> (2 * FINE - 6);
+    s->variance += s->square >> (2 * FINE - 6);
+    INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
-        invcal_rests_axis *x = &s->axis[a];
-        s->rest.total[a] += (uint64_t)(int64_t)shifted(s->rest.pending[0][a], FINE - s->bits);
-        s->rest.pending[0][a] = s->rest.pending[1][a];
-        s->rest.pending[1][a] = as_signed(x->sum);
-        const uint32_t once = (uint32_t)s->rest.once[a];
-        const uint32_t step = (uint32_t)shifted(as_signed(x->sum - once), fade);
-        const uint32_t lag = (uint32_t)s->rest.lag[a] + step;
-        s->rest.once[a] = as_signed(once + step);
-        s->rest.lag[a] = as_signed(lag - (uint32_t)shifted(as_signed(lag), fade));
+        add_mean(&s->axis[a], FINE - s->bits, fade);
     }
 }
 
@@ -460,7 +453,11 @@ COMPACT static void add_block(invcal_rests *s)
 static int is_drifting(const invcal_rests *s)
 {
     const int g = octaves(smaller(blocks_of(s), 60)) - 2 * OCTAVE;
-    const int slope = length_of(s->rest.lag) - 2 * g;
+    uint64_t lag = 0;
+    for (unsigned a = 0; a < 3; a++) {
+        add_squared(&lag, (uint32_t)s->axis[a].rest.lag);
+    }
+    const int slope = level_of(lag) - 2 * g;
     const int speed = slope + 2 * octaves(s->pace) + PER_SECOND;
     const int scatter = larger(s->noise - s->bits * OCTAVE, s->wander - 3 * OCTAVE);
 
@@ -586,7 +583,10 @@ static int is_dead(const invcal_rests *s, int quantum)
 /* A rest may begin with this block. */
 static void look_for(invcal_rests *s)
 {
-    invcal_zero(&s->rest, sizeof s->rest);
+    for (unsigned a = 0; a < 3; a++) {
+        invcal_zero(&s->axis[a].rest, sizeof s->axis[a].rest);
+    }
+    s->variance = 0;
     s->flags = 0;
     if (s->reach == NONE) {
         mark_place(s);
@@ -656,7 +656,7 @@ static int is_readable(const invcal_rests *s)
 /* The sum of the raw samples. */
 static int64_t sum_of(const invcal_rests *s, unsigned a)
 {
-    const int64_t off = (int64_t)s->rest.total[a];
+    const int64_t off = (int64_t)s->axis[a].rest.total;
 
     //@ assert -UINT16_MAX * (2 * WIDE << s->bits) <= off; // so many at most
     //@ assert off <= UINT16_MAX * (2 * WIDE << s->bits);
@@ -716,7 +716,7 @@ void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
 {
     INVCAL_ASSERT(rests && raw);
-    if (!QUICK || !add_small(rests, raw)) {
+    if (!INVCAL_FAST || !add_small(rests, raw)) {
         add_any(rests, raw);
     }
     rests->missing--;
@@ -770,7 +770,7 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
     }
     out->begin = rests->begin;
     out->end = rests->end - TRIM * size;
-    out->variance = as_real(rests->rest.variance) * (invcal_real)size / 64 / (invcal_real)degrees;
+    out->variance = as_real(rests->variance) * (invcal_real)size / 64 / (invcal_real)degrees;
     return 1;
 }
 
@@ -783,7 +783,7 @@ int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3])
     }
     const invcal_real count = (invcal_real)((uint32_t)rests->blocks << rests->bits);
     for (unsigned a = 0; a < 3; a++) {
-        const uint64_t total = rests->rest.total[a];
+        const uint64_t total = rests->axis[a].rest.total;
         const invcal_real high = (invcal_real)as_signed((uint32_t)(total >> 16));
         mean[a] = (invcal_real)rests->axis[a].origin +
                   (high * 65536 + (invcal_real)(uint32_t)(total & 65535)) / count;

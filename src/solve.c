@@ -21,7 +21,7 @@
 #define SQUARE INVCAL_REAL(100.0)
 enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
-#ifndef INVCAL_FAST
+#if !INVCAL_FAST
 void invcal_cross(const invcal_real *a, const invcal_real *b, invcal_real *restrict out)
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
@@ -187,7 +187,6 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
         return INVCAL_TOO_FEW;
     }
     invcal_real *a = sums->sum;
-    invcal_sums_system(sums);
     invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
     if (status == INVCAL_OK) {
         invcal_back_substitute(a, INVCAL_PARAMETERS);

@@ -34,7 +34,7 @@ static inline void invcal_products_inline(const invcal_real eta[3],
 /* The paper's row h = (x y z x^2 y^2 z^2 xy xz yz), from its first three elements. */
 static inline void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
 {
-#ifdef INVCAL_FAST
+#if INVCAL_FAST
     h[INVCAL_DK_X] = h[0] * h[0];
     h[INVCAL_DK_Y] = h[1] * h[1];
     h[INVCAL_DK_Z] = h[2] * h[2];
@@ -84,7 +84,7 @@ static INVCAL_IN_HEADER invcal_real invcal_leverage_inline(const invcal_real *in
 }
 
 /* For frequent callers: inline if optimised for speed. */
-#ifdef INVCAL_FAST
+#if INVCAL_FAST
 #define invcal_products_often invcal_products_inline
 #define invcal_observe_often invcal_observe_inline
 #define invcal_leverage_often invcal_leverage_inline
@@ -96,20 +96,5 @@ static INVCAL_IN_HEADER invcal_real invcal_leverage_inline(const invcal_real *in
 
 /* A += weight v v', a packed triangle of n rows. */
 void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight);
-
-/* The same, inline for frequent callers. */
-static INVCAL_IN_HEADER void invcal_rank_one_inline(invcal_real *restrict a,
-                                                    const invcal_real *restrict v, unsigned n,
-                                                    invcal_real weight)
-{
-    INVCAL_UNROLL_ROWS
-    for (unsigned r = 0; r < n; r++) {
-        const invcal_real weighted = weight * v[r];
-        INVCAL_UNROLL_ROWS
-        for (unsigned c = 0; c <= r; c++) {
-            *a++ += weighted * v[c];
-        }
-    }
-}
 
 #endif

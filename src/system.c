@@ -76,7 +76,7 @@ static INVCAL_INLINE invcal_status factor(invcal_real *a, unsigned n, unsigned r
 invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor)
 {
     INVCAL_ASSERT(a && n >= 1);
-#ifdef INVCAL_FAST
+#if INVCAL_FAST
     if (n == INVCAL_PARAMETERS) {
         return rows == n ? factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS, floor)
                          : factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, floor);
@@ -103,7 +103,7 @@ static INVCAL_INLINE void back_substitute(invcal_real *l, unsigned n)
 
 void invcal_back_substitute(invcal_real *l, unsigned n)
 {
-#ifdef INVCAL_FAST
+#if INVCAL_FAST
     if (n == INVCAL_PARAMETERS) {
         back_substitute(l, INVCAL_PARAMETERS);
         return;
@@ -136,7 +136,7 @@ static INVCAL_INLINE void invert(invcal_real *l, unsigned n)
 
 void invcal_invert(invcal_real *l, unsigned n)
 {
-#ifdef INVCAL_FAST
+#if INVCAL_FAST
     if (n == INVCAL_PARAMETERS) {
         invert(l, INVCAL_PARAMETERS);
         return;

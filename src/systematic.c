@@ -68,7 +68,7 @@ void invcal_test_for(const invcal_fit *fit, unsigned kind, unsigned step, invcal
 {
     invcal_column columns[INVCAL_MORE];
 
-    invcal_zero(columns, sizeof columns);
+    invcal_zero_reals(columns[0], INVCAL_MORE * (INVCAL_REST + 1));
     sum_columns(fit, kind, step, columns);
     out->rank = 0;
     out->squares = fit->squares;

@@ -1,15 +1,24 @@
 /* SPDX-License-Identifier: MIT
  *
- * The loop for builds optimised for size: see invcal_zero in vector.h.
+ * The loops for builds optimised for size: see invcal_zero in vector.h. Volatile: gcc would turn
+ * them into calls of memset.
  */
 #include "vector.h"
 
-/* Volatile: gcc would turn the loop into a call of memset. */
 void invcal_zero_bytes(void *object, size_t size)
 {
     volatile uint8_t *at = (volatile uint8_t *)object;
 
     for (size_t i = 0; i < size; i++) {
+        at[i] = 0;
+    }
+}
+
+void invcal_zero_reals(invcal_real *x, unsigned count)
+{
+    volatile invcal_real *const at = x;
+
+    for (unsigned i = 0; i < count; i++) {
         at[i] = 0;
     }
 }

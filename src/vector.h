@@ -10,34 +10,50 @@
 
 #include "invcal/invcal.h"
 
-/* Short loops of known length are unrolled if the compiler optimises for speed, none if it
- * optimises for size. */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) && !defined(__OPTIMIZE_SIZE__)
-#define INVCAL_FAST
+/* INVCAL_FAST: short loops of known length are unrolled, and what is called often is inlined. Without
+ * it neither happens, whatever the compiler is asked to optimise for: most of this runs once in a
+ * device's life. */
+#if defined(__clang__)
+#define INVCAL_ROLL _Pragma("clang loop unroll(disable)")
+#elif defined(__GNUC__)
+#define INVCAL_ROLL _Pragma("GCC unroll 1")
+#else
+#define INVCAL_ROLL
+#endif
+#if !INVCAL_FAST
+#define INVCAL_UNROLL INVCAL_ROLL
+#define INVCAL_UNROLL_ROWS INVCAL_ROLL
+#define INVCAL_INLINE
+#define INVCAL_OFTEN INVCAL_NOINLINE
+#define INVCAL_IN_HEADER inline
+#else
+#if defined(__GNUC__) && !defined(__clang__)
 #define INVCAL_UNROLL _Pragma("GCC unroll 64")
 #define INVCAL_UNROLL_ROWS _Pragma("GCC unroll 10")
 #define INVCAL_INLINE __attribute__((always_inline)) inline
-#define INVCAL_OFTEN INVCAL_INLINE
-#define INVCAL_IN_HEADER INVCAL_INLINE
 #else
 #define INVCAL_UNROLL
 #define INVCAL_UNROLL_ROWS
 #define INVCAL_INLINE
-#define INVCAL_OFTEN INVCAL_NOINLINE
-#define INVCAL_IN_HEADER inline
+#endif
+#define INVCAL_OFTEN INVCAL_INLINE
+#define INVCAL_IN_HEADER INVCAL_INLINE
 #endif
 
 /* Not inline: for a function whose frame should not lie under its caller's other callees, or that
- * takes less code as a call. */
-#ifdef __GNUC__
+ * takes less code as a call. And compiled once, not once for each constant argument. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define INVCAL_NOINLINE __attribute__((noinline, noclone))
+#elif defined(__clang__)
 #define INVCAL_NOINLINE __attribute__((noinline))
 #else
 #define INVCAL_NOINLINE
 #endif
 
-/* Sets bytes to 0. Not by memset if optimised for size: newlib's takes 160 bytes. */
+/* Sets bytes, or reals, to 0. Not by memset unless speed matters: newlib's takes 160 bytes. */
 void invcal_zero_bytes(void *object, size_t size);
-#if defined(INVCAL_FAST) || defined(__FRAMAC__)
+void invcal_zero_reals(invcal_real *x, unsigned count);
+#if INVCAL_FAST || defined(__FRAMAC__)
 #define invcal_zero(object, size) ((void)memset(object, 0, size))
 #else
 #define invcal_zero invcal_zero_bytes
@@ -62,24 +78,26 @@ static inline int invcal_is_positive(invcal_real x)
     return x > 0 && x <= INVCAL_REAL_MAX;
 }
 
-/* The dot product of n >= 1 elements, inline if optimised for speed. */
-#ifdef INVCAL_FAST
-static INVCAL_INLINE invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
+/* The dot product of n >= 1 elements. */
+static INVCAL_IN_HEADER invcal_real invcal_dot_inline(const invcal_real *a, const invcal_real *b,
+                                                      unsigned n)
 {
-    invcal_real sum = a[0] * b[0];
+    invcal_real sum = 0;
 
     INVCAL_UNROLL_ROWS
-    for (unsigned i = 1; i < n; i++) {
-        sum += a[i] * b[i];
-    }
+    do {
+        sum += *a++ * *b++;
+    } while (--n > 0);
     return sum;
 }
+#if INVCAL_FAST
+#define invcal_dot invcal_dot_inline
 #else
 invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n);
 #endif
 
 /* a x b; out must be neither of them. Inline as above. */
-#ifdef INVCAL_FAST
+#if INVCAL_FAST
 static INVCAL_INLINE void invcal_cross(const invcal_real *a, const invcal_real *b,
                                        invcal_real *restrict out)
 {
@@ -108,10 +126,9 @@ static inline int invcal_is_unit(const invcal_real v[3])
     return INVCAL_FABS(invcal_dot3(v, v) - 1) <= INVCAL_REAL(2e-4);
 }
 
-/* invcal_apply, inline for frequent callers if optimised for speed. */
-#ifdef INVCAL_FAST
-static inline void invcal_correct(const invcal_calibration *c, const invcal_real raw[3],
-                                  invcal_real out[3])
+/* invcal_apply. */
+static inline void invcal_correct_inline(const invcal_calibration *c, const invcal_real raw[3],
+                                         invcal_real out[3])
 {
     const invcal_real x = raw[0] - c->offset[0];
     const invcal_real y = raw[1] - c->offset[1];
@@ -122,6 +139,9 @@ static inline void invcal_correct(const invcal_calibration *c, const invcal_real
         out[i] = c->matrix[i][0] * x + c->matrix[i][1] * y + c->matrix[i][2] * z;
     }
 }
+/* Inline for frequent callers if speed matters. */
+#if INVCAL_FAST
+#define invcal_correct invcal_correct_inline
 static inline void invcal_correct_counts(const invcal_calibration *c, const int32_t raw[3],
                                          invcal_real out[3])
 {

@@ -50,8 +50,7 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
 /* ---- the normal equations, position by position -------------------------------------------------
  *
  * The sums H'H, H'J, J'J of all rows: their size does not depend on the number of positions, and
- * their order matters only to rounding. Every element of h h' is a product of two, three or four
- * of x, y, z; 31 of the 45 are distinct. */
+ * their order matters only to rounding. */
 
 /* Index of (r, c), c <= r, in a symmetric matrix, stored as its lower triangle by rows. */
 #define INVCAL_PACKED(r, c) ((r) * ((r) + 1u) / 2u + (c))
@@ -60,7 +59,7 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
 
 /* The sums of all positions: 224 bytes. */
 typedef struct {
-    /* The triangle of H'H, where repeats of an earlier element are unused; then H'J and J'J. */
+    /* The triangle of H'H, then H'J and J'J: the system of equations below. */
     invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
     unsigned count; /* rows in the sums; at most UINT_MAX */
 } invcal_sums;
@@ -114,9 +113,6 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
 
 /* A pivot below this, over the largest element of the diagonal, may be a rounding error. */
 #define INVCAL_FLOOR (INVCAL_DOUBLE ? INVCAL_REAL(1e-8) : 16 * INVCAL_EPSILON)
-
-/* Turns the sums into the system: fills in every element of H'H. */
-void invcal_sums_system(invcal_sums *sums);
 
 /* The sum of the diagonal. */
 invcal_real invcal_trace(const invcal_real *a, unsigned n);

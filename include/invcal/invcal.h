@@ -71,6 +71,13 @@ extern "C" {
 #define INVCAL_DOUBLE 0
 #endif
 
+/* 0: the library is small at any level of optimisation. 1: it is fast, at two to three times the
+ * flash: see port/manual/targets.md. It changes no result and no structure, so it need not be the
+ * same in a program and its library. */
+#ifndef INVCAL_FAST
+#define INVCAL_FAST 0
+#endif
+
 /* Max positions in a session, and in a search for outliers: 12 to 64, in plain digits. Each takes
  * 12 bytes of the session (float). Default 24, on AVR 16. */
 #if defined(__AVR__) && !defined(INVCAL_MAX_POSITIONS)
@@ -88,6 +95,9 @@ extern "C" {
 
 #if INVCAL_DOUBLE != 0 && INVCAL_DOUBLE != 1
 #error "INVCAL_DOUBLE must be 0 (float) or 1 (double)"
+#endif
+#if INVCAL_FAST != 0 && INVCAL_FAST != 1
+#error "INVCAL_FAST must be 0 (small) or 1 (fast)"
 #endif
 #if INVCAL_DOUBLE && DBL_MANT_DIG < 53
 #error "double has fewer than 53 bits here: use float"
@@ -409,6 +419,12 @@ typedef struct {
     uint32_t sum;   /* of the differences to it, modulo 2^32; then the block's mean from origin */
     int32_t origin; /* what block means are relative to */
     int32_t place;  /* of the last position; before the first one, of the first block */
+    struct {
+        uint64_t total;     /* sum of the samples, relative to origin, modulo 2^64 */
+        int32_t pending[2]; /* means of the blocks held back: lost if motion follows */
+        int32_t once;       /* exponential mean of the means */
+        int32_t lag;        /* its lead over its own exponential mean */
+    } rest;                 /* the current one */
 } invcal_rests_axis;
 
 /* Internal: the rest detector (expert.h). A level is a logarithm, see rests.c. */
@@ -438,14 +454,8 @@ typedef struct {
     uint64_t square;     /* of the block: squares of the differences, the three axes together; then
                          their variance */
     uint32_t begin, end; /* of the rest: first block's first sample; after the newest block */
+    uint64_t variance;   /* of the rest: sum over its blocks and those held back, 1/64 counts^2 */
     invcal_rests_axis axis[3]; /* x, y, z */
-    struct {
-        uint64_t variance;     /* sum over the blocks and those held back, 1/64 counts^2 */
-        uint64_t total[3];     /* sums of the samples, relative to origin, modulo 2^64 */
-        int32_t pending[2][3]; /* means of the blocks held back: lost if motion follows */
-        int32_t once[3];       /* exponential mean of the means */
-        int32_t lag[3];        /* its lead over its own exponential mean */
-    } rest;                    /* the current one */
 } invcal_rests;
 
 /* A session: 560 bytes (float, 24 positions). mean and count may be read. Means are in counts, so

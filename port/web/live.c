@@ -109,7 +109,6 @@ void EXPORT(uncertainty)(unsigned n)
     for (unsigned i = 0; i < session.count; i++) {
         (void)invcal_sums_add(&sums, &session.nominal, session.mean[i]);
     }
-    invcal_sums_system(&sums);
     const invcal_real ridge = 1e-5 * (10 + invcal_trace(sums.sum, INVCAL_PARAMETERS));
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         sums.sum[INVCAL_PACKED(r, r)] += ridge;

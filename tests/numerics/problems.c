@@ -108,7 +108,6 @@ static double condition_of(direction_set directions, unsigned count)
     for (unsigned i = 0; i < count; i++) {
         (void)invcal_sums_add(&sums, &nominal, directions[i]);
     }
-    invcal_sums_system(&sums);
     const double trace = invcal_trace(sums.sum, INVCAL_PARAMETERS);
     if (invcal_factor(sums.sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS, 1e-13) != INVCAL_OK) {
         return INFINITE;

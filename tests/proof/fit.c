@@ -5,7 +5,7 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
 // eva: -eva-split-return-function invcal_observe:0,invcal_positions_sum:0,invcal_factor:0,invcal_determine:0,invcal_fit_solve:0
-// config: -D__OPTIMIZE__=1
+// config: -DINVCAL_FAST=1
 // config: -DINVCAL_MAX_POSITIONS=64
 
 static invcal_real raw[3 * INVCAL_MAX_POSITIONS];

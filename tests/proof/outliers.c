@@ -4,7 +4,7 @@
 #include "arbitrary.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-partition-history 1 -eva-interprocedural-history
-// config: -D__OPTIMIZE__=1
+// config: -DINVCAL_FAST=1
 // config: -DINVCAL_MAX_POSITIONS=64
 
 /* In any fit of at most as many positions as the mask has bits. */

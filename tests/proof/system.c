@@ -4,7 +4,7 @@
 #include "invcal/thermal.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 30
-// config: -D__OPTIMIZE__=1 -DINVCAL_THERMAL_DEGREE=0
+// config: -DINVCAL_FAST=1 -DINVCAL_THERMAL_DEGREE=0
 // config: -DINVCAL_THERMAL_DEGREE=2
 
 /* The sizes that the library uses. */

@@ -4,7 +4,7 @@
 #include "arbitrary.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 20
-// config: -D__OPTIMIZE__=1
+// config: -DINVCAL_FAST=1
 // config: -DINVCAL_MAX_POSITIONS=64
 
 /* In any fit of at most as many positions as the mask has bits; of any kind, at any step. */

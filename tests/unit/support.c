@@ -201,34 +201,9 @@ invcal_sums sums_of(const reading_set *set)
     return sums;
 }
 
-int is_repeated(unsigned i)
-{
-    static const unsigned product[] = {1, 10, 100, 2, 20, 200, 11, 101, 110}; /* powers of z y x */
-    unsigned r = 0;
-
-    while (i >= INVCAL_PACKED(r + 1, 0)) {
-        r++;
-    }
-    if (r == INVCAL_PARAMETERS) { /* that of J */
-        return 0;
-    }
-    const unsigned wanted = product[r] + product[i - INVCAL_PACKED(r, 0)];
-    for (unsigned row = 0; row <= r; row++) {
-        for (unsigned c = 0; c <= row && INVCAL_PACKED(row, c) < i; c++) {
-            if (product[row] + product[c] == wanted) {
-                return 1;
-            }
-        }
-    }
-    return 0;
-}
-
 double element(const invcal_sums *sums, unsigned r, unsigned c)
 {
-    invcal_sums system = *sums;
-
-    invcal_sums_system(&system);
-    return (double)system.sum[INVCAL_PACKED(r, c)];
+    return (double)sums->sum[INVCAL_PACKED(r, c)];
 }
 
 invcal_status calibrate_set(const reading_set *set, double noise, invcal_calibration *calibration,

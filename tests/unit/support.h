@@ -50,10 +50,6 @@ void read_positions(const triad_truth *truth, const double directions[][3], unsi
 /* The nominal calibration of readings that are already over field: the identity. */
 invcal_calibration unit_nominal(void);
 
-/* Is element i of the packed H'H the same product of x, y and z as an earlier one, which is read for
- * both? */
-int is_repeated(unsigned i);
-
 /* The sums of exact rows; every reading must be accepted. */
 invcal_sums sums_of(const reading_set *set);
 

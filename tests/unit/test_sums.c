@@ -228,7 +228,8 @@ static void a_position_added_is_its_row_added(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observe(&nominal, raw, &row));
     invcal_sums_add_row(&by_row, &row, 1);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_sums_add(&at_once, &nominal, raw));
-    TEST_ASSERT_EQUAL_MEMORY(&by_row, &at_once, sizeof by_row);
+    TEST_ASSERT_EQUAL_MEMORY(by_row.sum, at_once.sum, sizeof by_row.sum);
+    TEST_ASSERT_EQUAL_UINT(by_row.count, at_once.count);
 }
 
 static void order_does_not_matter(void)
@@ -268,7 +269,8 @@ static void all_bytes_zero_are_empty_sums(void)
     memset(&zero, 0, sizeof zero);
     memset(&empty, 7, sizeof empty);
     invcal_sums_init(&empty);
-    TEST_ASSERT_EQUAL_MEMORY(&zero, &empty, sizeof empty);
+    TEST_ASSERT_EQUAL_MEMORY(zero.sum, empty.sum, sizeof empty.sum);
+    TEST_ASSERT_EQUAL_UINT(0, empty.count);
 }
 
 /* On a machine of 16 bits a day of sums gets there. */

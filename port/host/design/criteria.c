@@ -26,10 +26,7 @@ void criteria_add_weighted(invcal_sums *design, const double vertical[3], double
 
 void criteria_information(const invcal_sums *design, double hth[SUMS])
 {
-    invcal_sums system = *design;
-
-    invcal_sums_system(&system);
-    memcpy(hth, system.sum, SUMS * sizeof *hth);
+    memcpy(hth, design->sum, SUMS * sizeof *hth);
 }
 
 static double largest_root(const double *K, unsigned first)

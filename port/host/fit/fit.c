@@ -116,7 +116,6 @@ void fit_information(const double *raw, unsigned count, const fit_settings *sett
                             sensitivity * sensitivity *
                                 fit_weight(&solution->symmetric, nominal, row.h));
     }
-    invcal_sums_system(&sums);
     memcpy(information, sums.sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) * sizeof *information);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         if (settings->prior[r] > 0) {

@@ -204,7 +204,6 @@ static void find_vertical(stand *s, const invcal_calibration *nominal)
     }
     invcal_sums sums = linear.sums;
     v->is_known = invcal_linear_solve(&linear, nominal, &c, v->x) == INVCAL_OK;
-    invcal_sums_system(&sums);
     if (!v->is_known || !matrix_invert_packed(sums.sum, NINE)) {
         v->is_known = 0;
         return;
