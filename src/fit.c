@@ -14,7 +14,10 @@
 
 void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_column x)
 {
-    invcal_fit_row_inline(fit, k, x);
+    const invcal_real *p = &fit->sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)];
+
+    (void)invcal_read(fit->positions.nominal, &fit->positions.raw[3 * (size_t)k], x);
+    x[INVCAL_REST] = x[INVCAL_J] + invcal_dot(p, x, INVCAL_PARAMETERS);
 }
 
 /* Squares of the residuals themselves, since J'J - p'H'Hp cancels if nominal is far off. */
@@ -34,7 +37,7 @@ invcal_status invcal_fit_solve(invcal_fit *fit)
     fit->squares = ROUNDING * ROUNDING;
     for (unsigned k = 0; k < fit->positions.count; k++) {
         if (!invcal_is_left_out(&fit->positions, k)) {
-            invcal_fit_row_often(fit, k, x);
+            invcal_fit_row(fit, k, x);
             fit->squares += x[INVCAL_REST] * x[INVCAL_REST];
         }
     }
@@ -43,7 +46,20 @@ invcal_status invcal_fit_solve(invcal_fit *fit)
 
 invcal_real invcal_fit_append(const invcal_fit *fit, invcal_column columns[INVCAL_MORE], unsigned d)
 {
-    return invcal_fit_append_inline(fit, columns, d);
+    invcal_real *const x = columns[d];
+    const invcal_real least = INVCAL_TOLERANCE * x[INVCAL_C + d];
+    const invcal_real unexplained = x[INVCAL_C + d] - invcal_leverage(fit->sums.sum, x);
+    invcal_real left = unexplained;
+
+    for (unsigned i = INVCAL_C; i < INVCAL_C + d; i++) {
+        const invcal_real *const before = columns[i - INVCAL_C];
+        x[i] = (x[i] - invcal_dot(x, before, i)) * before[i];
+        x[INVCAL_REST] -= x[i] * before[INVCAL_REST];
+        left -= x[i] * x[i];
+    }
+    x[INVCAL_C + d] = left > least ? 1 / INVCAL_SQRT(left) : 0;
+    x[INVCAL_REST] *= x[INVCAL_C + d];
+    return unexplained;
 }
 
 invcal_real invcal_chance(const invcal_fit *fit, invcal_real after, invcal_real before, unsigned m,

@@ -35,18 +35,8 @@ enum {
  * c'r. */
 typedef invcal_real invcal_column[INVCAL_REST + 1];
 
-/* The row of position k: h, and its residual r = J + h p. */
+/* The row of position k: h, J, and at INVCAL_REST its residual r = J + h p. */
 void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_column x);
-
-static INVCAL_IN_HEADER void invcal_fit_row_inline(const invcal_fit *fit, unsigned k,
-                                                   invcal_column x)
-{
-    const invcal_real *p = &fit->sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)];
-
-    invcal_correct(fit->positions.nominal, &fit->positions.raw[3 * (size_t)k], x);
-    invcal_row_of(x);
-    x[INVCAL_REST] = (invcal_square_of(x) - 1) / 2 + invcal_dot(p, x, INVCAL_PARAMETERS);
-}
 
 /* The Cholesky factor of the normal equations continues below L: column d becomes its row, with the
  * reciprocal of the diagonal; 0 if the others explain all but 0.1 % of its square. The square of
@@ -58,35 +48,6 @@ invcal_real invcal_fit_append(const invcal_fit *fit, invcal_column columns[INVCA
                               unsigned d);
 
 #define INVCAL_TOLERANCE INVCAL_REAL(0.001)
-
-static INVCAL_IN_HEADER invcal_real invcal_fit_append_inline(const invcal_fit *fit,
-                                                             invcal_column columns[INVCAL_MORE],
-                                                             unsigned d)
-{
-    invcal_real *const x = columns[d];
-    const invcal_real least = INVCAL_TOLERANCE * x[INVCAL_C + d];
-    const invcal_real unexplained = x[INVCAL_C + d] - invcal_leverage_often(fit->sums.sum, x);
-    invcal_real left = unexplained;
-
-    for (unsigned i = INVCAL_C; i < INVCAL_C + d; i++) {
-        const invcal_real *const before = columns[i - INVCAL_C];
-        x[i] = (x[i] - invcal_dot(x, before, i)) * before[i];
-        x[INVCAL_REST] -= x[i] * before[INVCAL_REST];
-        left -= x[i] * x[i];
-    }
-    x[INVCAL_C + d] = left > least ? 1 / INVCAL_SQRT(left) : 0;
-    x[INVCAL_REST] *= x[INVCAL_C + d];
-    return unexplained;
-}
-
-/* For frequent callers: inline if optimised for speed. */
-#if INVCAL_FAST
-#define invcal_fit_row_often invcal_fit_row_inline
-#define invcal_fit_append_often invcal_fit_append_inline
-#else
-#define invcal_fit_row_often invcal_fit_row
-#define invcal_fit_append_often invcal_fit_append
-#endif
 
 /* ---- chance ---------------------------------------------------------------------------------- */
 

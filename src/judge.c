@@ -68,7 +68,7 @@ static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[
     invcal_real g[INVCAL_PARAMETERS + 1];
 
     const invcal_real weight = 1 / invcal_gradient(a, row->h, g);
-    invcal_products_often(row->h, g);
+    invcal_products(row->h, g);
     g[INVCAL_J] = row->h[INVCAL_J];
     invcal_rank_one(sums->sum, g, INVCAL_PARAMETERS + 1, weight);
 }
@@ -85,7 +85,7 @@ static invcal_status pass(const invcal_positions *positions, const invcal_calibr
         if (invcal_is_left_out(positions, i)) {
             continue;
         }
-        const invcal_status status = invcal_observe_often(c, &positions->raw[3 * (size_t)i], &row);
+        const invcal_status status = invcal_read(c, &positions->raw[3 * (size_t)i], row.h);
         if (status != INVCAL_OK) {
             return status;
         }

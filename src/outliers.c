@@ -41,20 +41,22 @@ typedef struct {
     invcal_real rest;        /* c'r: the residual */
 } single;
 
-/* Member d continues the Cholesky factor: its element below column k is -h_k v. */
+/* A member of a group continues the Cholesky factor: its element below column k is -h_k v. */
 typedef struct {
     invcal_mask out;                  /* it, those before it, and those left out in advance */
     invcal_real squares;              /* of the others */
-    invcal_real v[INVCAL_PARAMETERS]; /* K h, without the share of the members before it */
+    invcal_real v[INVCAL_PARAMETERS]; /* K h, without the share of the one before it */
     invcal_real rest;                 /* c'r, likewise */
 } member;
 
 /* The search in a fit. */
 typedef struct {
     const invcal_fit *fit;
-    single single[INVCAL_MAX_POSITIONS];
+    unsigned size;         /* max members of a group */
     invcal_real promising; /* max squares left by a pair, see visit */
     contest contests[INVCAL_GROUP + 1];
+    single single[INVCAL_MAX_POSITIONS];
+    member group[INVCAL_GROUP]; /* nobody, the first and the second; nothing follows the third */
 } search;
 
 static invcal_mask bit(unsigned i)
@@ -94,97 +96,88 @@ static INVCAL_OFTEN invcal_real along(const invcal_real u[3], const invcal_real 
            z * (v[INVCAL_DELTA_Z] + z * v[INVCAL_DK_Z]);
 }
 
-/* v = K h, from L^-1: first y = L^-1 h, then v = L^-T y. */
+/* v = K h = L^-T (L^-1 h), from L^-1 and the row of u. */
 static void make_weights(const invcal_real *inverse, const invcal_real u[3],
-                  invcal_real v[INVCAL_PARAMETERS])
+                         invcal_real v[INVCAL_PARAMETERS])
 {
-    invcal_real y[INVCAL_PARAMETERS];
-
-    memcpy(y, u, 3 * sizeof *u);
-    invcal_row_of(y);
-    (void)invcal_leverage(inverse, y);
+    memcpy(v, u, 3 * sizeof *u);
+    invcal_row_of(v);
+    (void)invcal_leverage(inverse, v);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const invcal_real y = v[r];
         v[r] = 0;
         for (unsigned c = 0; c <= r; c++) {
-            v[c] += *inverse++ * y[r];
+            v[c] += *inverse++ * y;
         }
     }
 }
 
-/* Position k as the next member: the group enters the contest of its size. Unless it is the last,
- * it is made ready for members after it. Returns 1 if one may follow: after one always; after two
- * if they leave at most 1 - 9.5 / n of the squares. 99 of 100 clear groups of three have such a
- * pair, but only one in fifteen pairs of a good set is one. */
-static INVCAL_OFTEN int visit(search *s, member *group, unsigned d, unsigned k, int is_last)
+/* Position k as a member after d others: the group enters the contest of its size. Returns 1 if a
+ * member may follow: after one always; after two if they leave at most 1 - 9.5 / n of the squares.
+ * 99 of 100 clear groups of three have such a pair, but only one in fifteen pairs of a good set is
+ * one. */
+static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
 {
     const single *const one = &s->single[k];
-    const member *const before = &group[d];
-    member *const m = &group[d + 1];
-    invcal_real l[INVCAL_GROUP];
+    const member *const before = &s->group[d];
+    const invcal_mask out = before->out | bit(k);
     invcal_real left = one->unexplained;
     invcal_real rest = one->rest;
+    invcal_real l = 0;
 
-    if (before->out >> k & 1u) {
+    if (out == before->out) {
         return 0;
     }
-    for (unsigned i = 0; i < d; i++) {
-        l[i] = -along(one->u, group[i + 1].v);
-        rest -= l[i] * group[i + 1].rest;
-        left -= l[i] * l[i];
+    for (unsigned i = 1; i <= d; i++) {
+        l = along(one->u, s->group[i].v);
+        rest += l * s->group[i].rest;
+        left -= l * l;
     }
-    const invcal_real reciprocal = left > INVCAL_TOLERANCE ? 1 / INVCAL_SQRT(left) : 0;
-    rest *= reciprocal;
-    m->out = before->out | bit(k);
-    m->squares = before->squares - rest * rest;
-    enter(&s->contests[d + 1], m->out, m->squares);
-    if (is_last || !(d == 0 || m->squares <= s->promising)) {
+    if (!(left > INVCAL_TOLERANCE)) { /* the others explain it: leaving it out changes nothing */
+        left = 1;
+        rest = 0;
+    }
+    const invcal_real squares = before->squares - rest * rest / left;
+    enter(&s->contests[d + 1], out, squares);
+    if (d + 1 >= s->size || (d > 0 && !(squares <= s->promising))) {
         return 0;
     }
+    member *const m = &s->group[d + 1];
+    const invcal_real root = INVCAL_SQRT(left);
+    m->out = out;
+    m->squares = squares;
+    m->rest = rest / root;
     make_weights(s->fit->sums.sum, one->u, m->v);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        for (unsigned i = 0; i < d; i++) {
-            m->v[r] -= l[i] * group[i + 1].v[r];
-        }
-        m->v[r] *= reciprocal;
+        m->v[r] = (m->v[r] + l * before->v[r]) / root;
     }
-    m->rest = rest;
     return 1;
 }
 
-/* Reads and weighs each position. */
-static void weigh_singles(search *s)
+/* All groups of one and two, and those of three with a promising pair. */
+static INVCAL_NOINLINE void search_groups(search *s)
 {
     const invcal_fit *const fit = s->fit;
+    const unsigned count = fit->positions.count;
     invcal_column x;
 
-    for (unsigned k = 0; k < fit->positions.count; k++) {
+    for (unsigned k = 0; k < count; k++) {
         single *const one = &s->single[k];
         invcal_fit_row(fit, k, x);
         memcpy(one->u, x, sizeof one->u);
         one->rest = x[INVCAL_REST];
         one->unexplained = 1 - invcal_leverage(fit->sums.sum, x);
     }
-}
-
-/* All groups of one and two, and those of three with a promising pair. */
-static INVCAL_NOINLINE void search_groups(search *s, unsigned size)
-{
-    const unsigned count = s->fit->positions.count;
-    member group[INVCAL_GROUP + 1];
-
-    weigh_singles(s);
-    group[0].out = s->fit->positions.left_out;
-    group[0].squares = s->contests[0].squares;
     for (unsigned i = 0; i < count; i++) {
-        if (!visit(s, group, 0, i, size < 2)) {
+        if (!visit(s, 0, i)) {
             continue;
         }
         for (unsigned j = 0; j < i; j++) {
-            if (!visit(s, group, 1, j, size < 3)) {
+            if (!visit(s, 1, j)) {
                 continue;
             }
             for (unsigned k = 0; k < count; k++) {
-                (void)visit(s, group, 2, k, 1);
+                (void)visit(s, 2, k);
             }
         }
     }
@@ -219,12 +212,17 @@ static int beats_rival(const search *s, unsigned k)
 }
 
 /* The largest clear group. */
-static void clear_group(const search *s, unsigned size, invcal_group *found)
+static void clear_group(const search *s, invcal_group *found)
 {
     const invcal_mask before = s->fit->positions.left_out;
     invcal_real chance = 1;
 
-    for (unsigned k = size; k > 0 && !found->group; k--) { /* at most INVCAL_GROUP times */
+    found->group = 0;
+    found->suspected = 0;
+    found->size = 0;
+    found->squares = 0;
+    found->chance = INVCAL_REAL_MAX;
+    for (unsigned k = s->size; k > 0 && !found->group; k--) { /* at most INVCAL_GROUP times */
         const contest *const c = &s->contests[k];
         if (!beats_fewer(s, k, &chance)) {
             continue;
@@ -246,20 +244,18 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
 {
     const invcal_mask before = fit->positions.left_out;
     const contest initial = {before, before, fit->squares, fit->squares};
-    unsigned size = invcal_fit_spare(fit, INVCAL_SPARE);
+    const unsigned spare = invcal_fit_spare(fit, INVCAL_SPARE);
     search s;
 
-    found->group = 0;
-    found->suspected = 0;
-    found->size = 0;
-    found->squares = 0;
-    found->chance = INVCAL_REAL_MAX;
-    size = size < INVCAL_GROUP ? size : INVCAL_GROUP;
     s.fit = fit;
+    s.size = spare < INVCAL_GROUP ? spare : INVCAL_GROUP;
     s.promising = fit->squares * (1 - PROMISING / invcal_number(fit->sums.count));
     for (unsigned k = 0; k <= INVCAL_GROUP; k++) {
         s.contests[k] = initial;
     }
-    search_groups(&s, size);
-    clear_group(&s, size, found);
+    s.group[0].out = before;
+    s.group[0].squares = fit->squares;
+    invcal_zero_reals(s.group[0].v, INVCAL_PARAMETERS);
+    search_groups(&s);
+    clear_group(&s, found);
 }

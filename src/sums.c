@@ -13,8 +13,30 @@
 
 void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 {
-    invcal_products_inline(eta, g);
+    const invcal_real x = eta[0];
+    const invcal_real y = eta[1];
+    const invcal_real z = eta[2];
+
+    g[INVCAL_DK_X] = g[0] * x;
+    g[INVCAL_DK_Y] = g[1] * y;
+    g[INVCAL_DK_Z] = g[2] * z;
+    g[INVCAL_GAMMA_XY] = (g[0] * y + g[1] * x) / 2;
+    g[INVCAL_GAMMA_XZ] = (g[0] * z + g[2] * x) / 2;
+    g[INVCAL_GAMMA_ZY] = (g[1] * z + g[2] * y) / 2;
 }
+
+#if !INVCAL_FAST
+void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
+{
+    invcal_row_inline(h);
+}
+
+invcal_status invcal_read(const invcal_calibration *nominal, const invcal_real raw[3],
+                          invcal_real h[INVCAL_PARAMETERS + 1])
+{
+    return invcal_read_inline(nominal, raw, h);
+}
+#endif
 
 #if INVCAL_FAST
 static INVCAL_INLINE void rank_one(invcal_real *restrict a, const invcal_real *restrict v,
@@ -76,7 +98,7 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
                              invcal_row *row)
 {
     INVCAL_ASSERT(nominal && raw && row);
-    return invcal_observe_inline(nominal, raw, row);
+    return invcal_read(nominal, raw, row->h);
 }
 
 void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real weight)
@@ -92,7 +114,7 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
     invcal_row row;
 
     INVCAL_ASSERT(sums && nominal && raw);
-    const invcal_status status = invcal_observe_often(nominal, raw, &row);
+    const invcal_status status = invcal_read(nominal, raw, row.h);
     if (status == INVCAL_OK) {
         invcal_sums_add_row(sums, &row, 1);
     }

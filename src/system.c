@@ -158,5 +158,14 @@ invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r)
 
 invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PARAMETERS])
 {
-    return invcal_leverage_inline(inverse, h);
+    const invcal_real *row = &inverse[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
+    invcal_real sum = 0;
+
+    INVCAL_UNROLL_ROWS
+    for (unsigned r = INVCAL_PARAMETERS; r > 0; r--) { /* from the end: each h is read before */
+        row -= r;
+        h[r - 1] = invcal_dot(row, h, r);
+        sum += h[r - 1] * h[r - 1];
+    }
+    return sum;
 }

@@ -44,7 +44,7 @@ static void sum_columns(const invcal_fit *fit, unsigned kind, unsigned step,
     for (unsigned k = 0; k < p->count; k++) {
         const invcal_real tau = step ? (k < step ? -half : half)
                                      : invcal_number(k) / invcal_number(p->count - 1) - half;
-        invcal_fit_row_often(fit, k, v);
+        invcal_fit_row(fit, k, v);
         INVCAL_UNROLL
         for (unsigned a = 0; a < 3; a++) {
             const invcal_real x = v[a];
