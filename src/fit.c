@@ -12,24 +12,24 @@
 #define ROUNDED (256 * INVCAL_EPSILON) /* of the squares: no fit reduces them further */
 #define HALF_PI INVCAL_REAL(1.57079632679489662)
 
-void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_column x)
+void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_real row[INVCAL_PARAMETERS + 1])
 {
     const invcal_real *p = &fit->sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)];
 
-    (void)invcal_read(fit->positions.nominal, &fit->positions.raw[3 * (size_t)k], x);
-    x[INVCAL_REST] = x[INVCAL_J] + invcal_dot(p, x, INVCAL_PARAMETERS);
+    (void)invcal_read(fit->positions.nominal, &fit->positions.raw[3 * (size_t)k], row);
+    row[INVCAL_J] += invcal_dot(p, row, INVCAL_PARAMETERS);
 }
 
 /* Squares of the residuals themselves, since J'J - p'H'Hp cancels if nominal is far off. */
 invcal_status invcal_fit_solve(invcal_fit *fit)
 {
     invcal_real condition;
-    invcal_column x;
+    invcal_real row[INVCAL_PARAMETERS + 1];
 
     invcal_status status = invcal_positions_sum(&fit->positions, &fit->sums);
     if (status == INVCAL_OK) {
         status =
-            invcal_determine(fit->sums.sum, INVCAL_PARAMETERS + 1, x, &condition); /* L^-1 and p */
+            invcal_determine(fit->sums.sum, INVCAL_PARAMETERS + 1, row, &condition); /* L^-1 and p */
     }
     if (status != INVCAL_OK) {
         return status;
@@ -37,29 +37,11 @@ invcal_status invcal_fit_solve(invcal_fit *fit)
     fit->squares = ROUNDING * ROUNDING;
     for (unsigned k = 0; k < fit->positions.count; k++) {
         if (!invcal_is_left_out(&fit->positions, k)) {
-            invcal_fit_row(fit, k, x);
-            fit->squares += x[INVCAL_REST] * x[INVCAL_REST];
+            invcal_fit_row(fit, k, row);
+            fit->squares += row[INVCAL_J] * row[INVCAL_J];
         }
     }
     return INVCAL_OK;
-}
-
-invcal_real invcal_fit_append(const invcal_fit *fit, invcal_column columns[INVCAL_MORE], unsigned d)
-{
-    invcal_real *const x = columns[d];
-    const invcal_real least = INVCAL_TOLERANCE * x[INVCAL_C + d];
-    const invcal_real unexplained = x[INVCAL_C + d] - invcal_leverage(fit->sums.sum, x);
-    invcal_real left = unexplained;
-
-    for (unsigned i = INVCAL_C; i < INVCAL_C + d; i++) {
-        const invcal_real *const before = columns[i - INVCAL_C];
-        x[i] = (x[i] - invcal_dot(x, before, i)) * before[i];
-        x[INVCAL_REST] -= x[i] * before[INVCAL_REST];
-        left -= x[i] * x[i];
-    }
-    x[INVCAL_C + d] = left > least ? 1 / INVCAL_SQRT(left) : 0;
-    x[INVCAL_REST] *= x[INVCAL_C + d];
-    return unexplained;
 }
 
 invcal_real invcal_chance(const invcal_fit *fit, invcal_real after, invcal_real before, unsigned m,

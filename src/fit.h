@@ -23,30 +23,10 @@ typedef struct {
 /* Returns as invcal_positions_sum, then as invcal_determine. */
 invcal_status invcal_fit_solve(invcal_fit *fit);
 
-/* ---- more unknowns --------------------------------------------------------------------------- */
+/* The row of position k: h, and in place of J its residual J + h p. */
+void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_real row[INVCAL_PARAMETERS + 1]);
 
-enum {
-    INVCAL_MORE = 3,                              /* max unknowns after the nine */
-    INVCAL_C = INVCAL_PARAMETERS,                 /* index of their elements in a row */
-    INVCAL_REST = INVCAL_PARAMETERS + INVCAL_MORE /* index of the residual, after them */
-};
-
-/* One of them, number d, by its column c of H: H'c, then c'c of those before it and its own, then
- * c'r. */
-typedef invcal_real invcal_column[INVCAL_REST + 1];
-
-/* The row of position k: h, J, and at INVCAL_REST its residual r = J + h p. */
-void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_column x);
-
-/* The Cholesky factor of the normal equations continues below L: column d becomes its row, with the
- * reciprocal of the diagonal; 0 if the others explain all but 0.1 % of its square. The square of
- * the new c'r is the reduction of the squares by the unknown (mathematics_judgement.md, "One fit
- * for all of them").
- *
- * Returns the part of c'c that the nine do not explain. */
-invcal_real invcal_fit_append(const invcal_fit *fit, invcal_column columns[INVCAL_MORE],
-                              unsigned d);
-
+/* Of an unknown's column c the nine explain all but this share of c'c: it is not one of its own. */
 #define INVCAL_TOLERANCE INVCAL_REAL(0.001)
 
 /* ---- chance ---------------------------------------------------------------------------------- */

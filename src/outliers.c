@@ -159,14 +159,14 @@ static INVCAL_NOINLINE void search_groups(search *s)
 {
     const invcal_fit *const fit = s->fit;
     const unsigned count = fit->positions.count;
-    invcal_column x;
+    invcal_real row[INVCAL_PARAMETERS + 1];
 
     for (unsigned k = 0; k < count; k++) {
         single *const one = &s->single[k];
-        invcal_fit_row(fit, k, x);
-        memcpy(one->u, x, sizeof one->u);
-        one->rest = x[INVCAL_REST];
-        one->unexplained = 1 - invcal_leverage(fit->sums.sum, x);
+        invcal_fit_row(fit, k, row);
+        memcpy(one->u, row, sizeof one->u);
+        one->rest = row[INVCAL_J];
+        one->unexplained = 1 - invcal_leverage(fit->sums.sum, row);
     }
     for (unsigned i = 0; i < count; i++) {
         if (!visit(s, 0, i)) {

@@ -7,7 +7,7 @@
 
 #include "fit.h"
 
-enum { INVCAL_GROUP = INVCAL_MORE }; /* max group tested together, so that none masks another */
+enum { INVCAL_GROUP = 3 }; /* max group tested together, so that none masks another */
 
 /* Is more than one of six left out? That is not by chance. */
 static inline int invcal_are_many(unsigned left, unsigned count)

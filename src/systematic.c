@@ -14,6 +14,16 @@
 
 #define TURNED INVCAL_REAL(1e-3) /* over field: min change of a turned axis */
 
+enum {
+    MORE = 3,             /* unknowns after the nine */
+    C = INVCAL_PARAMETERS, /* index of their elements in a row */
+    REST = C + MORE       /* index of J or of the residual, after them */
+};
+
+/* One of them, number d, by its column c of H: H'c, then c'c of those before it and its own, then
+ * c'J or c'r. */
+typedef invcal_real column[REST + 1];
+
 /* The error of an axis with component x of the field, which was elsewhere before. Nonlinearity
  * without the offset of 3/5 and the scale error of 6/7 that absorb part of it, over all
  * directions. */
@@ -33,59 +43,87 @@ static invcal_real error_of(unsigned kind, invcal_real x, invcal_real before, in
 
 /* An error e of an axis moves J by eta e. A position left out still counts as the one before the
  * next: hysteresis depends on how the axis was turned, whether or not that reading is used. */
-static void sum_columns(const invcal_fit *fit, unsigned kind, unsigned step,
-                        invcal_column columns[INVCAL_MORE])
+static void sum_columns(const invcal_fit *fit, unsigned kind, unsigned step, column columns[MORE])
 {
     const invcal_positions *p = &fit->positions;
     const invcal_real half = INVCAL_REAL(0.5);
-    invcal_real before[3] = {0, 0, 0};
-    invcal_column v;
+    invcal_real before[3];
+    column v;
 
     for (unsigned k = 0; k < p->count; k++) {
         const invcal_real tau = step ? (k < step ? -half : half)
                                      : invcal_number(k) / invcal_number(p->count - 1) - half;
-        invcal_fit_row(fit, k, v);
+        (void)invcal_read(p->nominal, &p->raw[3 * (size_t)k], v);
+        v[REST] = v[INVCAL_J];
         INVCAL_UNROLL
-        for (unsigned a = 0; a < 3; a++) {
+        for (unsigned a = 0; a < MORE; a++) {
             const invcal_real x = v[a];
-            v[INVCAL_C + a] = x * error_of(kind, x, k > 0 ? before[a] : x, tau);
+            v[C + a] = x * error_of(kind, x, k > 0 ? before[a] : x, tau);
             before[a] = x;
         }
-        if (invcal_is_left_out(p, k)) {
+        if (p->left_out >> k & 1u) {
             continue;
         }
         INVCAL_UNROLL
-        for (unsigned a = 0; a < 3; a++) {
+        for (unsigned a = 0; a < MORE; a++) {
             INVCAL_UNROLL
-            for (unsigned i = 0; i <= INVCAL_REST; i++) {
-                columns[a][i] += v[INVCAL_C + a] * v[i];
+            for (unsigned i = 0; i <= REST; i++) {
+                columns[a][i] += v[C + a] * v[i];
             }
         }
     }
 }
 
+/* The Cholesky factor of the normal equations continues below L: column d becomes its row, with the
+ * reciprocal of the diagonal; 0 if the others explain all but 0.1 % of its square. The square of
+ * the new c'r is the reduction of the squares by the unknown (mathematics_judgement.md, "One fit
+ * for all of them").
+ *
+ * Returns the part of c'c that the nine do not explain. */
+static invcal_real append(const invcal_fit *fit, column columns[MORE], unsigned d)
+{
+    const invcal_real *const l = fit->sums.sum;
+    invcal_real *const x = columns[d];
+    const invcal_real whole = x[C + d];
+
+    x[REST] += invcal_dot(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], x, INVCAL_PARAMETERS);
+    const invcal_real unexplained = whole - invcal_leverage(l, x);
+    invcal_real left = unexplained;
+    for (unsigned b = 0; b < d; b++) {
+        const invcal_real *const before = columns[b];
+        const invcal_real y = (x[C + b] - invcal_dot(x, before, C + b)) * before[C + b];
+        x[C + b] = y;
+        x[REST] -= y * before[REST];
+        left -= y * y;
+    }
+    x[C + d] = left > INVCAL_TOLERANCE * whole ? 1 / INVCAL_SQRT(left) : 0;
+    x[REST] *= x[C + d];
+    return unexplained / whole;
+}
+
 void invcal_test_for(const invcal_fit *fit, unsigned kind, unsigned step, invcal_test *out)
 {
-    invcal_column columns[INVCAL_MORE];
+    column columns[MORE];
+    invcal_real squares = fit->squares;
+    invcal_real least = 1;
+    unsigned rank = 0;
 
-    invcal_zero_reals(columns[0], INVCAL_MORE * (INVCAL_REST + 1));
+    invcal_zero_reals(columns[0], MORE * (REST + 1));
     sum_columns(fit, kind, step, columns);
-    out->rank = 0;
-    out->squares = fit->squares;
-    out->shown = 1;
-    for (unsigned a = 0; a < INVCAL_MORE; a++) {
-        const invcal_real *const x = columns[a];
-        const invcal_real whole = x[INVCAL_C + a];
-        const invcal_real shown = invcal_fit_append(fit, columns, a) / whole;
-        out->shown = shown >= out->shown ? out->shown : shown;
-        out->rank += x[INVCAL_C + a] > 0;
-        out->squares -= x[INVCAL_REST] * x[INVCAL_REST];
+    for (unsigned a = 0; a < MORE; a++) {
+        const invcal_real shown = append(fit, columns, a);
+        least = shown >= least ? least : shown;
+        rank += columns[a][C + a] > 0;
+        squares -= columns[a][REST] * columns[a][REST];
     }
-    for (unsigned a = INVCAL_MORE; a-- > 0;) { /* l' size = z */
-        out->size[a] = columns[a][INVCAL_REST];
-        for (unsigned b = a + 1; b < INVCAL_MORE; b++) {
-            out->size[a] -= columns[b][INVCAL_C + a] * out->size[b];
+    for (unsigned a = MORE; a-- > 0;) { /* l' size = z */
+        invcal_real size = columns[a][REST];
+        for (unsigned b = a + 1; b < MORE; b++) {
+            size -= columns[b][C + a] * out->size[b];
         }
-        out->size[a] *= columns[a][INVCAL_C + a];
+        out->size[a] = size * columns[a][C + a];
     }
+    out->rank = rank;
+    out->squares = squares;
+    out->shown = least;
 }
