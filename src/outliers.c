@@ -41,12 +41,13 @@ typedef struct {
     invcal_real rest;        /* c'r: the residual */
 } single;
 
-/* A member of a group continues the Cholesky factor: its element below column k is -h_k v. */
+/* A member of a group, by what the nine and the member before it leave of its column. */
 typedef struct {
     invcal_mask out;                  /* it, those before it, and those left out in advance */
     invcal_real squares;              /* of the others */
-    invcal_real v[INVCAL_PARAMETERS]; /* K h, without the share of the one before it */
-    invcal_real rest;                 /* c'r, likewise */
+    invcal_real reciprocal;           /* of c'c */
+    invcal_real rest;                 /* c'r */
+    invcal_real v[INVCAL_PARAMETERS]; /* its product with column k is -h_k v */
 } member;
 
 /* The search in a fit. */
@@ -123,33 +124,35 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
     const invcal_mask out = before->out | bit(k);
     invcal_real left = one->unexplained;
     invcal_real rest = one->rest;
-    invcal_real l = 0;
+    invcal_real share = 0;
 
     if (out == before->out) {
         return 0;
     }
     for (unsigned i = 1; i <= d; i++) {
-        l = along(one->u, s->group[i].v);
-        rest += l * s->group[i].rest;
-        left -= l * l;
+        const invcal_real product = along(one->u, s->group[i].v);
+        share = product * s->group[i].reciprocal;
+        rest += share * s->group[i].rest;
+        left -= share * product;
     }
     if (!(left > INVCAL_TOLERANCE)) { /* the others explain it: leaving it out changes nothing */
         left = 1;
         rest = 0;
     }
-    const invcal_real squares = before->squares - rest * rest / left;
+    const invcal_real reciprocal = 1 / left;
+    const invcal_real squares = before->squares - rest * rest * reciprocal;
     enter(&s->contests[d + 1], out, squares);
     if (d + 1 >= s->size || (d > 0 && !(squares <= s->promising))) {
         return 0;
     }
     member *const m = &s->group[d + 1];
-    const invcal_real root = INVCAL_SQRT(left);
     m->out = out;
     m->squares = squares;
-    m->rest = rest / root;
+    m->reciprocal = reciprocal;
+    m->rest = rest;
     make_weights(s->fit->sums.sum, one->u, m->v);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        m->v[r] = (m->v[r] + l * before->v[r]) / root;
+        m->v[r] += share * before->v[r];
     }
     return 1;
 }

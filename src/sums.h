@@ -17,7 +17,7 @@
 void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS]);
 
 /* The paper's row h = (x y z x^2 y^2 z^2 xy xz yz), from its first three elements. */
-static inline void invcal_row_inline(invcal_real h[INVCAL_PARAMETERS])
+static INVCAL_ONCE void invcal_row_inline(invcal_real h[INVCAL_PARAMETERS])
 {
     const invcal_real x = h[0];
     const invcal_real y = h[1];
@@ -45,7 +45,7 @@ static inline invcal_real invcal_square_of(const invcal_real h[INVCAL_PARAMETERS
 /* A reading as the exact row: h(u), and J = (|u|^2 - 1)/2, exact for errors of any size
  * (mathematics.md, "The exact row"). Returns as invcal_observe: a length outside 0.1 ... 10 is not a
  * reading of this field, and neither is a NaN. */
-static inline invcal_status invcal_read_inline(const invcal_calibration *nominal,
+static INVCAL_ONCE invcal_status invcal_read_inline(const invcal_calibration *nominal,
                                                const invcal_real raw[3],
                                                invcal_real h[INVCAL_PARAMETERS + 1])
 {

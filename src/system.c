@@ -53,12 +53,11 @@ static INVCAL_INLINE invcal_status factor(invcal_real *a, unsigned n, unsigned r
             invcal_real x = row[c];
             INVCAL_UNROLL_ROWS
             for (unsigned k = 0; k < c; k++) {
-                x -= l[k] * row[k];
+                x -= *l++ * row[k];
             }
-            x *= l[c];
+            x *= *l++;
             row[c] = x;
             pivot -= x * x;
-            l += c + 1;
         }
         row[r] = pivot;
         if (r < n) {

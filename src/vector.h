@@ -25,19 +25,23 @@
 #define INVCAL_UNROLL_ROWS INVCAL_ROLL
 #define INVCAL_INLINE
 #define INVCAL_OFTEN INVCAL_NOINLINE
-#define INVCAL_IN_HEADER inline
 #else
 #if defined(__GNUC__) && !defined(__clang__)
 #define INVCAL_UNROLL _Pragma("GCC unroll 64")
 #define INVCAL_UNROLL_ROWS _Pragma("GCC unroll 10")
-#define INVCAL_INLINE __attribute__((always_inline)) inline
 #else
 #define INVCAL_UNROLL
 #define INVCAL_UNROLL_ROWS
-#define INVCAL_INLINE
 #endif
-#define INVCAL_OFTEN INVCAL_INLINE
-#define INVCAL_IN_HEADER INVCAL_INLINE
+#define INVCAL_INLINE INVCAL_ONCE
+#define INVCAL_OFTEN INVCAL_ONCE
+#endif
+
+/* Inline at any level: for a function that is called once, and has a name to say what it does. */
+#ifdef __GNUC__
+#define INVCAL_ONCE __attribute__((always_inline)) inline
+#else
+#define INVCAL_ONCE inline
 #endif
 
 /* Not inline: for a function whose frame should not lie under its caller's other callees, or that
@@ -79,7 +83,7 @@ static inline int invcal_is_positive(invcal_real x)
 }
 
 /* The dot product of n >= 1 elements. */
-static INVCAL_IN_HEADER invcal_real invcal_dot_inline(const invcal_real *a, const invcal_real *b,
+static INVCAL_ONCE invcal_real invcal_dot_inline(const invcal_real *a, const invcal_real *b,
                                                       unsigned n)
 {
     invcal_real sum = 0;
@@ -127,7 +131,7 @@ static inline int invcal_is_unit(const invcal_real v[3])
 }
 
 /* invcal_apply. */
-static inline void invcal_correct_inline(const invcal_calibration *c, const invcal_real raw[3],
+static INVCAL_ONCE void invcal_correct_inline(const invcal_calibration *c, const invcal_real raw[3],
                                          invcal_real out[3])
 {
     const invcal_real x = raw[0] - c->offset[0];
