@@ -36,7 +36,9 @@ invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field)
     if (!invcal_is_positive(field)) {
         return INVCAL_BAD_FIELD;
     }
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
+        INVCAL_ROLL
         for (unsigned j = 0; j < 3; j++) {
             calibration->matrix[i][j] *= field;
         }

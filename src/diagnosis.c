@@ -54,14 +54,14 @@ static int test(const invcal_fit *fit, diagnosis *d, unsigned kind, unsigned ste
 }
 
 /* Do its own residuals identify it, and better than the one named so far? */
-static int is_clearer(const diagnosis *d, const invcal_test *t, invcal_real own)
+static INVCAL_ONCE int is_clearer(const diagnosis *d, const invcal_test *t, invcal_real own)
 {
     return own <= NAMEABLE && t->squares < d->best.squares;
 }
 
 /* Significant by the stated noise or by the residuals alone: then the verdict is no longer good. A
  * name needs the latter, since the noise may be stated too small. */
-static void try_kind(const invcal_fit *fit, diagnosis *d, unsigned kind)
+static INVCAL_ONCE void try_kind(const invcal_fit *fit, diagnosis *d, unsigned kind)
 {
     const invcal_real level = fit->positions.noise > 0 ? SIGNIFICANT : UNSTATED;
     invcal_test t;
@@ -87,12 +87,13 @@ static void try_kind(const invcal_fit *fit, diagnosis *d, unsigned kind)
     }
 }
 
-static void try_kinds(const invcal_fit *fit, diagnosis *d)
+static INVCAL_ONCE void try_kinds(const invcal_fit *fit, diagnosis *d)
 {
     invcal_zero(d, sizeof *d); /* INVCAL_NO_SYSTEMATIC, INVCAL_GOOD */
     d->best.squares = INVCAL_REAL_MAX;
     d->chance = 1;
     d->least = INVCAL_REAL_MAX;
+    INVCAL_ROLL
     for (unsigned kind = INVCAL_DRIFT; kind <= INVCAL_HYSTERESIS; kind++) {
         try_kind(fit, d, kind);
     }
@@ -100,7 +101,7 @@ static void try_kinds(const invcal_fit *fit, diagnosis *d)
 
 /* A systematic error, or a step, may look like two or more outliers. Each test may lower d->least;
  * with that of the four kinds it is then what the best rival of the group leaves. */
-static int is_ambiguous(const invcal_fit *fit, diagnosis *d, const invcal_group *g)
+static INVCAL_ONCE int is_ambiguous(const invcal_fit *fit, diagnosis *d, const invcal_group *g)
 {
     const unsigned n = fit->positions.count;
     invcal_test t;
@@ -112,14 +113,15 @@ static int is_ambiguous(const invcal_fit *fit, diagnosis *d, const invcal_group 
 }
 
 /* If both probabilities underflow in float, no position is blamed. */
-static int is_likelier(const invcal_group *g, const diagnosis *d)
+static INVCAL_ONCE int is_likelier(const invcal_group *g, const diagnosis *d)
 {
     return g->chance < d->chance * FAVOUR;
 }
 
-static void name(const diagnosis *d, invcal_quality *q)
+static INVCAL_ONCE void name(const diagnosis *d, invcal_quality *q)
 {
     q->systematic = (uint8_t)d->kind;
+    INVCAL_ROLL
     for (unsigned a = 0; a < 3 && d->kind != INVCAL_NO_SYSTEMATIC; a++) {
         if (INVCAL_FABS(d->best.size[a]) > INVCAL_FABS(q->size)) {
             q->size = d->best.size[a];

@@ -28,8 +28,8 @@ invcal_status invcal_fit_solve(invcal_fit *fit)
 
     invcal_status status = invcal_positions_sum(&fit->positions, &fit->sums);
     if (status == INVCAL_OK) {
-        status =
-            invcal_determine(fit->sums.sum, INVCAL_PARAMETERS + 1, row, &condition); /* L^-1 and p */
+        status = invcal_determine(fit->sums.sum, INVCAL_PARAMETERS + 1, row,
+                                  &condition); /* L^-1 and p */
     }
     if (status != INVCAL_OK) {
         return status;

@@ -62,8 +62,8 @@ INVCAL_INLINE invcal_real invcal_gradient(const invcal_real a[3][3], const invca
 
 /* A calibrated position, weighted by its actual noise. X changes J, except for the sign, by
  * d eta = -A (d delta + dS eta), so dJ = eta d eta = -g (d delta + dS eta). */
-static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[3][3],
-                                         const invcal_row *row)
+static INVCAL_ONCE void add_calibrated(invcal_sums *sums, const invcal_real a[3][3],
+                                       const invcal_row *row)
 {
     invcal_real g[INVCAL_PARAMETERS + 1];
 
@@ -75,8 +75,9 @@ static INVCAL_INLINE void add_calibrated(invcal_sums *sums, const invcal_real a[
 
 /* The rows of all that are not left out: exact ones, or, with residuals, of calibrated
  * positions. */
-static invcal_status pass(const invcal_positions *positions, const invcal_calibration *c,
-                          const invcal_real a[3][3], invcal_sums *sums, invcal_residuals *residuals)
+static INVCAL_NOINLINE invcal_status pass(const invcal_positions *positions,
+                                          const invcal_calibration *c, const invcal_real a[3][3],
+                                          invcal_sums *sums, invcal_residuals *residuals)
 {
     invcal_row row;
 
@@ -139,8 +140,10 @@ invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVC
         invcal_back_substitute(a, INVCAL_PARAMETERS);
     }
     invcal_invert(a, INVCAL_PARAMETERS);
+    INVCAL_ROLL
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) { /* A^-1 = L^-T L^-1 */
         k[r] = 0;
+        INVCAL_ROLL
         for (unsigned c = 0; c <= r; c++) {
             k[c] += *a * *a;
             of_inverse += *a * *a;
@@ -214,6 +217,7 @@ void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invca
     if (q->noise < 1 && most * of_noise > NOISE_SHARE) {
         most = NOISE_SHARE / of_noise;
     }
+    INVCAL_ROLL
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         if (!(k[r] <= most)) {
             weak |= 1u << r;
@@ -233,8 +237,8 @@ invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real
 /* ---- all in one ------------------------------------------------------------------------------ */
 
 /* triad: what calibrates u. */
-static invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
-                           invcal_calibration *triad)
+static INVCAL_ONCE invcal_status solve(const invcal_positions *positions, invcal_sums *sums,
+                                       invcal_calibration *triad)
 {
     invcal_real condition;
 

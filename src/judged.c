@@ -15,7 +15,8 @@
 #define VISITED INVCAL_REAL(0.0228) /* three times the square of the chord of 5 degrees */
 
 /* Has the direction of position i been visited before? near: a squared distance, counts. */
-static int is_visited(const invcal_positions *p, invcal_mask left_out, unsigned i, invcal_real near)
+static INVCAL_ONCE int is_visited(const invcal_positions *p, invcal_mask left_out, unsigned i,
+                                  invcal_real near)
 {
     for (unsigned k = 0; k < i; k++) {
         invcal_real square = 0;
@@ -34,8 +35,8 @@ static int is_visited(const invcal_positions *p, invcal_mask left_out, unsigned 
 /* A repeated direction is not a check. One count is worth the gain of the matrix, root mean square
  * over all directions: its square is a third of the sum of the squared elements, hence the three in
  * VISITED. */
-static void judge_directions(const invcal_positions *p, const invcal_calibration *c,
-                             invcal_quality *q)
+static INVCAL_ONCE void judge_directions(const invcal_positions *p, const invcal_calibration *c,
+                                         invcal_quality *q)
 {
     const invcal_real near = VISITED / invcal_dot(c->matrix[0], c->matrix[0], 9);
 
@@ -51,7 +52,8 @@ static void judge_directions(const invcal_positions *p, const invcal_calibration
 
 /* Group by group, since one may mask the next. If one is so wrong that all together give no
  * ellipsoid, search in nominal units. */
-static invcal_status leave_out_groups(invcal_positions *p, invcal_calibration *c, invcal_quality *q)
+static INVCAL_ONCE invcal_status leave_out_groups(invcal_positions *p, invcal_calibration *c,
+                                                  invcal_quality *q)
 {
     int is_solved = 0;
 

@@ -18,6 +18,7 @@ invcal_status invcal_nominal_check(const invcal_calibration *nominal)
     invcal_real cofactor[3][3];
     invcal_real of_rows = 16 * INVCAL_EPSILON;
 
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
         const invcal_real scale = INVCAL_SQRT(invcal_dot3(nominal->matrix[i], nominal->matrix[i]));
         if (!(scale >= SMALLEST && scale <= 1 / SMALLEST &&
@@ -37,6 +38,7 @@ invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts
 
     INVCAL_ASSERT(zero && counts && out);
     invcal_zero(&nominal, sizeof nominal);
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
         nominal.offset[i] = zero[i];
         nominal.matrix[i][i] = 1 / counts[i];

@@ -68,7 +68,7 @@ static invcal_mask bit(unsigned i)
 /* ---- the best group of each size ------------------------------------------------------------- */
 
 /* A triple may come up once for each of its pairs; it must not be its own rival. */
-static void enter(contest *c, invcal_mask out, invcal_real squares)
+static INVCAL_ONCE void enter(contest *c, invcal_mask out, invcal_real squares)
 {
     if (out == c->best || !(squares < c->rival_squares)) {
         return;
@@ -85,7 +85,8 @@ static void enter(contest *c, invcal_mask out, invcal_real squares)
 }
 
 /* h v, where h is the row of u. */
-static INVCAL_OFTEN invcal_real along(const invcal_real u[3], const invcal_real v[INVCAL_PARAMETERS])
+static INVCAL_OFTEN invcal_real along(const invcal_real u[3],
+                                      const invcal_real v[INVCAL_PARAMETERS])
 {
     const invcal_real x = u[0];
     const invcal_real y = u[1];
@@ -98,15 +99,17 @@ static INVCAL_OFTEN invcal_real along(const invcal_real u[3], const invcal_real 
 }
 
 /* v = K h = L^-T (L^-1 h), from L^-1 and the row of u. */
-static void make_weights(const invcal_real *inverse, const invcal_real u[3],
-                         invcal_real v[INVCAL_PARAMETERS])
+static INVCAL_ONCE void make_weights(const invcal_real *inverse, const invcal_real u[3],
+                                     invcal_real v[INVCAL_PARAMETERS])
 {
     memcpy(v, u, 3 * sizeof *u);
     invcal_row_of(v);
     (void)invcal_leverage(inverse, v);
+    INVCAL_ROLL
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         const invcal_real y = v[r];
         v[r] = 0;
+        INVCAL_ROLL
         for (unsigned c = 0; c <= r; c++) {
             v[c] += *inverse++ * y;
         }
@@ -129,6 +132,7 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
     if (out == before->out) {
         return 0;
     }
+    INVCAL_ROLL
     for (unsigned i = 1; i <= d; i++) {
         const invcal_real product = along(one->u, s->group[i].v);
         share = product * s->group[i].reciprocal;
@@ -151,6 +155,7 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
     m->reciprocal = reciprocal;
     m->rest = rest;
     make_weights(s->fit->sums.sum, one->u, m->v);
+    INVCAL_ROLL
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         m->v[r] += share * before->v[r];
     }
@@ -190,7 +195,7 @@ static INVCAL_NOINLINE void search_groups(search *s)
 
 /* Is leaving out k significantly better than any fewer, given the number of choices? If the noise
  * is stated, the residuals alone must confirm it: a systematic error is not noise. */
-static int beats_fewer(const search *s, unsigned k, invcal_real *chance)
+static INVCAL_ONCE int beats_fewer(const search *s, unsigned k, invcal_real *chance)
 {
     const contest *c = s->contests;
     invcal_real choices = 1;
@@ -207,7 +212,7 @@ static int beats_fewer(const search *s, unsigned k, invcal_real *chance)
 }
 
 /* Else the data do not show which of the two groups is wrong. */
-static int beats_rival(const search *s, unsigned k)
+static INVCAL_ONCE int beats_rival(const search *s, unsigned k)
 {
     const contest *const c = &s->contests[k];
 
@@ -215,7 +220,7 @@ static int beats_rival(const search *s, unsigned k)
 }
 
 /* The largest clear group. */
-static void clear_group(const search *s, invcal_group *found)
+static INVCAL_ONCE void clear_group(const search *s, invcal_group *found)
 {
     const invcal_mask before = s->fit->positions.left_out;
     invcal_real chance = 1;
@@ -253,6 +258,7 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
     s.fit = fit;
     s.size = spare < INVCAL_GROUP ? spare : INVCAL_GROUP;
     s.promising = fit->squares * (1 - PROMISING / invcal_number(fit->sums.count));
+    INVCAL_ROLL
     for (unsigned k = 0; k <= INVCAL_GROUP; k++) {
         s.contests[k] = initial;
     }

@@ -241,7 +241,8 @@ static void begin(invcal_rests *s, const int32_t raw[3])
         s->axis[a].first = raw[a];
         s->axis[a].sum = 0;
         const uint32_t above = (uint32_t)raw[a] - (uint32_t)s->low - 1u;
-        if (INVCAL_FAST && (above >= s->between || smaller(above, s->between - 1u - above) < NEAR)) {
+        if (INVCAL_FAST &&
+            (above >= s->between || smaller(above, s->between - 1u - above) < NEAR)) {
             s->span = 0;
         }
     }

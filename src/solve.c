@@ -22,7 +22,8 @@
 enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
 #if !INVCAL_FAST
-void invcal_cross(const invcal_real *a, const invcal_real *b, invcal_real *restrict out)
+INVCAL_NOINLINE void invcal_cross(const invcal_real *a, const invcal_real *b,
+                                  invcal_real *restrict out)
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
     out[1] = a[2] * b[0] - a[0] * b[2];
@@ -43,7 +44,9 @@ void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
     invcal_real c[3][3];
     const invcal_real det = invcal_cofactors(m, c);
 
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
+        INVCAL_ROLL
         for (unsigned j = 0; j < 3; j++) {
             inverse[i][j] = c[j][i] / det;
         }
@@ -63,7 +66,9 @@ void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
     for (unsigned step = 0; step < STEPS && change > INVCAL_EPSILON; step++) {
         const invcal_real det = invcal_cofactors((const invcal_real(*)[3])u, c);
         change = 0;
+        INVCAL_ROLL
         for (unsigned i = 0; i < 3; i++) {
+            INVCAL_ROLL
             for (unsigned j = 0; j < 3; j++) {
                 const invcal_real half = (c[i][j] / det - u[i][j]) / 2;
                 u[i][j] += half;
@@ -71,7 +76,9 @@ void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
             }
         }
     }
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
+        INVCAL_ROLL
         for (unsigned j = 0; j < 3; j++) {
             c[0][j] = invcal_dot3(a[i], u[j]);
         }
@@ -80,9 +87,11 @@ void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
 }
 
 /* L / root. The diagonal of L is stored as reciprocals. */
-static void make_triangular(const invcal_real *l, invcal_real root, invcal_real a[3][3])
+static INVCAL_ONCE void make_triangular(const invcal_real *l, invcal_real root, invcal_real a[3][3])
 {
+    INVCAL_ROLL
     for (unsigned r = 0; r < 3; r++) {
+        INVCAL_ROLL
         for (unsigned c = 0; c < 3; c++) {
             a[r][c] = c < r ? *l++ / root : 0;
         }
@@ -108,6 +117,7 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
     invcal_real *q = work;
     invcal_real *delta = &q[INVCAL_PACKED(3, 0)];
 
+    INVCAL_ROLL
     for (unsigned i = 0; i < sizeof order; i++) {
         const unsigned r = order[i];
         q[i] = sign * (r >= INVCAL_DK_X && r <= INVCAL_DK_Z ? 1 + 2 * p[r] : p[r]);
@@ -118,6 +128,7 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
     }
     invcal_back_substitute(q, 3);
     make_triangular(q, INVCAL_SQRT(-q[9]), out->matrix);
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
         out->offset[i] = delta[i];
     }
@@ -140,6 +151,7 @@ invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibr
     int is_triad = p[0][0] * p[1][1] > xy * xy;
 
     invcal_inverse3(p, triad->matrix);
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
         triad->offset[i] = x[i];
         is_triad &= p[i][i] > 0 && p[i][i] < LONGEST && triad->matrix[i][i] > 0 &&

@@ -26,13 +26,14 @@ void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 }
 
 #if !INVCAL_FAST
-void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
+INVCAL_NOINLINE void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
 {
     invcal_row_inline(h);
 }
 
-invcal_status invcal_read(const invcal_calibration *nominal, const invcal_real raw[3],
-                          invcal_real h[INVCAL_PARAMETERS + 1])
+INVCAL_NOINLINE invcal_status invcal_read(const invcal_calibration *nominal,
+                                          const invcal_real raw[3],
+                                          invcal_real h[INVCAL_PARAMETERS + 1])
 {
     return invcal_read_inline(nominal, raw, h);
 }
@@ -53,8 +54,8 @@ static INVCAL_INLINE void rank_one(invcal_real *restrict a, const invcal_real *r
 }
 #else
 /* By pairs of rows, which share the elements of v. */
-static void rank_one(invcal_real *restrict a, const invcal_real *restrict v, unsigned n,
-                     invcal_real weight)
+static INVCAL_ONCE void rank_one(invcal_real *restrict a, const invcal_real *restrict v, unsigned n,
+                                 invcal_real weight)
 {
     unsigned r = n % 2;
 
@@ -76,7 +77,8 @@ static void rank_one(invcal_real *restrict a, const invcal_real *restrict v, uns
 }
 #endif
 
-void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight)
+INVCAL_NOINLINE void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n,
+                                     invcal_real weight)
 {
 #if INVCAL_FAST
     if (n == INVCAL_PARAMETERS + 1) {

@@ -46,8 +46,8 @@ static inline invcal_real invcal_square_of(const invcal_real h[INVCAL_PARAMETERS
  * (mathematics.md, "The exact row"). Returns as invcal_observe: a length outside 0.1 ... 10 is not a
  * reading of this field, and neither is a NaN. */
 static INVCAL_ONCE invcal_status invcal_read_inline(const invcal_calibration *nominal,
-                                               const invcal_real raw[3],
-                                               invcal_real h[INVCAL_PARAMETERS + 1])
+                                                    const invcal_real raw[3],
+                                                    invcal_real h[INVCAL_PARAMETERS + 1])
 {
     invcal_correct(nominal, raw, h);
     invcal_row_of(h);

@@ -15,9 +15,9 @@
 #define TURNED INVCAL_REAL(1e-3) /* over field: min change of a turned axis */
 
 enum {
-    MORE = 3,             /* unknowns after the nine */
+    MORE = 3,              /* unknowns after the nine */
     C = INVCAL_PARAMETERS, /* index of their elements in a row */
-    REST = C + MORE       /* index of J or of the residual, after them */
+    REST = C + MORE        /* index of J or of the residual, after them */
 };
 
 /* One of them, number d, by its column c of H: H'c, then c'c of those before it and its own, then
@@ -27,7 +27,8 @@ typedef invcal_real column[REST + 1];
 /* The error of an axis with component x of the field, which was elsewhere before. Nonlinearity
  * without the offset of 3/5 and the scale error of 6/7 that absorb part of it, over all
  * directions. */
-static invcal_real error_of(unsigned kind, invcal_real x, invcal_real before, invcal_real tau)
+static INVCAL_ONCE invcal_real error_of(unsigned kind, invcal_real x, invcal_real before,
+                                        invcal_real tau)
 {
     if (kind == INVCAL_DRIFT) {
         return tau;
@@ -43,7 +44,8 @@ static invcal_real error_of(unsigned kind, invcal_real x, invcal_real before, in
 
 /* An error e of an axis moves J by eta e. A position left out still counts as the one before the
  * next: hysteresis depends on how the axis was turned, whether or not that reading is used. */
-static void sum_columns(const invcal_fit *fit, unsigned kind, unsigned step, column columns[MORE])
+static INVCAL_ONCE void sum_columns(const invcal_fit *fit, unsigned kind, unsigned step,
+                                    column columns[MORE])
 {
     const invcal_positions *p = &fit->positions;
     const invcal_real half = INVCAL_REAL(0.5);
@@ -80,7 +82,7 @@ static void sum_columns(const invcal_fit *fit, unsigned kind, unsigned step, col
  * for all of them").
  *
  * Returns the part of c'c that the nine do not explain. */
-static invcal_real append(const invcal_fit *fit, column columns[MORE], unsigned d)
+static INVCAL_ONCE invcal_real append(const invcal_fit *fit, column columns[MORE], unsigned d)
 {
     const invcal_real *const l = fit->sums.sum;
     invcal_real *const x = columns[d];
@@ -110,14 +112,17 @@ void invcal_test_for(const invcal_fit *fit, unsigned kind, unsigned step, invcal
 
     invcal_zero_reals(columns[0], MORE * (REST + 1));
     sum_columns(fit, kind, step, columns);
+    INVCAL_ROLL
     for (unsigned a = 0; a < MORE; a++) {
         const invcal_real shown = append(fit, columns, a);
         least = shown >= least ? least : shown;
         rank += columns[a][C + a] > 0;
         squares -= columns[a][REST] * columns[a][REST];
     }
+    INVCAL_ROLL
     for (unsigned a = MORE; a-- > 0;) { /* l' size = z */
         invcal_real size = columns[a][REST];
+        INVCAL_ROLL
         for (unsigned b = a + 1; b < MORE; b++) {
             size -= columns[b][C + a] * out->size[b];
         }

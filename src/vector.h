@@ -84,7 +84,7 @@ static inline int invcal_is_positive(invcal_real x)
 
 /* The dot product of n >= 1 elements. */
 static INVCAL_ONCE invcal_real invcal_dot_inline(const invcal_real *a, const invcal_real *b,
-                                                      unsigned n)
+                                                 unsigned n)
 {
     invcal_real sum = 0;
 
@@ -132,7 +132,7 @@ static inline int invcal_is_unit(const invcal_real v[3])
 
 /* invcal_apply. */
 static INVCAL_ONCE void invcal_correct_inline(const invcal_calibration *c, const invcal_real raw[3],
-                                         invcal_real out[3])
+                                              invcal_real out[3])
 {
     const invcal_real x = raw[0] - c->offset[0];
     const invcal_real y = raw[1] - c->offset[1];
