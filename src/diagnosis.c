@@ -121,7 +121,6 @@ static INVCAL_ONCE int is_likelier(const invcal_group *g, const diagnosis *d)
 static INVCAL_ONCE void name(const diagnosis *d, invcal_quality *q)
 {
     q->systematic = (uint8_t)d->kind;
-    INVCAL_ROLL
     for (unsigned a = 0; a < 3 && d->kind != INVCAL_NO_SYSTEMATIC; a++) {
         if (INVCAL_FABS(d->best.size[a]) > INVCAL_FABS(q->size)) {
             q->size = d->best.size[a];

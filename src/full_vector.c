@@ -68,8 +68,8 @@ static void solve_axes(invcal_real *a, invcal_real m[3][3], invcal_real delta[3]
 static void parameters_of(const invcal_real p[3][3], const invcal_real delta[3],
                           invcal_real x[INVCAL_PARAMETERS])
 {
+    memcpy(&x[INVCAL_DELTA_X], delta, 3 * sizeof *delta);
     for (unsigned i = 0; i < 3; i++) {
-        x[INVCAL_DELTA_X + i] = delta[i];
         x[INVCAL_DK_X + i] = p[i][i] - 1;
     }
     x[INVCAL_GAMMA_XY] = p[0][1] + p[1][0];

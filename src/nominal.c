@@ -38,9 +38,9 @@ invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts
 
     INVCAL_ASSERT(zero && counts && out);
     invcal_zero(&nominal, sizeof nominal);
+    memcpy(nominal.offset, zero, sizeof nominal.offset);
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
-        nominal.offset[i] = zero[i];
         nominal.matrix[i][i] = 1 / counts[i];
     }
     const invcal_status status = invcal_nominal_check(&nominal);

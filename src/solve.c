@@ -151,11 +151,14 @@ invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibr
     int is_triad = p[0][0] * p[1][1] > xy * xy;
 
     invcal_inverse3(p, triad->matrix);
+    memcpy(triad->offset, x, sizeof triad->offset);
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
-        triad->offset[i] = x[i];
-        is_triad &= p[i][i] > 0 && p[i][i] < LONGEST && triad->matrix[i][i] > 0 &&
-                    triad->matrix[i][i] < LONGEST && INVCAL_FABS(x[i]) < LONGEST;
+        is_triad &= p[i][i] > 0 && p[i][i] < LONGEST && INVCAL_FABS(x[i]) < LONGEST;
+    }
+    INVCAL_ROLL
+    for (unsigned i = 0; i < 3; i++) {
+        is_triad &= triad->matrix[i][i] > 0 && triad->matrix[i][i] < LONGEST;
     }
     return is_triad ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
