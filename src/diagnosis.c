@@ -41,7 +41,7 @@ typedef struct {
 } diagnosis;
 
 /* Returns 1 if its columns leave enough degrees of freedom for it to be named. */
-static int test(const invcal_fit *fit, diagnosis *d, unsigned kind, unsigned step, invcal_test *t)
+static INVCAL_OFTEN int test(const invcal_fit *fit, diagnosis *d, unsigned kind, unsigned step, invcal_test *t)
 {
     invcal_test_for(fit, kind, step, t);
     if (fit->sums.count < INVCAL_PARAMETERS + INVCAL_SPARE + t->rank) {

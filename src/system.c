@@ -20,7 +20,7 @@ invcal_real invcal_trace(const invcal_real *a, unsigned n)
     return sum;
 }
 
-static INVCAL_INLINE invcal_real largest(const invcal_real *a, unsigned n)
+static INVCAL_ONCE invcal_real largest(const invcal_real *a, unsigned n)
 {
     invcal_real most = 0;
 
@@ -38,7 +38,7 @@ invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n)
 }
 
 /* L(r,c) = (A(r,c) - sum L(r,k) L(c,k)) / L(c,c), L(r,r) = sqrt(A(r,r) - sum L(r,k)^2). */
-static INVCAL_INLINE invcal_status factor(invcal_real *a, unsigned n, unsigned rows,
+static INVCAL_ONCE invcal_status factor(invcal_real *a, unsigned n, unsigned rows,
                                           invcal_real floor)
 {
     const invcal_real least = floor * largest(a, n);
@@ -85,7 +85,7 @@ invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_re
 }
 
 /* By columns of L': once p(r) is known, its share is subtracted from those above. */
-static INVCAL_INLINE void back_substitute(invcal_real *l, unsigned n)
+static INVCAL_ONCE void back_substitute(invcal_real *l, unsigned n)
 {
     invcal_real *p = &l[INVCAL_PACKED(n, 0)];
 
@@ -114,7 +114,7 @@ void invcal_back_substitute(invcal_real *l, unsigned n)
 /* In place, row by row: L^-1(r,c) = -sum L(r,k) L^-1(k,c) / L(r,r) over k = c ... r - 1. The rows
  * above are inverted already, and in ascending order of c each L(r,c) is read for the last time
  * when it is replaced. */
-static INVCAL_INLINE void invert(invcal_real *l, unsigned n)
+static INVCAL_ONCE void invert(invcal_real *l, unsigned n)
 {
     invcal_real *row = l;
 
