@@ -139,11 +139,8 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
         rest += share * s->group[i].rest;
         left -= share * product;
     }
-    if (!(left > INVCAL_TOLERANCE)) { /* the others explain it: leaving it out changes nothing */
-        left = 1;
-        rest = 0;
-    }
-    const invcal_real reciprocal = 1 / left;
+    /* 0: the others explain its column, so that leaving it out changes nothing */
+    const invcal_real reciprocal = left > INVCAL_TOLERANCE ? 1 / left : 0;
     const invcal_real squares = before->squares - rest * rest * reciprocal;
     enter(&s->contests[d + 1], out, squares);
     if (d + 1 >= s->size || (d > 0 && !(squares <= s->promising))) {
