@@ -109,7 +109,8 @@ $(BUILD)/$(1)/%.o: %.c
 	@mkdir -p $$(@D)
 	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $(DEGREE_FLAGS) $$(EXTRA) -MMD -MP -c $$< -o $$@
 
-$(BUILD)/$(1)/src/%.o: EXTRA += $(ASSERT_FLAGS)
+# Sections: a program's linker with --gc-sections drops what it does not call.
+$(BUILD)/$(1)/src/%.o: EXTRA += -ffunction-sections -fdata-sections $(ASSERT_FLAGS)
 
 $(BUILD)/$(1)/libinvcal.a: $(SOURCES:%.c=$(BUILD)/$(1)/%.o)
 	$(Q)rm -f $$@ && $$(AR) rcs $$@ $$^

@@ -61,6 +61,12 @@ stage() {
     sh port/stage.sh "$1" "$out/$1"
 }
 
+# drops_uncalled PROGRAM [NM]: of a module that the example needs, only what it calls is in it.
+drops_uncalled() {
+    ${2:-nm} "$1" > "$out/linked" && grep -q ' invcal_apply_float_9$' "$out/linked" &&
+        ! grep ' invcal_apply_counts$' "$out/linked"
+}
+
 # prints_as_expected COMMAND...: it prints what the example, tests/packages/example.c, must print.
 example=$root/tests/packages/example.c
 prints_as_expected() {

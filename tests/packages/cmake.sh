@@ -79,8 +79,7 @@ crossed() {
         'add_executable(example example.c)' 'target_link_libraries(example PRIVATE invcal::invcal)'
     builds -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=arm-none-eabi-gcc \
         -DCMAKE_C_FLAGS='-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16' \
-        -DCMAKE_EXE_LINKER_FLAGS=--specs=rdimon.specs &&
-        file=$folder/build/example && arm-none-eabi-nm "$file" | grep -q ' T invcal_calibrate_float_'
+        -DCMAKE_EXE_LINKER_FLAGS='--specs=rdimon.specs -Wl,--gc-sections'
 }
 
 check "it installs" installs
@@ -100,4 +99,5 @@ esac
 check "find_package does not take it for the next major version" refused "$((${version%%.*} + 1))"
 long "choices reach a project that links it" chosen
 check "it builds for a Cortex-M4F" crossed
+check "only what is called is linked there" drops_uncalled "$folder/build/example" arm-none-eabi-nm
 finish

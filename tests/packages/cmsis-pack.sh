@@ -5,7 +5,7 @@
 # The CMSIS-Pack, without Arm's tools: its description by those rules of PACK.xsd that it needs
 # (tests/packages/cmsis-pack/pdsc.xsd), the files that it names, and its component, built as it says.
 . "$(dirname "$0")/../package.sh"
-need xmllint cc arm-none-eabi-gcc
+need xmllint python3 cc arm-none-eabi-gcc
 pack=$out/cmsis-pack
 pdsc=$pack/invcal.invcal.pdsc
 version=$(sh port/version.sh)
@@ -56,9 +56,16 @@ compiles() { # FOLDER COMPILER FLAG...
     done < "$out/sources"
 }
 
+stated() { # C or Link: the options that README.md states
+    sed -n 's/^    //p' "$pack/README.md" | /usr/bin/python3 -c '
+import sys, yaml
+print(*yaml.safe_load(sys.stdin)["project"]["misc"][0][sys.argv[1]])' "$1"
+}
+
 runs_example() {
-    compiles host cc -O2 -ffp-contract=off && cc -I"$pack/include" "$example" \
-        "$out"/host/*.o -lm -o "$out/host/program" && prints_as_expected "$out/host/program"
+    # shellcheck disable=SC2046 # options are words
+    compiles host cc -O2 $(stated C) && cc -I"$pack/include" "$example" \
+        "$out"/host/*.o -lm $(stated Link) -o "$out/host/program" && prints_as_expected "$out/host/program"
 }
 
 check "it can be staged" stage cmsis-pack
@@ -67,6 +74,7 @@ check "names and versions agree" named_after_content
 check "what it names is there" names_what_is_there
 check "it names all sources" names_all_sources
 check "its component: the example prints what it must" runs_example
+check "with the options of its README.md only what is called is linked" drops_uncalled "$out/host/program"
 check "its component compiles for a Cortex-M4F" compiles m4f arm-none-eabi-gcc -mcpu=cortex-m4 \
     -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -Os -Wall -Wextra -Werror
 finish

@@ -28,7 +28,11 @@ version() { # NAME
 runs_example() { # NAME
     # shellcheck disable=SC2046 # flags are words
     cc -std=c99 -Wall -Wextra -Werror $(pkg-config --cflags "$1") "$example" \
-        $(pkg-config --libs "$1") -o "$out/example" && prints_as_expected "$out/example"
+        $(pkg-config --libs "$1") -Wl,--gc-sections -o "$out/example" && prints_as_expected "$out/example"
+}
+
+links_what_is_called() {
+    runs_example invcal && drops_uncalled "$out/example"
 }
 
 # Programs depend on the sizes of structures; with the wrong type they would crash or give wrong results.
@@ -60,6 +64,7 @@ for package in invcal invcal-double; do
     check "$package has the version of invcal.h" version $package
     check "$package: the example prints what it must" runs_example $package
 done
+check "only what is called is linked" links_what_is_called
 check "invcal is in float" is_double invcal 0
 check "invcal-double is in double" is_double invcal-double 1
 check "the flags contain the options of the libraries" has_choices

@@ -56,7 +56,7 @@ compiles() { # FOLDER COMPILER FLAG...
 
 runs_example() {
     compiles native cc && cc -I"$library/include" "$example" "$out"/native/*.o -lm \
-        -o "$out/native/program" && prints_as_expected "$out/native/program"
+        -Wl,--gc-sections -o "$out/native/program" && prints_as_expected "$out/native/program"
 }
 
 # Its example is Arduino's, which tests/packages/arduino.sh runs; here <invcal.h> must be found, too.
@@ -74,6 +74,7 @@ else
     echo "$name: pio is not installed: its own check of the manifest is skipped"
 fi
 check "the example prints what it must" runs_example
+check "only what is called is linked" drops_uncalled "$out/native/program"
 check "it compiles for an AVR" compiles avr avr-gcc -mmcu=atmega2560 -Os
 check "its example is the Arduino library's" same_example
 finish
