@@ -59,18 +59,28 @@ fetched() { # TARGET
         cmake --install "$folder/build" --prefix "$out/nothing" && [ ! -e "$out/nothing/include" ]
 }
 
-# The choices reach the user of the library, as main checks.
+# The choices reach the user of the library, as main checks; INVCAL_FAST only the library.
 chosen() {
     echo '#define INVCAL_MAX_POSITIONS 17' > "$out/choices.h"
-    installs -DINVCAL_TOOL=OFF -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_CONFIG_HEADER="$out/choices.h" || return
+    installs -DINVCAL_TOOL=OFF -DINVCAL_FAST=ON -DINVCAL_THERMAL_DEGREE=2 \
+        -DINVCAL_CONFIG_HEADER="$out/choices.h" || return
     mv "$out/choices.h" "$out/moved.h"
     project chosen "find_package(invcal $version CONFIG REQUIRED)" 'add_executable(example main.c)' \
         'target_link_libraries(example PRIVATE invcal::double)'
     printf '%s\n' '#include "invcal/thermal.h"' \
-        '#if INVCAL_DOUBLE != 1 || INVCAL_THERMAL_DEGREE != 2 || INVCAL_MAX_POSITIONS != 17' \
+        '#if INVCAL_DOUBLE != 1 || INVCAL_THERMAL_DEGREE != 2 || INVCAL_MAX_POSITIONS != 17 || INVCAL_FAST != 0' \
         '#error "not as chosen"' '#endif' \
         'int main(void) { return invcal_status_text(INVCAL_OK)[0] == 0; }' > "$folder/main.c"
     builds -DCMAKE_PREFIX_PATH="$prefix" && "$folder/build/example"
+}
+
+# In the small library a dot product is a function, in the fast one it is inline.
+is_small() {
+    nm "$out/library/libinvcal.a" | grep ' T invcal_dot$'
+}
+
+is_fast() {
+    ! is_small && nm "$out/library/libinvcal.a" | grep -q ' T invcal_solve$'
 }
 
 # Cross-compiled, as part of a project for a machine without an operating system.
@@ -86,6 +96,7 @@ check "it installs" installs
 check "it installs the tool, the same that make builds" tool_is_there
 check "what it installs is optimised" grep -q '^CMAKE_BUILD_TYPE:STRING=Release$' \
     "$out/library/CMakeCache.txt"
+check "and small" is_small
 for target in invcal::invcal invcal::double; do
     check "find_package, $target: the example prints what it must" found $target
     check "FetchContent, $target: the example prints what it must" fetched $target
@@ -98,6 +109,7 @@ case $version in
 esac
 check "find_package does not take it for the next major version" refused "$((${version%%.*} + 1))"
 long "choices reach a project that links it" chosen
+long "INVCAL_FAST reaches the library" is_fast
 check "it builds for a Cortex-M4F" crossed
 check "only what is called is linked there" drops_uncalled "$folder/build/example" arm-none-eabi-nm
 finish

@@ -33,8 +33,8 @@ accepts() { # NAME VALUE: do the headers?
 
 takes() { # NAME VALUE: does Kconfig? Its booleans are n and y.
     case $1=$2 in
-    INVCAL_DOUBLE=0) configure "$1=n" ;;
-    INVCAL_DOUBLE=1) configure "$1=y" ;;
+    INVCAL_DOUBLE=0 | INVCAL_FAST=0) configure "$1=n" ;;
+    INVCAL_DOUBLE=1 | INVCAL_FAST=1) configure "$1=y" ;;
     *) configure "$1=$2" ;;
     esac
 }
@@ -57,7 +57,7 @@ same_ranges() {
 others() {
     awk '{ value = $4 == $3 ? $2 : $3; print $1, value }' "$out/options" > "$out/others"
     # shellcheck disable=SC2046 # names and numbers
-    configure $(sed 's/^\(INVCAL_DOUBLE\) 1/\1 y/; s/ /=/' "$out/others")
+    configure $(sed -e 's/^\(INVCAL_DOUBLE\) 1/\1 y/' -e 's/^\(INVCAL_FAST\) 1/\1 y/' -e 's/ /=/' "$out/others")
 }
 
 # A program that compiles only if all of them have reached it.
