@@ -15,7 +15,7 @@
  * device's life. */
 #if defined(__clang__)
 #define INVCAL_ROLL _Pragma("clang loop unroll(disable)")
-#elif defined(__GNUC__)
+#elif defined(__GNUC__) && __GNUC__ >= 8
 #define INVCAL_ROLL _Pragma("GCC unroll 1")
 #else
 #define INVCAL_ROLL
@@ -26,7 +26,7 @@
 #define INVCAL_INLINE
 #define INVCAL_OFTEN INVCAL_NOINLINE
 #else
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
 #define INVCAL_UNROLL _Pragma("GCC unroll 64")
 #define INVCAL_UNROLL_ROWS _Pragma("GCC unroll 10")
 #else
@@ -52,6 +52,15 @@
 #define INVCAL_NOINLINE __attribute__((noinline))
 #else
 #define INVCAL_NOINLINE
+#endif
+
+/* Where there is no FPU, the library's own square root has the bits of libm's: newlib's takes 300
+ * bytes more of flash, and 100 of memory for errno. */
+float invcal_root(float x);
+#if !INVCAL_DOUBLE &&                                                                              \
+    ((defined(__ARM_ARCH) && !defined(__ARM_FP)) || (defined(__riscv) && !defined(__riscv_flen)))
+#undef INVCAL_SQRT
+#define INVCAL_SQRT invcal_root
 #endif
 
 /* Sets bytes, or reals, to 0. Not by memset unless speed matters: newlib's takes 160 bytes. */
