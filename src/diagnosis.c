@@ -25,38 +25,26 @@
 #define AMBIGUOUS INVCAL_REAL(0.3)
 #define SHOWN INVCAL_REAL(0.44444) /* sigma grows 1.5 times at most */
 
-static invcal_real chance_of(const invcal_fit *fit, const invcal_test *t, unsigned stated)
-{
-    return invcal_chance(fit, t->squares, fit->squares, t->rank, t->rank, stated);
-}
-
 /* Of all kinds of systematic errors. */
 typedef struct {
-    invcal_test best;   /* the most significant one that can be named */
-    unsigned kind;      /* its kind, or INVCAL_NO_SYSTEMATIC */
-    unsigned verdict;   /* its verdict, or that of an error that cannot be named */
-    invcal_real chance; /* its probability by chance alone */
-    invcal_real least;  /* squares left by the best of all with spare degrees of freedom */
-    unsigned unchecked; /* as in invcal_quality */
+    unsigned kind;        /* of the most significant one that can be named, or none */
+    invcal_real squares;  /* left by it */
+    invcal_real chance;   /* its probability by chance alone */
+    unsigned significant; /* as bits, with those that cannot be named */
+    unsigned unchecked;   /* as in invcal_quality */
+    invcal_real least;    /* squares left by the best of all with spare degrees of freedom */
 } diagnosis;
 
-/* Returns 1 if its columns leave enough degrees of freedom for it to be named. */
-static INVCAL_OFTEN int test(const invcal_fit *fit, diagnosis *d, unsigned kind, unsigned step, invcal_test *t)
+/* Tests a kind. Returns 1 if its columns leave enough degrees of freedom for it to be named. */
+static INVCAL_OFTEN int test(const invcal_fit *fit, diagnosis *d, unsigned kind, unsigned step,
+                             invcal_test *t)
 {
     invcal_test_for(fit, kind, step, t);
-    if (fit->sums.count < INVCAL_PARAMETERS + INVCAL_SPARE + t->rank) {
-        return 0;
-    }
-    if (t->squares < d->least) {
+    const int has_spare = invcal_fit_spare(fit, t->rank) >= INVCAL_SPARE;
+    if (has_spare && t->squares < d->least) {
         d->least = t->squares;
     }
-    return 1;
-}
-
-/* Do its own residuals identify it, and better than the one named so far? */
-static INVCAL_ONCE int is_clearer(const diagnosis *d, const invcal_test *t, invcal_real own)
-{
-    return own <= NAMEABLE && t->squares < d->best.squares;
+    return has_spare;
 }
 
 /* Significant by the stated noise or by the residuals alone: then the verdict is no longer good. A
@@ -64,34 +52,33 @@ static INVCAL_ONCE int is_clearer(const diagnosis *d, const invcal_test *t, invc
 static INVCAL_ONCE void try_kind(const invcal_fit *fit, diagnosis *d, unsigned kind)
 {
     const invcal_real level = fit->positions.noise > 0 ? SIGNIFICANT : UNSTATED;
+    const unsigned bit = 1u << kind;
     invcal_test t;
     const int may_be_named = test(fit, d, kind, 0, &t);
-    const invcal_real own = chance_of(fit, &t, 0);
-    const invcal_real chance = chance_of(fit, &t, INVCAL_STATED);
-    const invcal_real less = chance <= own ? chance : own;
+    const invcal_real own = invcal_chance(fit, t.squares, fit->squares, t.rank, t.rank, 0);
+    const invcal_real chance =
+        invcal_chance(fit, t.squares, fit->squares, t.rank, t.rank, INVCAL_STATED);
 
     if (!(t.shown >= SHOWN)) {
-        d->unchecked |= 1u << kind;
+        d->unchecked |= bit;
     }
-    if (t.rank == 0 || !(less <= level)) {
-        return;
-    }
-    if (d->verdict == INVCAL_GOOD) {
-        d->verdict = INVCAL_ROUGH;
-    }
-    if (may_be_named && is_clearer(d, &t, own)) {
-        d->best = t;
-        d->kind = kind;
-        d->chance = chance;
-        d->verdict = kind == INVCAL_DRIFT ? INVCAL_DRIFTING : INVCAL_BENT;
+    if (t.rank > 0 && (own <= level || chance <= level)) {
+        d->significant |= bit;
+        if (may_be_named && own <= NAMEABLE && t.squares < d->squares) {
+            d->kind = kind;
+            d->squares = t.squares;
+            d->chance = chance;
+        }
     }
 }
 
 static INVCAL_ONCE void try_kinds(const invcal_fit *fit, diagnosis *d)
 {
-    invcal_zero(d, sizeof *d); /* INVCAL_NO_SYSTEMATIC, INVCAL_GOOD */
-    d->best.squares = INVCAL_REAL_MAX;
+    d->kind = INVCAL_NO_SYSTEMATIC;
+    d->squares = INVCAL_REAL_MAX;
     d->chance = 1;
+    d->significant = 0;
+    d->unchecked = 0;
     d->least = INVCAL_REAL_MAX;
     INVCAL_ROLL
     for (unsigned kind = INVCAL_DRIFT; kind <= INVCAL_HYSTERESIS; kind++) {
@@ -106,8 +93,10 @@ static INVCAL_ONCE int is_ambiguous(const invcal_fit *fit, diagnosis *d, const i
     const unsigned n = fit->positions.count;
     invcal_test t;
 
-    for (unsigned step = (n + 2) / 3; step <= n - (n + 2) / 3; step++) {
-        (void)test(fit, d, INVCAL_DRIFT, step, &t);
+    for (unsigned step = 1; 3 * (n - step) >= n; step++) {
+        if (3 * step >= n) { /* in the middle third */
+            (void)test(fit, d, INVCAL_DRIFT, step, &t);
+        }
     }
     return invcal_chance(fit, g->squares, d->least, 1, g->size, INVCAL_STATED) > AMBIGUOUS;
 }
@@ -118,12 +107,18 @@ static INVCAL_ONCE int is_likelier(const invcal_group *g, const diagnosis *d)
     return g->chance < d->chance * FAVOUR;
 }
 
-static INVCAL_ONCE void name(const diagnosis *d, invcal_quality *q)
+/* Names the error, with its largest size. */
+static INVCAL_ONCE void name(const invcal_fit *fit, unsigned kind, invcal_quality *q)
 {
-    q->systematic = (uint8_t)d->kind;
-    for (unsigned a = 0; a < 3 && d->kind != INVCAL_NO_SYSTEMATIC; a++) {
-        if (INVCAL_FABS(d->best.size[a]) > INVCAL_FABS(q->size)) {
-            q->size = d->best.size[a];
+    invcal_test t;
+
+    invcal_test_for(fit, kind, 0, &t);
+    q->systematic = (uint8_t)kind;
+    invcal_raise(q, kind == INVCAL_DRIFT ? INVCAL_DRIFTING : INVCAL_BENT);
+    INVCAL_ROLL
+    for (unsigned a = 0; a < 3; a++) {
+        if (INVCAL_FABS(t.size[a]) > INVCAL_FABS(q->size)) {
+            q->size = t.size[a];
             q->axis = (uint8_t)a;
         }
     }
@@ -138,16 +133,17 @@ static INVCAL_NOINLINE invcal_mask choose(const invcal_fit *fit, const invcal_gr
     try_kinds(fit, &d);
     q->unchecked = (uint8_t)d.unchecked;
     q->suspected = g->suspected;
-    if (!is_likelier(g, &d)) {
-        invcal_raise(q, d.verdict);
-        name(&d, q);
-        return 0;
-    }
-    if (!g->group || (g->size > 1 && is_ambiguous(fit, &d, g))) {
+    if (is_likelier(g, &d)) {
+        if (g->group && (g->size < 2 || !is_ambiguous(fit, &d, g))) {
+            return g->group;
+        }
         invcal_raise(q, INVCAL_ROUGH);
-        return 0;
+    } else if (d.kind != INVCAL_NO_SYSTEMATIC) {
+        name(fit, d.kind, q);
+    } else if (d.significant) {
+        invcal_raise(q, INVCAL_ROUGH);
     }
-    return g->group;
+    return 0;
 }
 
 invcal_mask invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,

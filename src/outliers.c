@@ -56,7 +56,7 @@ typedef struct {
     unsigned size;         /* max members of a group */
     invcal_real promising; /* max squares left by a pair, see visit */
     contest contests[INVCAL_GROUP + 1];
-    single single[INVCAL_MAX_POSITIONS];
+    single alone[INVCAL_MAX_POSITIONS];
     member group[INVCAL_GROUP]; /* nobody, the first and the second; nothing follows the third */
 } search;
 
@@ -122,7 +122,7 @@ static INVCAL_ONCE void make_weights(const invcal_real *inverse, const invcal_re
  * one. */
 static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
 {
-    const single *const one = &s->single[k];
+    const single *const one = &s->alone[k];
     const member *const before = &s->group[d];
     const invcal_mask out = before->out | bit(k);
     invcal_real left = one->unexplained;
@@ -167,7 +167,7 @@ static INVCAL_NOINLINE void search_groups(search *s)
     invcal_real row[INVCAL_PARAMETERS + 1];
 
     for (unsigned k = 0; k < count; k++) {
-        single *const one = &s->single[k];
+        single *const one = &s->alone[k];
         invcal_fit_row(fit, k, row);
         memcpy(one->u, row, sizeof one->u);
         one->rest = row[INVCAL_J];

@@ -39,7 +39,7 @@ invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n)
 
 /* L(r,c) = (A(r,c) - sum L(r,k) L(c,k)) / L(c,c), L(r,r) = sqrt(A(r,r) - sum L(r,k)^2). */
 static INVCAL_ONCE invcal_status factor(invcal_real *a, unsigned n, unsigned rows,
-                                          invcal_real floor)
+                                        invcal_real floor)
 {
     const invcal_real least = floor * largest(a, n);
     invcal_real *row = a;
