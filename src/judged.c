@@ -51,28 +51,26 @@ static INVCAL_ONCE void judge_directions(const invcal_positions *p, const invcal
 }
 
 /* Group by group, since one may mask the next. If one is so wrong that all together give no
- * ellipsoid, search in nominal units. */
+ * ellipsoid, search in nominal units. Rough: too many are left out, or the others are not
+ * determined without them. */
 static INVCAL_ONCE invcal_status leave_out_groups(invcal_positions *p, invcal_calibration *c,
                                                   invcal_quality *q)
 {
-    int is_solved = 0;
+    int has_solution = 0;
 
     for (;;) { /* at most INVCAL_MAX_POSITIONS times: each but the last leaves one out */
         const invcal_status status = invcal_positions_calibrate(p, c, q);
+        const int is_solved = status == INVCAL_OK;
         invcal_mask more = 0;
-        if (status == INVCAL_OK && invcal_are_many(q->positions, p->count)) {
-            is_solved = 1;
+        has_solution |= is_solved;
+        if (is_solved ? !invcal_are_many(q->positions, p->count)
+                      : !has_solution && status == INVCAL_NOT_ELLIPSOID) {
+            more = invcal_diagnose(p, is_solved ? c : p->nominal, is_solved ? q : NULL);
+        } else if (has_solution) {
             invcal_raise(q, INVCAL_ROUGH);
-        } else if (status == INVCAL_OK) {
-            is_solved = 1;
-            more = invcal_diagnose(p, c, q);
-        } else if (is_solved) {
-            invcal_raise(q, INVCAL_ROUGH); /* the others are not determined without it */
-        } else if (status == INVCAL_NOT_ELLIPSOID) {
-            more = invcal_diagnose(p, p->nominal, NULL);
         } /* cppcheck-suppress misra-c2012-15.7 ; there is no calibration */
         if (more == 0) {
-            return is_solved ? INVCAL_OK : status;
+            return has_solution ? INVCAL_OK : status;
         }
         p->left_out |= more;
     }
