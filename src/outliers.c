@@ -123,17 +123,17 @@ static INVCAL_ONCE void make_weights(const invcal_real *inverse, const invcal_re
 static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
 {
     const single *const one = &s->alone[k];
-    const member *const before = &s->group[d];
-    const invcal_mask out = before->out | bit(k);
+    const member *const before = &s->group[d - 1];
     invcal_real left = one->unexplained;
     invcal_real rest = one->rest;
     invcal_real share = 0;
 
-    if (out == before->out) {
+    if ((before->out | s->fit->positions.left_out) >> k & 1u) {
         return 0;
     }
+    const invcal_mask out = before->out | bit(k);
     INVCAL_ROLL
-    for (unsigned i = 1; i <= d; i++) {
+    for (unsigned i = 1; i < d; i++) {
         const invcal_real product = along(one->u, s->group[i].v);
         share = product * s->group[i].reciprocal;
         rest += share * s->group[i].rest;
@@ -142,11 +142,11 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
     /* 0: the others explain its column, so that leaving it out changes nothing */
     const invcal_real reciprocal = left > INVCAL_TOLERANCE ? 1 / left : 0;
     const invcal_real squares = before->squares - rest * rest * reciprocal;
-    enter(&s->contests[d + 1], out, squares);
-    if (d + 1 >= s->size || (d > 0 && !(squares <= s->promising))) {
+    enter(&s->contests[d], out, squares);
+    if (d >= s->size || (d > 1 && !(squares <= s->promising))) {
         return 0;
     }
-    member *const m = &s->group[d + 1];
+    member *const m = &s->group[d];
     m->out = out;
     m->squares = squares;
     m->reciprocal = reciprocal;
@@ -160,7 +160,7 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
 }
 
 /* All groups of one and two, and those of three with a promising pair. */
-static INVCAL_NOINLINE void search_groups(search *s)
+static INVCAL_ONCE void search_groups(search *s)
 {
     const invcal_fit *const fit = s->fit;
     const unsigned count = fit->positions.count;
@@ -174,15 +174,15 @@ static INVCAL_NOINLINE void search_groups(search *s)
         one->unexplained = 1 - invcal_leverage(fit->sums.sum, row);
     }
     for (unsigned i = 0; i < count; i++) {
-        if (!visit(s, 0, i)) {
+        if (!visit(s, 1, i)) {
             continue;
         }
         for (unsigned j = 0; j < i; j++) {
-            if (!visit(s, 1, j)) {
+            if (!visit(s, 2, j)) {
                 continue;
             }
             for (unsigned k = 0; k < count; k++) {
-                (void)visit(s, 2, k);
+                (void)visit(s, 3, k);
             }
         }
     }
@@ -219,7 +219,6 @@ static INVCAL_ONCE int beats_rival(const search *s, unsigned k)
 /* The largest clear group. */
 static INVCAL_ONCE void clear_group(const search *s, invcal_group *found)
 {
-    const invcal_mask before = s->fit->positions.left_out;
     invcal_real chance = 1;
 
     found->group = 0;
@@ -233,9 +232,9 @@ static INVCAL_ONCE void clear_group(const search *s, invcal_group *found)
             continue;
         }
         if (beats_rival(s, k)) {
-            found->group = c->best & ~before;
+            found->group = c->best;
         } else if (!found->suspected) {
-            found->suspected = (c->best | c->rival) & ~before;
+            found->suspected = c->best | c->rival;
         } else {
             continue;
         }
@@ -247,8 +246,7 @@ static INVCAL_ONCE void clear_group(const search *s, invcal_group *found)
 
 void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
 {
-    const invcal_mask before = fit->positions.left_out;
-    const contest initial = {before, before, fit->squares, fit->squares};
+    const contest initial = {0, 0, fit->squares, fit->squares};
     const unsigned spare = invcal_fit_spare(fit, INVCAL_SPARE);
     search s;
 
@@ -259,7 +257,7 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
     for (unsigned k = 0; k <= INVCAL_GROUP; k++) {
         s.contests[k] = initial;
     }
-    s.group[0].out = before;
+    s.group[0].out = 0;
     s.group[0].squares = fit->squares;
     invcal_zero_reals(s.group[0].v, INVCAL_PARAMETERS);
     search_groups(&s);

@@ -48,19 +48,22 @@ static INVCAL_ONCE void sum_columns(const invcal_fit *fit, unsigned kind, unsign
                                     column columns[MORE])
 {
     const invcal_positions *p = &fit->positions;
-    const invcal_real half = INVCAL_REAL(0.5);
     invcal_real before[3];
     column v;
 
     for (unsigned k = 0; k < p->count; k++) {
-        const invcal_real tau = step ? (k < step ? -half : half)
-                                     : invcal_number(k) / invcal_number(p->count - 1) - half;
+        const unsigned passed = step ? k >= step : k;
+        const unsigned all = step ? 1 : p->count - 1;
+        const invcal_real tau = invcal_number(passed) / invcal_number(all) - INVCAL_REAL(0.5);
         (void)invcal_read(p->nominal, &p->raw[3 * (size_t)k], v);
         v[REST] = v[INVCAL_J];
         INVCAL_UNROLL
         for (unsigned a = 0; a < MORE; a++) {
             const invcal_real x = v[a];
-            v[C + a] = x * error_of(kind, x, k > 0 ? before[a] : x, tau);
+            if (k == 0) {
+                before[a] = x;
+            }
+            v[C + a] = x * error_of(kind, x, before[a], tau);
             before[a] = x;
         }
         if (p->left_out >> k & 1u) {
