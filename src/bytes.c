@@ -11,12 +11,21 @@
 
 #include "vector.h"
 
+#ifdef __AVR__ /* constants take memory there, unless they are read by other instructions */
+#include <avr/pgmspace.h>
+#define FLASH PROGMEM
+#define READ_FLASH(address) pgm_read_dword(address)
+#else
+#define FLASH
+#define READ_FLASH(address) (*(address))
+#endif
+
 #define EXPONENT UINT32_C(0x7F800000) /* of binary32: all set if not finite */
 #define NOT_A_NUMBER UINT32_C(0x7FC00000)
 
 enum { EMPTY_FRAME = 8 }; /* a frame without content */
 
-uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value)
+INVCAL_NOINLINE uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value)
 {
     for (unsigned i = 0; i < 4; i++) {
         *bytes++ = (uint8_t)(value & 0xFFu);
@@ -25,7 +34,7 @@ uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value)
     return bytes;
 }
 
-static uint32_t bits_of(invcal_real x)
+static INVCAL_ONCE uint32_t bits_of(invcal_real x)
 {
     uint32_t bits = NOT_A_NUMBER;
 
@@ -39,50 +48,46 @@ static uint32_t bits_of(invcal_real x)
 
 uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count)
 {
-    const unsigned char *from = (const unsigned char *)reals;
-    invcal_real x;
+    const invcal_real *from = (const invcal_real *)reals;
 
     for (; count > 0; count--) { /* at most 48: of a record of gyro.h */
-        memcpy(&x, from, sizeof x);
-        from += sizeof x;
-        bytes = invcal_put_u32(bytes, bits_of(x));
+        bytes = invcal_put_u32(bytes, bits_of(*from++));
     }
     return bytes;
 }
 
 int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
 {
-    unsigned char *to = (unsigned char *)reals;
+    invcal_real *to = (invcal_real *)reals;
     int are_finite = 1;
 
     for (; count > 0; count--) { /* at most 48: of a record of gyro.h */
         const uint32_t bits = invcal_get_u32(bytes);
         float f;
         memcpy(&f, &bits, sizeof f);
-        const invcal_real x = (invcal_real)f;
-        memcpy(to, &x, sizeof x);
+        *to++ = (invcal_real)f;
         if ((bits & EXPONENT) == EXPONENT) {
             are_finite = 0;
         }
-        to += sizeof x;
         bytes += 4;
     }
     return are_finite;
 }
 
-/* The polynomial 0x04C11DB7 with its bits reversed, since the least significant bit goes first. */
-uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count)
+/* The polynomial 0x04C11DB7 with its bits reversed, since the least significant bit goes first. Four
+ * bits at once: the table has what is left of each, divided by the polynomial. */
+INVCAL_NOINLINE uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count)
 {
+    static const uint32_t table[16] FLASH = {0x00000000, 0x1DB71064, 0x3B6E20C8, 0x26D930AC,
+                                             0x76DC4190, 0x6B6B51F4, 0x4DB26158, 0x5005713C,
+                                             0xEDB88320, 0xF00F9344, 0xD6D6A3E8, 0xCB61B38C,
+                                             0x9B64C2B0, 0x86D3D2D4, 0xA00AE278, 0xBDBDF21C};
+
     crc = ~crc;
     for (unsigned i = 0; i < count; i++) {
         crc ^= bytes[i];
-        for (unsigned bit = 0; bit < 8; bit++) {
-            const uint8_t is_odd = (uint8_t)(crc & 1u); /* a byte, for the AVR */
-            crc >>= 1;
-            if (is_odd) {
-                crc ^= UINT32_C(0xEDB88320);
-            }
-        }
+        crc = crc >> 4 ^ READ_FLASH(&table[crc & 15u]);
+        crc = crc >> 4 ^ READ_FLASH(&table[crc & 15u]);
     }
     return ~crc;
 }

@@ -44,7 +44,7 @@ uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count);
 int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count);
 
 /* CRC-32 (IEEE 802.3, as zlib): 0xCBF43926 for "123456789". Starts at 0, and goes on where an
- * earlier call ended. Bit by bit: a table would be larger than all its users. */
+ * earlier call ended. */
 uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count);
 #define INVCAL_CRC_RESIDUE UINT32_C(0x2144DF1C) /* of anything followed by its own CRC-32 */
 

@@ -40,13 +40,13 @@ typedef struct {
     uint8_t chunk[CHUNK];
 } work;
 
-static unsigned granularity_of(const work *w)
+static INVCAL_ONCE unsigned granularity_of(const work *w)
 {
     return (unsigned)w->store->granularity;
 }
 
 /* The end of size bytes, after the CRC; 0 if they do not fit a slot. */
-static unsigned end_of(const work *w, uint32_t size)
+INVCAL_NOINLINE static unsigned end_of(const work *w, uint32_t size)
 {
     const unsigned g = granularity_of(w);
     const unsigned end = ((unsigned)size + HEADER + INVCAL_CRC_SIZE + g - 1) & ~(g - 1);
@@ -55,19 +55,19 @@ static unsigned end_of(const work *w, uint32_t size)
 }
 
 /* Returns 0, or the driver's failure code. */
-static int read_chunk(work *w, unsigned at, unsigned count)
+INVCAL_NOINLINE static int read_chunk(work *w, unsigned at, unsigned count)
 {
     return w->store->read(w->store->context, w->slot, at, w->chunk, count);
 }
 
-static int program_chunk(const work *w, unsigned at, unsigned count)
+INVCAL_NOINLINE static int program_chunk(const work *w, unsigned at, unsigned count)
 {
     return w->store->program(w->store->context, w->slot, at, w->chunk, count);
 }
 
 /* Any bit will do: they are programmed only after everything else was read back. For the same
  * reason an unreadable granule counts as a blank one. */
-static state confirmation(work *w, unsigned end)
+INVCAL_NOINLINE static state confirmation(work *w, unsigned end)
 {
     const unsigned count = granularity_of(w);
 
@@ -82,20 +82,21 @@ static state confirmation(work *w, unsigned end)
 }
 
 /* Copies the chunk that begins with byte `first` of the data. */
-static void copy(const work *w, unsigned first, unsigned count)
+static INVCAL_ONCE void copy(const work *w, unsigned first, unsigned count)
 {
     const unsigned all = w->size <= w->capacity ? w->size : 0;
 
     for (unsigned i = 0; i < count; i++) {
         const unsigned to = first + i;
-        if (to < all) {
-            w->bytes[to] = w->chunk[i];
+        if (to >= all) {
+            return;
         }
+        w->bytes[to] = w->chunk[i];
     }
 }
 
 /* Reads the slot, copies its data to w->bytes, and returns its state. */
-static state look(work *w)
+INVCAL_NOINLINE static state look(work *w)
 {
     if (read_chunk(w, 0, HEADER) != 0) {
         return UNREADABLE;
@@ -120,7 +121,7 @@ static state look(work *w)
 }
 
 /* Begins a call: reads both slots, then the one to load. */
-static invcal_status survey(work *w, const invcal_store *store)
+INVCAL_NOINLINE static invcal_status survey(work *w, const invcal_store *store)
 {
     const uint32_t g = store->granularity;
 
@@ -150,23 +151,26 @@ static invcal_status survey(work *w, const invcal_store *store)
 }
 
 /* Erases the slot, and reads it back: some memories ignore commands. */
-static int clear(work *w)
+INVCAL_NOINLINE static int clear(work *w)
 {
     return w->store->erase(w->store->context, w->slot) == 0 && look(w) == EMPTY;
 }
 
 /* Fills chunks with header, bytes, padding and CRC, and programs them. */
-static int program(work *w, const uint8_t *bytes, unsigned size, unsigned end, uint32_t sequence)
+static INVCAL_ONCE int program(work *w, const uint8_t *bytes, unsigned size, unsigned end,
+                               uint32_t sequence)
 {
     (void)invcal_put_u32(invcal_put_two(w->chunk, SLOT_KIND_VERSION, size), sequence);
-    uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
+    uint32_t crc = invcal_crc32(invcal_crc32(0, w->chunk, HEADER), bytes, size);
     unsigned i = HEADER;
     unsigned at = HEADER;
     do { /* at most 2050 steps */
         for (; i < CHUNK && at < end; i++, at++) {
             uint8_t *byte = &w->chunk[i];
-            if (at < end - INVCAL_CRC_SIZE) {
-                *byte = at - HEADER < size ? bytes[at - HEADER] : BLANK;
+            if (at - HEADER < size) {
+                *byte = bytes[at - HEADER];
+            } else if (at < end - INVCAL_CRC_SIZE) {
+                *byte = BLANK;
                 crc = invcal_crc32(crc, byte, 1);
             } else {
                 *byte = (uint8_t)(crc & 0xFFu);
@@ -181,10 +185,11 @@ static int program(work *w, const uint8_t *bytes, unsigned size, unsigned end, u
     return 1;
 }
 
-static int confirm(work *w, unsigned end)
+/* The data were read back before: now only the confirmation is. */
+static INVCAL_ONCE int confirm(work *w, unsigned end)
 {
     invcal_zero(w->chunk, CHUNK);
-    return program_chunk(w, end, granularity_of(w)) == 0 && look(w) == CONFIRMED;
+    return program_chunk(w, end, granularity_of(w)) == 0 && confirmation(w, end) == CONFIRMED;
 }
 
 invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size)

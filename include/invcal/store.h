@@ -151,7 +151,7 @@ invcal_status invcal_load_session(const invcal_store *store, invcal_session *ses
  *                     neither slot can be read: nothing was erased then; call invcal_store_erase to
  *                     start over.
  * If one slot cannot be read (error correction, after a power cut), it is erased and used.
- * Reads both slots, and the new bytes twice. Stack: about 200 bytes, without the callbacks. */
+ * Reads both slots, and the new bytes. Stack: about 200 bytes, without the callbacks. */
 invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size);
 
 /* Loads them.

@@ -3,6 +3,8 @@
  * Instructions (AVR: cycles) that each operation takes, by the counter of the emulated machine.
  * Prints one line for each, its name and the figure, and OK. Counting itself is subtracted.
  */
+#include <string.h>
+
 #include "../report.h"
 #include "invcal/allan.h"
 #include "invcal/expert.h"
@@ -10,6 +12,7 @@
 #include "invcal/magnetometer.h"
 #include "invcal/gyro.h"
 #include "invcal/plan.h"
+#include "invcal/store.h"
 #include "invcal/thermal.h"
 
 enum { POSITIONS = 18, REPEATS = 16 };
@@ -398,6 +401,66 @@ static void bench_thermal(void)
     report("thermal_at", end());
 }
 
+/* A memory that costs next to nothing. */
+static uint8_t slots[2][INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, 8)];
+
+static int read_slot(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
+{
+    (void)context;
+    memcpy(bytes, &slots[slot][offset], size);
+    return 0;
+}
+
+static int erase_slot(void *context, unsigned slot)
+{
+    (void)context;
+    memset(slots[slot], 0xFF, sizeof slots[slot]);
+    return 0;
+}
+
+static int program_slot(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
+                        uint32_t size)
+{
+    (void)context;
+    memcpy(&slots[slot][offset], bytes, size);
+    return 0;
+}
+
+/* Over what was saved twice before: both slots are read. */
+static void bench_store(void)
+{
+    const invcal_store store = {read_slot, erase_slot, program_slot, NULL, sizeof slots[0], 8};
+    invcal_calibration calibration;
+    invcal_quality quality;
+    uint32_t count[4] = {0};
+    invcal_status status = invcal_session_solve(&session, &calibration, &quality);
+
+    for (unsigned i = 0; i < 3 && status == INVCAL_OK; i++) {
+        begin();
+        status = invcal_save_session(&store, &session);
+        count[0] = end();
+    }
+    if (status == INVCAL_OK) {
+        begin();
+        status = invcal_load_session(&store, &session);
+        count[1] = end();
+    }
+    for (unsigned i = 0; i < 3 && status == INVCAL_OK; i++) {
+        begin();
+        status = invcal_save(&store, &calibration, &quality);
+        count[2] = end();
+    }
+    begin();
+    if (status != INVCAL_OK || invcal_load(&store, &calibration) != INVCAL_OK) {
+        board_exit(1);
+    }
+    count[3] = end();
+    report("save_session", count[0]);
+    report("load_session", count[1]);
+    report("save", count[2]);
+    report("load", count[3]);
+}
+
 static invcal_moves moves;
 
 /* Quarter turns about x, z and y, five each, of five segments. */
@@ -512,6 +575,7 @@ int main(void)
     bench_allan();
     bench_thermal();
     report("session_solve", solve_session(0));
+    bench_store();
     report("session_solve_1_wrong", solve_session(1));
     report("session_solve_3_wrong", solve_session(3));
     bench_gyro();
