@@ -19,12 +19,13 @@
 #define CLEARLY INVCAL_REAL(1.001)    /* if directions differ by less, the first wins */
 #define NO_LENGTH INVCAL_REAL(1e-6)   /* a square, so that 0 has a length too */
 
-int invcal_direction(unsigned n, invcal_real up[3])
+INVCAL_NOINLINE int invcal_direction(unsigned n, invcal_real up[3])
 {
     static const invcal_real length[] = {0, 1, INVCAL_REAL(0.70710678118654752),
                                          INVCAL_REAL(0.57735026918962576)};
     unsigned squares = 0;
 
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
         const int sign = 1 - (int)(n & 3u);
         if (sign < -1) {
@@ -34,6 +35,7 @@ int invcal_direction(unsigned n, invcal_real up[3])
         squares += sign != 0;
         n >>= 2;
     }
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
         up[i] *= length[squares];
     }
@@ -42,14 +44,17 @@ int invcal_direction(unsigned n, invcal_real up[3])
 
 /* ---- information ----------------------------------------------------------------------------- */
 
-invcal_real invcal_ridged_inverse(invcal_sums *sums)
+INVCAL_NOINLINE invcal_real invcal_ridged_inverse(invcal_sums *sums)
 {
-    invcal_real *a = sums->sum;
+    invcal_real *const a = sums->sum;
+    invcal_real *diagonal = a;
 
     /* 10: at first the trace is 0 */
     const invcal_real ridge = RIDGE * (10 + invcal_trace(a, INVCAL_PARAMETERS));
+    INVCAL_ROLL
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        a[INVCAL_PACKED(r, r)] += ridge;
+        *diagonal += ridge;
+        diagonal += r + 2;
     }
     /* a sum of squares and a ridge is positive definite */
     (void)invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS, INVCAL_EPSILON);
@@ -63,23 +68,23 @@ void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal
 {
     const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current) + NO_LENGTH);
     invcal_real h[INVCAL_PARAMETERS];
-    invcal_real d[3];
     invcal_real best = 0;
+    unsigned next = 0;
 
     (void)invcal_ridged_inverse(sums);
     for (unsigned n = 0; n < INVCAL_DIRECTIONS; n++) {
-        if (!invcal_direction(n, d)) {
+        if (!invcal_direction(n, h)) {
             continue;
         }
-        const invcal_real along = invcal_dot3(d, current);
-        memcpy(h, d, sizeof d);
+        const invcal_real along = invcal_dot3(h, current);
         invcal_row_of(h);
         const invcal_real merit = invcal_leverage(sums->sum, h) * (length + ACROSS * along);
         if (along <= THE_SAME * length && !(merit <= CLEARLY * best)) { /* any, if all are NaN */
             best = merit;
-            memcpy(up, d, sizeof d);
+            next = n;
         }
     }
+    (void)invcal_direction(next, up);
 }
 
 void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,

@@ -14,7 +14,7 @@
 #include "vector.h"
 
 enum { SENSOR_AT = 4, DATE_AT = 12, POSITIONS_AT = 16, WEAK_AT = 18, PRIOR_AT = 20 };
-enum { VERDICT_AT = 22, KNOWN_AT = 23, REALS_AT = 24, NOISE_AT = 36, OFFSET_AT = 48 };
+enum { VERDICT_AT = 22, KNOWN_AT = 23, REALS_AT = 24, TEMPERATURE_AT = 32, NOISE_AT = 36, OFFSET_AT = 48 };
 enum { RECORD_REALS = 27, BEFORE_SIGMA = 18, CALIBRATION_REALS = 12 };
 enum { EVERY_PARAMETER = 0x1FF }; /* as a mask */
 
@@ -40,7 +40,7 @@ void invcal_record_init(invcal_record *record, const invcal_calibration *calibra
     record->verdict = quality->verdict;
 }
 
-static void put_record(const invcal_record *r, uint8_t *bytes)
+static INVCAL_ONCE void put_record(const invcal_record *r, uint8_t *bytes)
 {
     memcpy(bytes + SENSOR_AT, r->sensor, sizeof r->sensor);
     uint8_t *at = invcal_put_u32(bytes + DATE_AT, r->date);
@@ -49,8 +49,8 @@ static void put_record(const invcal_record *r, uint8_t *bytes)
     (void)invcal_put_reals(at, r, RECORD_REALS);
 }
 
-/* WEAK if and only if a parameter is weak. */
-static int is_consistent(const uint8_t *bytes, const invcal_record *r)
+/* WEAK if and only if a parameter is weak; a temperature that is not known is 0, of any sign. */
+static INVCAL_ONCE int is_consistent(const uint8_t *bytes)
 {
     const unsigned weak = invcal_get_u16(bytes + WEAK_AT);
     const unsigned verdict = bytes[VERDICT_AT];
@@ -58,7 +58,7 @@ static int is_consistent(const uint8_t *bytes, const invcal_record *r)
 
     return verdict <= INVCAL_WEAK && (weak > 0) == (verdict == INVCAL_WEAK) &&
            (weak | invcal_get_u16(bytes + PRIOR_AT)) <= EVERY_PARAMETER &&
-           (known > 0 ? known == 1 : r->temperature == 0);
+           (known > 0 ? known == 1 : invcal_get_u32(bytes + TEMPERATURE_AT) << 1 == 0);
 }
 
 /* Reads the reals and checks everything; overwrites r on failure. */
@@ -74,7 +74,7 @@ static invcal_status read_reals(const uint8_t *bytes, uint32_t size, invcal_reco
     if (!invcal_get_reals(bytes + REALS_AT, r, RECORD_REALS)) {
         return INVCAL_NOT_FINITE;
     }
-    return is_consistent(bytes, r) ? invcal_nominal_check(&r->calibration) : INVCAL_DAMAGED;
+    return is_consistent(bytes) ? invcal_nominal_check(&r->calibration) : INVCAL_DAMAGED;
 }
 
 /* Decodes the bytes again: rounded to float, they may not be a calibration. */

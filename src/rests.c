@@ -10,8 +10,6 @@
  */
 #include "invcal/expert.h"
 
-#include <limits.h>
-
 #include "vector.h"
 
 /* Every constant is a time, a ratio or a probability; none has a unit of the sensor.
@@ -90,46 +88,49 @@ enum {
 
 /* ---- numbers --------------------------------------------------------------------------------- */
 
-static int larger(int a, int b)
+static INVCAL_ONCE int larger(int a, int b)
 {
     return a > b ? a : b;
 }
 
-static uint32_t smaller(uint32_t a, uint32_t b)
+static INVCAL_ONCE uint32_t smaller(uint32_t a, uint32_t b)
 {
     return a < b ? a : b;
 }
 
 /* A number modulo 2^32 as a signed one. */
-static int32_t as_signed(uint32_t x)
+static INVCAL_ONCE int32_t as_signed(uint32_t x)
 {
     return x <= INT32_MAX ? (int32_t)x : -(int32_t)~x - 1;
 }
 
 /* |x| of a number modulo 2^32. */
-static uint32_t size_of(uint32_t x)
+static INVCAL_ONCE uint32_t size_of(uint32_t x)
 {
     return x <= INT32_MAX ? x : 0u - x;
 }
 
 /* x / 2^bits, towards 0: the same for both signs. */
-static int32_t shifted(int32_t x, unsigned bits)
+INVCAL_OFTEN static int32_t shifted(int32_t x, unsigned bits)
 {
     const uint32_t size = size_of((uint32_t)x) >> bits;
 
     return as_signed(x < 0 ? 0u - size : size);
 }
 
-/* The index of the highest set bit of x, from 0; 0 for 0 too. */
-static unsigned top_of(uint32_t x)
+/* The index of the highest set bit of x, from 0; 0 for 0 too. Without an instruction for it, the
+ * compiler's is a large function. */
+static INVCAL_ONCE unsigned top_of(uint32_t x)
 {
-/* cppcheck-suppress misra-c2012-20.9 ; of limits.h */
-#if defined(__GNUC__) && UINT_MAX == UINT32_MAX && !defined(__FRAMAC__)
+#ifdef __ARM_FEATURE_CLZ
     return 31u - (unsigned)__builtin_clz(x | 1);
 #else
     unsigned top = 0;
 
-    for (; x > 1; x >>= 1) { /* at most 31 steps */
+    for (; x > 255; x >>= 8) { /* at most 3 steps */
+        top += 8;
+    }
+    for (; x > 1; x >>= 1) { /* at most 7 steps */
         top++;
     }
     return top;
@@ -138,7 +139,7 @@ static unsigned top_of(uint32_t x)
 
 /* The logarithm to base 2, OCTAVE for a factor of 2; linear between powers of two, so up to 6 %
  * low. 0 counts as 1/2. */
-static int octaves(uint32_t x)
+INVCAL_OFTEN static int octaves(uint32_t x)
 {
     const unsigned top = top_of(x);
 
@@ -188,6 +189,7 @@ INVCAL_OFTEN static int distance_from_place(const invcal_rests *s)
 /* Takes the rest as the place of the last position, or of the first rest. */
 INVCAL_NOINLINE static void mark_place(invcal_rests *s)
 {
+    INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
         s->axis[a].place = s->axis[a].origin;
     }
@@ -197,7 +199,7 @@ INVCAL_NOINLINE static void mark_place(invcal_rests *s)
 
 /* After motion 0.5 s of quiet blocks are skipped: half the min of a position, rounded up, and the
  * one that may have begun in motion. */
-static void skip(invcal_rests *s)
+static INVCAL_ONCE void skip(invcal_rests *s)
 {
     s->skip = (uint8_t)((s->least + 3u) / 2);
 }
@@ -214,13 +216,13 @@ INVCAL_NOINLINE static void clear_rest(invcal_rests *s)
 }
 
 /* The samples of a block. */
-static uint16_t samples_of(const invcal_rests *s)
+static INVCAL_ONCE uint16_t samples_of(const invcal_rests *s)
 {
     return (uint16_t)(1u << s->bits);
 }
 
 /* Drops the block: the next sample begins another. */
-static void drop(invcal_rests *s)
+static INVCAL_ONCE void drop(invcal_rests *s)
 {
     s->missing = 0;
     s->span = 0;
@@ -228,7 +230,7 @@ static void drop(invcal_rests *s)
 
 /* Differences are to the first sample. The fast sum is for a first sample far from the rails, with
  * the quantum known. */
-static void begin(invcal_rests *s, const int32_t raw[3])
+static INVCAL_ONCE void begin(invcal_rests *s, const int32_t raw[3])
 {
     if (s->stage == LEFT) {
         clear_rest(s);
@@ -298,13 +300,14 @@ static int add_small(invcal_rests *s, const int32_t raw[3])
 /* The block's mean, from its first sample, and instead of the squares its variance, 1/2^20
  * counts^2, without n / (n - 1). Integers, so nothing cancels, and it is never below 0: Cauchy and
  * Schwarz. */
-static void measure(invcal_rests *s)
+static INVCAL_ONCE void measure(invcal_rests *s)
 {
     const unsigned up = 2 * FINE - s->bits; /* 10 to 18 */
     const uint32_t low = (uint32_t)s->square;
     const uint32_t high = (uint32_t)(s->square >> 32);
     uint64_t square = 0;
 
+    INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
         s->axis[a].sum <<= FINE - s->bits;
         if (s->axis[a].sum != 0) {
@@ -318,7 +321,7 @@ static void measure(invcal_rests *s)
 /* ---- learning from the stream ---------------------------------------------------------------- */
 
 /* The level of the quantum; that of 1/2 count until it is known. */
-static int quantum_level(const invcal_rests *s)
+static INVCAL_ONCE int quantum_level(const invcal_rests *s)
 {
     return 2 * octaves(s->quantum) + ONE;
 }
@@ -342,7 +345,7 @@ INVCAL_OFTEN static int follow(int level, int x)
  * updates it. A block with far less noise, so that there was motion before, sets the level and
  * restarts the rest; but once there are enough blocks for a position, a single one changes
  * little. */
-static void learn_noise(invcal_rests *s, int level, int hidden)
+static INVCAL_ONCE void learn_noise(invcal_rests *s, int level, int hidden)
 {
     int noise = larger(s->noise, hidden);
 
@@ -356,7 +359,7 @@ static void learn_noise(invcal_rests *s, int level, int hidden)
 /* A fan is switched on, or the device moves from a hand to a table: blocks in a row, not quiet, but
  * of similar variance, and closer to where they are expected (without a rest, where the previous
  * block was) than their noise. Then that is the new noise. */
-static void learn_new_noise(invcal_rests *s, int level, int jump)
+static INVCAL_ONCE void learn_new_noise(invcal_rests *s, int level, int jump)
 {
     const int d = level - s->other;
 
@@ -377,7 +380,7 @@ static void learn_new_noise(invcal_rests *s, int level, int jump)
 
 /* Measures the mean of an axis from origin; without a rest, origin moves to it, in whole counts.
  * Returns the distance of the block from the trend of the rest, which may drift slowly. */
-static uint32_t locate_axis(invcal_rests_axis *x, int has_rest)
+static INVCAL_ONCE uint32_t locate_axis(invcal_rests_axis *x, int has_rest)
 {
     uint32_t off = (uint32_t)x->first - (uint32_t)x->origin;
     const uint32_t d = x->sum + (off << FINE) - (uint32_t)x->rest.once - (uint32_t)x->rest.lag;
@@ -391,11 +394,12 @@ static uint32_t locate_axis(invcal_rests_axis *x, int has_rest)
 }
 
 /* The level of that distance, all axes together. */
-static int locate(invcal_rests *s)
+static INVCAL_ONCE int locate(invcal_rests *s)
 {
     uint64_t square = 0;
     int is_beyond = 0;
 
+    INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
         invcal_rests_axis *const x = &s->axis[a];
         is_beyond |= (uint32_t)x->first - (uint32_t)x->origin + WIDE >= 2 * WIDE;
@@ -405,14 +409,14 @@ static int locate(invcal_rests *s)
 }
 
 /* The blocks of the rest, with those held back. */
-static uint32_t blocks_of(const invcal_rests *s)
+static INVCAL_ONCE uint32_t blocks_of(const invcal_rests *s)
 {
     return (uint32_t)s->blocks + s->pended;
 }
 
 /* Brown's double exponential smoothing: an exponential mean, and the exponential mean of that. On a
  * slope the first lags, the second lags again: that lag gives the slope. */
-static void add_mean(invcal_rests_axis *x, unsigned bits, unsigned fade)
+static INVCAL_ONCE void add_mean(invcal_rests_axis *x, unsigned bits, unsigned fade)
 {
     x->rest.total += (uint64_t)(int64_t)shifted(x->rest.pending[0], bits);
     x->rest.pending[0] = x->rest.pending[1];
@@ -426,7 +430,7 @@ static void add_mean(invcal_rests_axis *x, unsigned bits, unsigned fade)
 
 /* The rest has one more block: the oldest one held back is safe now, since no motion followed it.
  * The first blocks have nearly equal weights. */
-INVCAL_OFTEN static void add_block(invcal_rests *s)
+static INVCAL_ONCE void add_block(invcal_rests *s)
 {
     const unsigned fade = (unsigned)smaller(top_of(2 * blocks_of(s) + 1), FADE);
 
@@ -451,10 +455,11 @@ INVCAL_OFTEN static void add_block(invcal_rests *s)
  * v / (5.5 g^3), within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) above
  * b^2 g^3 = 8 / 5.5 v. The wander includes the slope, up to 8 b^2 before the trend is known: so an
  * eighth of it counts as v. */
-static int is_drifting(const invcal_rests *s)
+static INVCAL_ONCE int is_drifting(const invcal_rests *s)
 {
     const int g = octaves(smaller(blocks_of(s), 60)) - 2 * OCTAVE;
     uint64_t lag = 0;
+    INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
         add_squared(&lag, (uint32_t)s->axis[a].rest.lag);
     }
@@ -469,7 +474,7 @@ static int is_drifting(const invcal_rests *s)
 /* ---- events of a rest ------------------------------------------------------------------------ */
 
 /* Has nothing ever changed, or one axis not, although the others are too noisy for that? */
-static int is_stuck(const invcal_rests *s)
+static INVCAL_ONCE int is_stuck(const invcal_rests *s)
 {
     return s->quantum == 0 ||
            ((s->flags & ALL_CHANGED) != ALL_CHANGED && s->noise > quantum_level(s) + ALIVE);
@@ -498,7 +503,7 @@ INVCAL_NOINLINE static invcal_status fault(const invcal_rests *s)
     return (s->flags & LOST) != 0 ? INVCAL_REST_GAP : INVCAL_REST_SHORT;
 }
 
-static invcal_event report(invcal_rests *s, invcal_status why, invcal_event event)
+static INVCAL_ONCE invcal_event report(invcal_rests *s, invcal_status why, invcal_event event)
 {
     s->reason = (uint8_t)why;
     return event;
@@ -508,27 +513,30 @@ static invcal_event report(invcal_rests *s, invcal_status why, invcal_event even
 INVCAL_NOINLINE static invcal_event finish(invcal_rests *s)
 {
     const invcal_status why = fault(s);
-    const int is_nothing = s->blocks < s->least / 4 || s->stage == (uint8_t)why; /* nothing twice */
+    invcal_event event = INVCAL_MOVING;
 
-    if (why != INVCAL_OK) {
-        clear_rest(s);
-        return is_nothing ? INVCAL_MOVING : report(s, why, INVCAL_REFUSED);
+    if (why == INVCAL_OK) {
+        mark_place(s);
+        s->taken = 1;
+        s->stage = LEFT;
+        return report(s, why, INVCAL_TAKEN);
     }
-    mark_place(s);
-    s->taken = 1;
-    s->stage = LEFT;
-    return report(s, why, INVCAL_TAKEN);
+    if (s->blocks >= s->least / 4 && s->stage != (uint8_t)why) { /* nothing twice */
+        event = report(s, why, INVCAL_REFUSED);
+    }
+    clear_rest(s);
+    return event;
 }
 
 /* Drift and shortness are not reported yet: the rest may settle, or become long enough. */
-static int is_news(const invcal_rests *s, invcal_status why)
+static INVCAL_ONCE int is_news(const invcal_rests *s, invcal_status why)
 {
     return s->stage != HELD && s->stage != (uint8_t)why && why != INVCAL_REST_DRIFT &&
            why != INVCAL_REST_SHORT && why != INVCAL_REST_GAP;
 }
 
 /* Is there a new event of the rest? */
-static invcal_event announce(invcal_rests *s)
+static INVCAL_ONCE invcal_event announce(invcal_rests *s)
 {
     if (s->blocks >= s->least) {
         s->drift = is_drifting(s) ? (uint8_t)(s->drift + 1u) : 0;
@@ -559,7 +567,7 @@ INVCAL_NOINLINE static invcal_event disagree(invcal_rests *s, int is_quiet, int 
 }
 
 /* The block belongs to the rest. */
-static invcal_event agree(invcal_rests *s)
+static INVCAL_ONCE invcal_event agree(invcal_rests *s)
 {
     s->flags |= s->seen;
     if (s->skip > 0) {
@@ -575,15 +583,16 @@ static invcal_event agree(invcal_rests *s)
 
 /* No noise, although there was some before; or the same number on all three axes, which no triad
  * delivers: the sensor is not being read. */
-static int is_dead(const invcal_rests *s, int quantum)
+static INVCAL_ONCE int is_dead(const invcal_rests *s, int quantum)
 {
     return s->square == 0 && (s->noise > quantum || (s->axis[0].first == s->axis[1].first &&
                                                      s->axis[1].first == s->axis[2].first));
 }
 
 /* A rest may begin with this block. */
-static void look_for(invcal_rests *s)
+static INVCAL_ONCE void look_for(invcal_rests *s)
 {
+    INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
         invcal_zero(&s->axis[a].rest, sizeof s->axis[a].rest);
     }
@@ -597,7 +606,7 @@ static void look_for(invcal_rests *s)
 
 /* The block is alive. Returns by how much it exceeds the limits of the rest, and whether it is
  * quiet. */
-static int judge(invcal_rests *s, int quantum, int *is_quiet)
+static INVCAL_ONCE int judge(invcal_rests *s, int quantum, int *is_quiet)
 {
     const int level = larger(level_of(s->square), quantum + HIDDEN);
     int jump = locate(s);
@@ -618,7 +627,7 @@ static int judge(invcal_rests *s, int quantum, int *is_quiet)
 }
 
 /* Has it been dead long enough to report, and was this not reported yet? */
-static int is_frozen(invcal_rests *s)
+static INVCAL_ONCE int is_frozen(invcal_rests *s)
 {
     s->run++;
     return s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN;
@@ -649,7 +658,7 @@ INVCAL_NOINLINE static invcal_event decide(invcal_rests *s)
 
 /* ---- sums and means -------------------------------------------------------------------------- */
 
-static int is_readable(const invcal_rests *s)
+static INVCAL_ONCE int is_readable(const invcal_rests *s)
 {
     return s->stage == HELD || s->stage == LEFT;
 }
@@ -782,12 +791,13 @@ int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3])
     if (!is_readable(rests)) {
         return 0;
     }
-    const invcal_real count = (invcal_real)((uint32_t)rests->blocks << rests->bits);
+    const invcal_real count = (invcal_real)((int32_t)rests->blocks << rests->bits);
+    INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
         const uint64_t total = rests->axis[a].rest.total;
         const invcal_real high = (invcal_real)as_signed((uint32_t)(total >> 16));
         mean[a] = (invcal_real)rests->axis[a].origin +
-                  (high * 65536 + (invcal_real)(uint32_t)(total & 65535)) / count;
+                  (high * 65536 + (invcal_real)(int32_t)(total & 65535)) / count;
     }
     return 1;
 }

@@ -6,7 +6,6 @@
  * bounded.
  */
 #include <stddef.h>
-#include <string.h>
 
 #include "guidance.h"
 #include "invcal/store.h"
@@ -22,6 +21,17 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 /* The size before the means, and an identifier of layout, number type and byte order. */
 #define HEAD ((uint32_t)offsetof(invcal_session, mean))
 #define LAYOUT (UINT32_C(0x5E040000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
+
+/* From the first byte on. Volatile: not by memcpy, see vector.c. */
+INVCAL_NOINLINE static void copy_bytes(void *to, const void *from, size_t size)
+{
+    const uint8_t *source = (const uint8_t *)from;
+    volatile uint8_t *at = (volatile uint8_t *)to;
+
+    for (size_t i = 0; i < size; i++) {
+        at[i] = source[i];
+    }
+}
 
 /* ---- settings -------------------------------------------------------------------------------- */
 
@@ -53,7 +63,7 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
         session->high = INT32_MAX;
         session->rate = rate;
         session->count = 0;
-        session->nominal = *nominal;
+        copy_bytes(&session->nominal, nominal, sizeof *nominal);
         session->noise = 0;
     }
     return status;
@@ -142,15 +152,13 @@ INVCAL_NOINLINE static invcal_status read_rest(const invcal_session *session, in
 }
 
 /* The table is in the order of taking; if it is full, the oldest is dropped. */
-static void keep(invcal_session *session)
+static INVCAL_ONCE void keep(invcal_session *session)
 {
     unsigned count = session->count;
 
     if (count == INVCAL_MAX_POSITIONS) {
         count--;
-        for (unsigned i = 0; i < count; i++) { /* row by row: one loop becomes memmove */
-            memcpy(session->mean[i], session->mean[i + 1], sizeof session->mean[0]);
-        }
+        copy_bytes(session->mean[0], session->mean[1], count * sizeof session->mean[0]);
     }
     (void)invcal_rests_mean(&session->rests, session->mean[count]); /* TAKEN: there is one */
     session->count = (uint8_t)(count + 1u);

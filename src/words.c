@@ -13,21 +13,22 @@ enum { NAMED = 64 }; /* an axis up to this is not named: 6 degrees */
 enum { TEXTS = 7 };
 
 /* The tilt in units of 5 degrees, at least 1, whose cosine is `less` parts below 1. */
-static unsigned tilt(unsigned less)
+static INVCAL_ONCE unsigned tilt(unsigned less)
 {
     /* of 7.5, 12.5 ... 52.5 degrees */
     static const uint8_t border[] = {5, 15, 30, 49, 72, 100, 132, 168, 208, 250};
-    unsigned n = 0;
+    unsigned n = 1;
 
-    while (n < sizeof border && less > border[n]) { /* at most 10 steps */
-        n++;
+    INVCAL_ROLL
+    for (unsigned i = 0; i < sizeof border; i++) {
+        n += less > border[i];
     }
-    return n + 1;
+    return n;
 }
 
 /* Writes text number n: before the first, second, third axis; after the third, second, first. # is
  * the tilt, as a multiple of 5 degrees. */
-static char *put(char *at, unsigned n, unsigned fives)
+INVCAL_NOINLINE static char *put(char *at, unsigned n, unsigned fives)
 {
     static const char texts[] = "\0 up, tilt # deg, \0 and \0 rise\0 rises\0 up\0";
     const char *text = texts;
@@ -56,12 +57,13 @@ const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS])
     char *at = words;
 
     INVCAL_ASSERT(up && words);
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
         const invcal_real x = INVCAL_FABS(up[i]);
         unsigned parts = WHOLE;
         if (x < 1) {
             //@ assert \is_finite(x); // no NaN is less than 1
-            parts = (unsigned)(x * WHOLE);
+            parts = (unsigned)(int)(x * WHOLE);
         }
         size[i] = parts;
         const unsigned rank = parts + (i ^ 1u); /* of equals z comes first, then x */
@@ -71,6 +73,7 @@ const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS])
         }
     }
     const unsigned fives = tilt(WHOLE - size[axis]);
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) { /* the largest first, then in the order x, y, z, x */
         if (size[axis] > NAMED) {
             at = put(at, named, fives);
