@@ -29,6 +29,8 @@ LIBRARY := $(patsubst %.c,$(OUT)/%.o,$(wildcard src/*.c))
 SUITES  := $(filter-out $(WITHOUT),$(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c)))
 # A suite that is too large is several images: PARTS_test_session := 0 1 2 in target.mk.
 IMAGES  := $(foreach s,$(SUITES),$(if $(PARTS_$s),$(PARTS_$s:%=$s.%),$s))
+# The same for the digest: the names of its parts.
+DIGESTS := $(if $(PARTS_digest),$(PARTS_digest:%=digest.%),digest)
 COMMON  := $(BOARD:%.c=$(OUT)/%.o)
 Q := $(if $(V),,@)
 
@@ -55,7 +57,7 @@ $(OUT)/unity.o: $(UNITY)/unity.c $(RULES)
 $(BUILD)/positions.h: tests/data/to_c.awk $(wildcard tests/data/*_positions.csv)
 	@mkdir -p $(@D)
 	$(Q)awk -f $^ > $@
-$(IMAGES:%=$(OUT)/tests/unit/%.o) $(OUT)/tests/digest/digest.o: | $(BUILD)/positions.h
+$(IMAGES:%=$(OUT)/tests/unit/%.o) $(OUT)/tests/digest/calibrations.o: | $(BUILD)/positions.h
 
 $(OUT)/tests/unit/%.o: FLAGS += $(TESTING)
 $(OUT)/tests/digest/%.o: FLAGS += -Itests/reference -I$(BUILD)
@@ -72,12 +74,17 @@ $(OUT)/%.elf: $(OUT)/tests/unit/%.o $(OUT)/tests/unit/support.o $(OUT)/unity.o $
 
 tests: $(IMAGES:%=$(OUT)/%.elf)
 
+$(PARTS_digest:%=$(OUT)/tests/digest/digest.%.o): $(OUT)/tests/digest/digest.%.o: tests/digest/digest.c $(RULES)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(FLAGS) -DDIGEST_PART=$* -c $< -o $@
+
 $(OUT)/bench.elf: $(OUT)/tests/bench/bench.o
-$(OUT)/digest.elf: $(OUT)/tests/digest/digest.o
-$(OUT)/bench.elf $(OUT)/digest.elf: $(COMMON) $(LIBRARY)
+$(DIGESTS:%=$(OUT)/%.elf): $(OUT)/%.elf: $(OUT)/tests/digest/%.o \
+    $(patsubst %.c,$(OUT)/%.o,$(filter-out %/digest.c,$(wildcard tests/digest/*.c)))
+$(OUT)/bench.elf $(DIGESTS:%=$(OUT)/%.elf): $(COMMON) $(LIBRARY)
 	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections $(LINK) -o $@
 
-digest: $(OUT)/digest.elf
+digest: $(DIGESTS:%=$(OUT)/%.elf)
 
 bench: $(OUT)/bench.elf
 

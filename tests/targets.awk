@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
-# Summarizes what the images of the targets printed. First argument: the digest of the host; then
-# the logs, BUILD/TARGET/IMAGE.log, those of a target in a row, each with a last line
-# `exit status N`. Exits with 1 if anything failed.
+# Summarizes what the images of the targets printed. Arguments: the logs, BUILD/TARGET/IMAGE.log,
+# those of a target in a row, each with a last line `exit status N`; of the digest compared.log, what
+# digest/compare.awk says. Exits with 1 if anything failed.
 
 function judge_digest() {
     tests[target]++
@@ -25,7 +25,7 @@ function judge_suite() {
 
 function judge() {
     if (log_name == "") return
-    if (image == "digest" ? judge_digest() : judge_suite()) printf "== %s %s\n%s", target, image, shown
+    if (image == "compared" ? judge_digest() : judge_suite()) printf "== %s %s\n%s", target, image, shown
 }
 
 function begin(    part, n) {
@@ -37,19 +37,18 @@ function begin(    part, n) {
     sub(/\.log$/, "", image)
     if (!(target in failed)) { order[++targets] = target; failed[target] = 0 }
     shown = ""
-    said = count = failures = ignored = status = same = differences = 0
+    said = count = failures = ignored = status = same = 0
 }
 
-NR == FNR { host[FNR] = $0; if ($1 == "digest") host_digest = $2; next }
 FNR == 1 { begin() }
 /^exit status [0-9]+$/ {
     status = $3
     shown = shown $0 "\n"
     next
 }
-image == "digest" {
-    if ($1 == "digest") same = $2 "" == host_digest "" # as text: 1E2 is not 100
-    if ($0 != host[FNR] && differences++ < 3) shown = shown $0 ", on the host " host[FNR] "\n"
+image == "compared" {
+    same = $0 == "same"
+    shown = $0 "\n"
     next
 }
 /:IGNORE/ {

@@ -4,8 +4,8 @@
 #
 # sh tests/targets.sh BUILD [TARGET...]
 # Builds the unit tests for every target folder under port/, or those named, runs them in its
-# emulator, two images at a time, and compares the digest of its calibrations with the host's,
-# which BUILD/float/digest prints. Shows what failed, a table, why tests were skipped, and at the
+# emulator, two images at a time, and compares the digest of what it computes with the host's, which
+# BUILD/float/digest prints. Shows what failed, a table, why tests were skipped, and at the
 # end `N passed, N failed`.
 build=$1
 shift
@@ -48,5 +48,11 @@ xargs -L 1 -P 2 sh -c 'limit=$1 log=$2; shift 2
     echo "exit status $?" >> "$log"' image "$limit" < "$list"
 
 "$build/float/digest" > "$build/targets/host.log" || exit 1
+for target; do
+    target_facts "$build/targets" "${target%/target.mk}" || exit 1
+    awk -f "$here/digest/compare.awk" "$build/targets/host.log" "$out"/digest*.log > "$out/compared.log"
+    echo "$out/compared.log" >> "$list"
+done
+# The images of a target in a row; of the digest only how it compares.
 # shellcheck disable=SC2046 # names without blanks
-awk -f "$here/targets.awk" "$build/targets/host.log" $(cut -d ' ' -f 1 "$list")
+awk -f "$here/targets.awk" $(cut -d ' ' -f 1 "$list" | grep -v '/digest[^/]*$' | sort)

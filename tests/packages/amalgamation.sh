@@ -1,13 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# shellcheck disable=SC2154 # package.sh and target_facts set what is not set here
+# shellcheck disable=SC2154 # package.sh sets what is not set here
 #
-# The library as two files: every compiler compiles it, with the example; and on a target of each
-# family it computes the same bits as the library of many files does here.
-. "$(dirname "$0")/../target.sh"
-. "$(dirname "$0")/../package.sh" # last, as both define need, and this one's ends with a result
-need gcc g++ clang-19 clang++-19 arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc powerpc-linux-gnu-gcc \
-    qemu-system-arm qemu-system-riscv32 simavr qemu-ppc
+# The library as two files: every compiler compiles it, with the example. (That it computes the same bits
+# as the library of many files, tests/builds.sh checks.)
+. "$(dirname "$0")/../package.sh"
+need gcc g++ clang-19 clang++-19
 strict='-std=c99 -O1 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow
     -pedantic -Werror'
 files=$out/amalgamation/invcal
@@ -64,25 +62,6 @@ takes_config() { # a header of choices reaches the library and its user
         "$out/chosen"
 }
 
-# A tree in which the two files replace src and include: every header is a copy of invcal.h.
-lay_tree() {
-    mkdir -p "$out/tree/src" "$out/tree/include/invcal" && cp "$files"/invcal.[ch] "$out/tree/src/" &&
-        for header in include/invcal/*.h; do
-            cp "$files/invcal.h" "$out/tree/$header" || return
-        done
-    ln -s "$root/port" "$root/tests" "$out/tree/"
-}
-
-same_bits() { # TARGET
-    (
-        cd "$out/tree" && target_facts build "port/$1" &&
-            target_make build "port/$1" digest || exit 1
-        # shellcheck disable=SC2086 # the command and its options
-        timeout 60 $run "$out/digest.elf" 2>&1 < /dev/null | tr -d '\r' | grep '^digest ' |
-            diff ../digest -
-    )
-}
-
 check "it can be staged" stage amalgamation
 check "staged again in another locale, it has the same bytes" same_bytes
 for compiler in gcc clang-19; do
@@ -99,12 +78,4 @@ check "only what is called is linked" links_what_is_called
 check "gcc as C++: the example prints what it must" runs_as_cpp g++
 check "clang as C++: the example prints what it must" runs_as_cpp clang++-19
 check "INVCAL_CONFIG_HEADER is included" takes_config
-check "a tree can be made of it" lay_tree
-"$build/float/digest" | grep '^digest ' > "$out/digest"
-for target in cortex-m/m4f avr/atmega1284p; do
-    check "$target computes the bits of this machine" same_bits $target
-done
-for target in cortex-m/m0plus riscv/rv32imac powerpc; do
-    long "$target computes the bits of this machine" same_bits $target
-done
 finish

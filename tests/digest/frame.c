@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Axes: those of the case, from its faces; those of a stand, from its program.
+ */
+#include "digest.h"
+
+#include "invcal/frame.h"
+#include "invcal/plan.h"
+
+static invcal_calibration nominal;
+
+/* The reading of a direction, by a sensor that sits askew in its case. */
+static void read_askew(const float up[3], float raw[3])
+{
+    static const float askew[3] = {0.04f, -0.07f, 0.1f};
+
+    memcpy(raw, up, 3 * sizeof *raw);
+    input_turn(raw, askew);
+    for (int i = 0; i < 3; i++) {
+        raw[i] = 32768 + 4096 * (raw[i] + 1e-3f * input_noise());
+    }
+}
+
+static void faces(void)
+{
+    invcal_frame frame;
+    invcal_frame_quality quality;
+    invcal_calibration calibration = nominal;
+    float rotation[3][3];
+
+    digest_set("faces");
+    invcal_frame_init(&frame);
+    for (int i = 0; i < 6; i++) {
+        float up[3] = {0, 0, 0}, raw[3];
+        up[i / 2] = i % 2 ? -1 : 1;
+        read_askew(up, raw);
+        digest_bits("added", invcal_frame_add(&frame, &nominal, raw, up));
+    }
+    digest_bits("status", invcal_frame_solve(&frame, rotation, &quality));
+    digest_reals("rotation", rotation[0], 9);
+    digest_reals("sigma", quality.sigma, 3);
+    digest_reals("scatter", &quality.scatter, 1);
+    invcal_frame_turn((const invcal_real(*)[3])rotation, &calibration);
+    digest_reals("matrix", calibration.matrix[0], 9);
+}
+
+static void level(void)
+{
+    static const float up[3] = {0, 0, 1};
+    invcal_frame frame;
+    float rotation[3][3], raw[3];
+
+    digest_set("level");
+    invcal_frame_init(&frame);
+    for (int i = 0; i < 3; i++) {
+        read_askew(up, raw);
+        digest_bits("added", invcal_frame_add(&frame, &nominal, raw, up));
+    }
+    digest_bits("status", invcal_frame_level(&frame, up, rotation));
+    digest_reals("rotation", rotation[0], 9);
+}
+
+static void stand(void)
+{
+    invcal_plan plan = {.per_group = 6, .start = {0, 0, 0}};
+    invcal_full_vector full;
+    invcal_calibration calibration;
+    float x[INVCAL_PARAMETERS], mounting[3][3], raw[3];
+
+    digest_set("stand");
+    digest_bits("starts", invcal_plan_starts(plan.per_group, plan.start));
+    digest_reals("start", plan.start, INVCAL_PLAN_GROUPS);
+    invcal_full_vector_init(&full);
+    for (unsigned i = 0; i < 3 * plan.per_group; i++) {
+        invcal_plan_position position;
+        digest_bits("status", invcal_plan_position_at(&plan, i, &position));
+        digest_reals("alpha", &position.alpha, 1);
+        digest_reals("beta", &position.beta, 1);
+        digest_reals("vertical", position.vertical, 3);
+        digest_bits("axis_up", invcal_axis_up(position.vertical));
+        read_askew(position.vertical, raw);
+        digest_bits("added", invcal_full_vector_add(&full, &nominal, raw, position.vertical));
+    }
+    digest_bits("status", invcal_full_vector_solve(&full, &nominal, &calibration, x, mounting));
+    digest_calibration(&calibration, &nominal);
+    digest_reals("x", x, INVCAL_PARAMETERS);
+    digest_reals("mounting", mounting[0], 9);
+}
+
+void part_frame(void)
+{
+    input_nominal(&nominal);
+    faces();
+    level();
+    stand();
+}
