@@ -41,7 +41,7 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: help all install uninstall demo web test check check-web windows targets firmware size bench schema pages manual derived \
+.PHONY: help all install uninstall demo web test check check-web windows targets builds firmware size bench schema pages manual derived \
     rules coverage mutation fuzz proof numerics check-gates reference fleet format deps \
     package packages check-packages dist clean
 
@@ -239,8 +239,12 @@ mutation: ## do the unit tests notice small changes to src/? (SAMPLE=, SEED=, ON
 	$(call need,python3)
 	$(Q)CC="$(CC)" sh tests/mutation.sh $(BUILD) $(or $(SAMPLE),150) $(or $(SEED),1) $(ONLY)
 
-targets: $(BUILD)/float/digest ## the unit tests on emulated targets, and the same bits on all of them (QUICK=1)
+# All targets at full length come with all builds.
+targets: $(BUILD)/float/digest $(if $(QUICK)$(TARGETS),,builds) ## the unit tests on emulated targets, and the same bits on all of them (QUICK=1)
 	$(Q)QUICK="$(QUICK)" sh tests/targets.sh $(BUILD) $(TARGETS)
+
+builds: $(BUILD)/float/digest ## the same bits from every build: sources, levels, compilers (BRIEF=1, ONLY='m4f .* -Os')
+	$(Q)BRIEF="$(BRIEF)" ONLY="$(ONLY)" sh tests/builds.sh $(BUILD) $(TARGETS)
 
 firmware: ## run the example firmware on an emulated Cortex-M4F, and check what it prints
 	$(call need,arm-none-eabi-gcc)

@@ -49,6 +49,9 @@ $(OUT)/%.o: %.c $(RULES)
 # Where int has 16 bits, it is here that a number too large for it is noticed.
 $(LIBRARY): FLAGS += -Wconversion -pedantic -Werror
 
+# Not at link time: the optimiser does not see which names the assembly of a start-up uses.
+$(COMMON): FLAGS += -fno-lto
+
 $(OUT)/unity.o: $(UNITY)/unity.c $(RULES)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(FLAGS) $(TESTING) -c $< -o $@

@@ -23,6 +23,7 @@ function finish() {
 }
 
 FNR == 1 { finish(); is_host = FILENAME == ARGV[1] }
+/^FAIL/ { differs($0) } # by the board: its stack
 $1 == "part" { finish(); part = $2; at = 0 }
 part == "" { next }
 $1 == "set" { set = substr($0, 5) }
