@@ -27,12 +27,12 @@
 
 /* Of all kinds of systematic errors. */
 typedef struct {
-    unsigned kind;        /* of the most significant one that can be named, or none */
-    invcal_real squares;  /* left by it */
-    invcal_real chance;   /* its probability by chance alone */
-    unsigned significant; /* as bits, with those that cannot be named */
-    unsigned unchecked;   /* as in invcal_quality */
-    invcal_real least;    /* squares left by the best of all with spare degrees of freedom */
+    unsigned kind;       /* of the most significant one that can be named, or none */
+    invcal_real squares; /* left by it */
+    invcal_real chance;  /* its probability by chance alone */
+    int is_significant;  /* is any, even if it cannot be named? */
+    unsigned unchecked;  /* as in invcal_quality */
+    invcal_real least;   /* squares left by the best of all with spare degrees of freedom */
 } diagnosis;
 
 /* Tests a kind. Returns 1 if its columns leave enough degrees of freedom for it to be named. */
@@ -40,7 +40,7 @@ static INVCAL_OFTEN int test(const invcal_fit *fit, diagnosis *d, unsigned kind,
                              invcal_test *t)
 {
     invcal_test_for(fit, kind, step, t);
-    const int has_spare = invcal_fit_spare(fit, t->rank) >= INVCAL_SPARE;
+    const int has_spare = fit->sums.count >= INVCAL_PARAMETERS + INVCAL_SPARE + t->rank;
     if (has_spare && t->squares < d->least) {
         d->least = t->squares;
     }
@@ -52,7 +52,6 @@ static INVCAL_OFTEN int test(const invcal_fit *fit, diagnosis *d, unsigned kind,
 static INVCAL_ONCE void try_kind(const invcal_fit *fit, diagnosis *d, unsigned kind)
 {
     const invcal_real level = fit->positions.noise > 0 ? SIGNIFICANT : UNSTATED;
-    const unsigned bit = 1u << kind;
     invcal_test t;
     const int may_be_named = test(fit, d, kind, 0, &t);
     const invcal_real own = invcal_chance(fit, t.squares, fit->squares, t.rank, t.rank, 0);
@@ -60,10 +59,10 @@ static INVCAL_ONCE void try_kind(const invcal_fit *fit, diagnosis *d, unsigned k
         invcal_chance(fit, t.squares, fit->squares, t.rank, t.rank, INVCAL_STATED);
 
     if (!(t.shown >= SHOWN)) {
-        d->unchecked |= bit;
+        d->unchecked |= 1u << kind;
     }
     if (t.rank > 0 && (own <= level || chance <= level)) {
-        d->significant |= bit;
+        d->is_significant = 1;
         if (may_be_named && own <= NAMEABLE && t.squares < d->squares) {
             d->kind = kind;
             d->squares = t.squares;
@@ -77,7 +76,7 @@ static INVCAL_ONCE void try_kinds(const invcal_fit *fit, diagnosis *d)
     d->kind = INVCAL_NO_SYSTEMATIC;
     d->squares = INVCAL_REAL_MAX;
     d->chance = 1;
-    d->significant = 0;
+    d->is_significant = 0;
     d->unchecked = 0;
     d->least = INVCAL_REAL_MAX;
     INVCAL_ROLL
@@ -140,7 +139,7 @@ static INVCAL_NOINLINE invcal_mask choose(const invcal_fit *fit, const invcal_gr
         invcal_raise(q, INVCAL_ROUGH);
     } else if (d.kind != INVCAL_NO_SYSTEMATIC) {
         name(fit, d.kind, q);
-    } else if (d.significant) {
+    } else if (d.is_significant) {
         invcal_raise(q, INVCAL_ROUGH);
     }
     return 0;
