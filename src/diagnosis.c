@@ -47,6 +47,12 @@ static INVCAL_OFTEN int test(const invcal_fit *fit, diagnosis *d, unsigned kind,
     return has_spare;
 }
 
+static INVCAL_NOINLINE invcal_real chance_of(const invcal_fit *fit, const invcal_test *t,
+                                             unsigned stated)
+{
+    return invcal_chance(fit, t->squares, fit->squares, t->rank, t->rank, stated);
+}
+
 /* Significant by the stated noise or by the residuals alone: then the verdict is no longer good. A
  * name needs the latter, since the noise may be stated too small. */
 static INVCAL_ONCE void try_kind(const invcal_fit *fit, diagnosis *d, unsigned kind)
@@ -54,9 +60,8 @@ static INVCAL_ONCE void try_kind(const invcal_fit *fit, diagnosis *d, unsigned k
     const invcal_real level = fit->positions.noise > 0 ? SIGNIFICANT : UNSTATED;
     invcal_test t;
     const int may_be_named = test(fit, d, kind, 0, &t);
-    const invcal_real own = invcal_chance(fit, t.squares, fit->squares, t.rank, t.rank, 0);
-    const invcal_real chance =
-        invcal_chance(fit, t.squares, fit->squares, t.rank, t.rank, INVCAL_STATED);
+    const invcal_real own = chance_of(fit, &t, 0);
+    const invcal_real chance = chance_of(fit, &t, INVCAL_STATED);
 
     if (!(t.shown >= SHOWN)) {
         d->unchecked |= 1u << kind;

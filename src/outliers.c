@@ -25,7 +25,7 @@ enum { STATED = 1 }; /* residuals that the stated noise counts as */
 
 /* Groups of one size: the best and the second best, and the remaining sum of squares. */
 typedef struct {
-    invcal_mask best; /* with those left out before */
+    invcal_mask best;
     invcal_mask rival;
     invcal_real squares;
     invcal_real rival_squares;
@@ -43,7 +43,7 @@ typedef struct {
 
 /* A member of a group, by what the nine and the member before it leave of its column. */
 typedef struct {
-    invcal_mask out;                  /* it, those before it, and those left out in advance */
+    invcal_mask out;                  /* it and those before it */
     invcal_real squares;              /* of the others */
     invcal_real reciprocal;           /* of c'c */
     invcal_real rest;                 /* c'r */
@@ -116,10 +116,9 @@ static INVCAL_ONCE void make_weights(const invcal_real *inverse, const invcal_re
     }
 }
 
-/* Position k as a member after d others: the group enters the contest of its size. Returns 1 if a
- * member may follow: after one always; after two if they leave at most 1 - 9.5 / n of the squares.
- * 99 of 100 clear groups of three have such a pair, but only one in fifteen pairs of a good set is
- * one. */
+/* Position k as member d, from 1: the group enters the contest of its size. Returns 1 if a member
+ * may follow: after one always; after two if they leave at most 1 - 9.5 / n of the squares. 99 of
+ * 100 clear groups of three have such a pair, but only one in fifteen pairs of a good set is one. */
 static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
 {
     const single *const one = &s->alone[k];
