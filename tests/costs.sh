@@ -11,7 +11,7 @@ passed=0
 failed=0
 
 figure() { # TARGET NAME: a figure of the budgets, or the stack of a function
-    awk -v what="$2" '$1 == what || ($1 == "stack" && $3 ~ "^" what "(_float_[0-9]+)?$") {
+    awk -v what="$2" '$1 == what || ($1 == "stack" && $3 ~ "^" what "(_double_0.*)?$") {
             print $1 == what ? $2 : $4
             exit
         }' "$build/bench/$1.figures" "$build/size/$1.figures" "$build"/size/*"$1"/measured |

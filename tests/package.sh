@@ -63,7 +63,7 @@ stage() {
 
 # drops_uncalled PROGRAM [NM]: of a module that the example needs, only what it calls is in it.
 drops_uncalled() {
-    ${2:-nm} "$1" > "$out/linked" && grep -q ' invcal_apply_float_9$' "$out/linked" &&
+    ${2:-nm} "$1" > "$out/linked" && grep -q ' invcal_apply_double_0$' "$out/linked" &&
         ! grep ' invcal_apply_counts$' "$out/linked"
 }
 

@@ -68,9 +68,10 @@ extern "C" {
 
 /* Both are part of the names of the functions that every use begins with. */
 #define INVCAL_ALLAN_CHOSEN(name)                                                                  \
-    INVCAL_ALLAN_CHOSEN_(name, INVCAL_ALLAN_TAUS, INVCAL_ALLAN_OVERLAP)
+    INVCAL_ALLAN_CHOSEN_(INVCAL_CHOSEN(name), INVCAL_ALLAN_TAUS, INVCAL_ALLAN_OVERLAP)
 #define INVCAL_ALLAN_CHOSEN_(name, taus, overlap) INVCAL_ALLAN_CHOSEN__(name, taus, overlap)
-#define INVCAL_ALLAN_CHOSEN__(name, taus, overlap) INVCAL_CHOSEN(name, taus##_##overlap)
+#define INVCAL_ALLAN_CHOSEN__(name, taus, overlap)                                                 \
+    name##_allan_taus_##taus##_allan_overlap_##overlap
 #define invcal_allan_init INVCAL_ALLAN_CHOSEN(invcal_allan_init)
 #define invcal_allan_begin INVCAL_ALLAN_CHOSEN(invcal_allan_begin)
 

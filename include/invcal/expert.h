@@ -16,14 +16,14 @@
 extern "C" {
 #endif
 
-#define invcal_calibrate_without INVCAL_CHOSEN(invcal_calibrate_without, INVCAL_MAX_POSITIONS)
-#define invcal_calibrate_robust INVCAL_CHOSEN(invcal_calibrate_robust, INVCAL_MAX_POSITIONS)
-#define invcal_calibrate_with_prior INVCAL_CHOSEN(invcal_calibrate_with_prior, INVCAL_MAX_POSITIONS)
-#define invcal_calibrate_six_faces INVCAL_CHOSEN(invcal_calibrate_six_faces, INVCAL_MAX_POSITIONS)
-#define invcal_background_init INVCAL_CHOSEN(invcal_background_init, INVCAL_MAX_POSITIONS)
-#define invcal_sums_init INVCAL_CHOSEN(invcal_sums_init, 9)
-#define invcal_linear_init INVCAL_CHOSEN(invcal_linear_init, 9)
-#define invcal_full_vector_init INVCAL_CHOSEN(invcal_full_vector_init, 9)
+#define invcal_calibrate_without INVCAL_POSITIONS_CHOSEN(invcal_calibrate_without)
+#define invcal_calibrate_robust INVCAL_POSITIONS_CHOSEN(invcal_calibrate_robust)
+#define invcal_calibrate_with_prior INVCAL_POSITIONS_CHOSEN(invcal_calibrate_with_prior)
+#define invcal_calibrate_six_faces INVCAL_POSITIONS_CHOSEN(invcal_calibrate_six_faces)
+#define invcal_background_init INVCAL_POSITIONS_CHOSEN(invcal_background_init)
+#define invcal_sums_init INVCAL_CHOSEN(invcal_sums_init)
+#define invcal_linear_init INVCAL_CHOSEN(invcal_linear_init)
+#define invcal_full_vector_init INVCAL_CHOSEN(invcal_full_vector_init)
 
 /* ---- one position, one equation -----------------------------------------------------------------
  *

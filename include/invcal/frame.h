@@ -32,7 +32,7 @@
 extern "C" {
 #endif
 
-#define invcal_frame_init INVCAL_CHOSEN(invcal_frame_init, 9) /* see invcal.h */
+#define invcal_frame_init INVCAL_CHOSEN(invcal_frame_init) /* see invcal.h */
 
 /* Sums over rests of known orientation. */
 typedef struct {

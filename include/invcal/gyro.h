@@ -73,22 +73,22 @@ extern "C" {
 #error "INVCAL_MAX_MOVES must be from 4 to 32"
 #endif
 
-#define INVCAL_GYRO_CHOSEN(name) INVCAL_GYRO_CHOSEN_(name, INVCAL_MAX_SEGMENTS, INVCAL_MAX_MOVES)
+#define INVCAL_GYRO_CHOSEN(name)                                                                   \
+    INVCAL_GYRO_CHOSEN_(INVCAL_CHOSEN(name), INVCAL_MAX_SEGMENTS, INVCAL_MAX_MOVES)
 /* Steps of it. (No comment behind them: Arduino's preprocessor would paste it too.) */
-#define INVCAL_GYRO_CHOSEN_(name, s, m) INVCAL_GYRO_CHOSEN__(name, INVCAL_REAL_NAME, s, m)
-/* The next. */
-#define INVCAL_GYRO_CHOSEN__(name, real, s, m) INVCAL_GYRO_CHOSEN___(name, real, s, m)
+#define INVCAL_GYRO_CHOSEN_(name, s, m) INVCAL_GYRO_CHOSEN__(name, s, m)
 /* The last. */
-#define INVCAL_GYRO_CHOSEN___(name, real, s, m) name##_##real##_##s##_##m
+#define INVCAL_GYRO_CHOSEN__(name, s, m) name##_max_segments_##s##_max_moves_##m
 #define invcal_moves_init INVCAL_GYRO_CHOSEN(invcal_moves_init)
 #define invcal_imu_solve INVCAL_GYRO_CHOSEN(invcal_imu_solve)
-#define INVCAL_BOTH_CHOSEN(name) INVCAL_CHOSEN(INVCAL_GYRO_CHOSEN(name), INVCAL_MAX_POSITIONS)
+#define INVCAL_BOTH_CHOSEN(name)                                                                   \
+    INVCAL_POSITIONS_CHOSEN_(INVCAL_GYRO_CHOSEN(name), INVCAL_MAX_POSITIONS)
 #define invcal_imu_session_resume INVCAL_BOTH_CHOSEN(invcal_imu_session_resume)
 #define invcal_load_imu_session INVCAL_BOTH_CHOSEN(invcal_load_imu_session)
-#define invcal_imu_record_init INVCAL_CHOSEN(invcal_imu_record_init, 9)
-#define invcal_imu_record_decode INVCAL_CHOSEN(invcal_imu_record_decode, 9)
-#define invcal_load_imu INVCAL_CHOSEN(invcal_load_imu, 9)
-#define invcal_turns_begin INVCAL_CHOSEN(invcal_turns_begin, 9)
+#define invcal_imu_record_init INVCAL_CHOSEN(invcal_imu_record_init)
+#define invcal_imu_record_decode INVCAL_CHOSEN(invcal_imu_record_decode)
+#define invcal_load_imu INVCAL_CHOSEN(invcal_load_imu)
+#define invcal_turns_begin INVCAL_CHOSEN(invcal_turns_begin)
 #define invcal_turns_after INVCAL_GYRO_CHOSEN(invcal_turns_after)
 
 /* ---- moves ----------------------------------------------------------------------------------- */

@@ -112,7 +112,6 @@ extern "C" {
 /* The number type, its limits, and its libc functions. */
 #if INVCAL_DOUBLE
 typedef double invcal_real;
-#define INVCAL_REAL_NAME double
 #define INVCAL_REAL(literal) literal
 #define INVCAL_EPSILON DBL_EPSILON
 #define INVCAL_REAL_MAX DBL_MAX
@@ -120,8 +119,6 @@ typedef double invcal_real;
 #define INVCAL_FABS fabs
 #else
 typedef float invcal_real; /* double with INVCAL_DOUBLE */
-/* Its name. (A comment on that line would be pasted too by Arduino's preprocessor.) */
-#define INVCAL_REAL_NAME float
 #define INVCAL_REAL(literal) literal##f /* a constant of this type */
 #define INVCAL_EPSILON FLT_EPSILON      /* from 1 to the next number */
 #define INVCAL_REAL_MAX FLT_MAX         /* the largest number */
@@ -130,17 +127,22 @@ typedef float invcal_real; /* double with INVCAL_DOUBLE */
 #endif
 
 /* Build options are part of the names of the functions that every use of a structure begins with:
- * if those of program and library differ, linking fails, before anything is written past the end of
- * a structure (tests/packages/choices.sh). */
-#define INVCAL_CHOSEN(name, choice) INVCAL_CHOSEN_(name, INVCAL_REAL_NAME, choice)
-#define INVCAL_CHOSEN_(name, real, choice) INVCAL_CHOSEN__(name, real, choice) /* next step */
-#define INVCAL_CHOSEN__(name, real, choice) name##_##real##_##choice           /* last step */
-#define invcal_apply INVCAL_CHOSEN(invcal_apply, 9)
-#define invcal_nominal INVCAL_CHOSEN(invcal_nominal, 9)
-#define invcal_calibrate INVCAL_CHOSEN(invcal_calibrate, INVCAL_MAX_POSITIONS)
-#define invcal_calibrate_judged INVCAL_CHOSEN(invcal_calibrate_judged, INVCAL_MAX_POSITIONS)
-#define invcal_session_init INVCAL_CHOSEN(invcal_session_init, INVCAL_MAX_POSITIONS)
-#define invcal_session_begin INVCAL_CHOSEN(invcal_session_begin, INVCAL_MAX_POSITIONS)
+ * if those of program and library differ, linking fails before anything is written past the end of
+ * a structure, and the linker names the option: invcal_session_init_double_0_max_positions_24
+ * (tests/packages/choices.sh). */
+#define INVCAL_CHOSEN(name) INVCAL_CHOSEN_(name, INVCAL_DOUBLE)
+#define INVCAL_CHOSEN_(name, number) INVCAL_CHOSEN__(name, number) /* next step */
+#define INVCAL_CHOSEN__(name, number) name##_double_##number       /* last step */
+#define INVCAL_POSITIONS_CHOSEN(name)                                                              \
+    INVCAL_POSITIONS_CHOSEN_(INVCAL_CHOSEN(name), INVCAL_MAX_POSITIONS)
+#define INVCAL_POSITIONS_CHOSEN_(name, positions) INVCAL_POSITIONS_CHOSEN__(name, positions)
+#define INVCAL_POSITIONS_CHOSEN__(name, positions) name##_max_positions_##positions
+#define invcal_apply INVCAL_CHOSEN(invcal_apply)
+#define invcal_nominal INVCAL_CHOSEN(invcal_nominal)
+#define invcal_calibrate INVCAL_POSITIONS_CHOSEN(invcal_calibrate)
+#define invcal_calibrate_judged INVCAL_POSITIONS_CHOSEN(invcal_calibrate_judged)
+#define invcal_session_init INVCAL_POSITIONS_CHOSEN(invcal_session_init)
+#define invcal_session_begin INVCAL_POSITIONS_CHOSEN(invcal_session_begin)
 
 /* A set of positions: bit i for position i. */
 #if INVCAL_MAX_POSITIONS <= 16

@@ -38,8 +38,8 @@
 extern "C" {
 #endif
 
-#define invcal_magnetometer_init INVCAL_CHOSEN(invcal_magnetometer_init, 9) /* see invcal.h */
-#define invcal_dip_init INVCAL_CHOSEN(invcal_dip_init, 9)
+#define invcal_magnetometer_init INVCAL_CHOSEN(invcal_magnetometer_init) /* see invcal.h */
+#define invcal_dip_init INVCAL_CHOSEN(invcal_dip_init)
 
 #define INVCAL_CELLS 18u /* of direction: 6 faces and 12 edges of a cube, 0.7 sr each */
 

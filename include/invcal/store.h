@@ -21,12 +21,12 @@
 extern "C" {
 #endif
 
-#define invcal_load INVCAL_CHOSEN(invcal_load, 9)
-#define invcal_load_v1 INVCAL_CHOSEN(invcal_load_v1, 9)
-#define invcal_record_init INVCAL_CHOSEN(invcal_record_init, 9)
-#define invcal_record_decode INVCAL_CHOSEN(invcal_record_decode, 9)
-#define invcal_load_session INVCAL_CHOSEN(invcal_load_session, INVCAL_MAX_POSITIONS)
-#define invcal_session_resume INVCAL_CHOSEN(invcal_session_resume, INVCAL_MAX_POSITIONS)
+#define invcal_load INVCAL_CHOSEN(invcal_load)
+#define invcal_load_v1 INVCAL_CHOSEN(invcal_load_v1)
+#define invcal_record_init INVCAL_CHOSEN(invcal_record_init)
+#define invcal_record_decode INVCAL_CHOSEN(invcal_record_decode)
+#define invcal_load_session INVCAL_POSITIONS_CHOSEN(invcal_load_session)
+#define invcal_session_resume INVCAL_POSITIONS_CHOSEN(invcal_session_resume)
 
 /* ---- the memory ---------------------------------------------------------------------------------
  *

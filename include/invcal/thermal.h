@@ -39,11 +39,9 @@ extern "C" {
 /* Both are part of the names: the degree, and the number of positions, since quality has a bit for
  * each. */
 #define INVCAL_THERMAL_CHOSEN(name)                                                                \
-    INVCAL_THERMAL_CHOSEN_(name, INVCAL_THERMAL_DEGREE, INVCAL_MAX_POSITIONS)
-#define INVCAL_THERMAL_CHOSEN_(name, degree, positions)                                            \
-    INVCAL_THERMAL_CHOSEN__(name, degree, positions) /* next step */
-#define INVCAL_THERMAL_CHOSEN__(name, degree, positions)                                           \
-    INVCAL_CHOSEN(name, degree##_##positions) /* last step */
+    INVCAL_THERMAL_CHOSEN_(INVCAL_POSITIONS_CHOSEN(name), INVCAL_THERMAL_DEGREE)
+#define INVCAL_THERMAL_CHOSEN_(name, degree) INVCAL_THERMAL_CHOSEN__(name, degree) /* next step */
+#define INVCAL_THERMAL_CHOSEN__(name, degree) name##_thermal_degree_##degree       /* last step */
 #define invcal_thermal_at INVCAL_THERMAL_CHOSEN(invcal_thermal_at)
 #define invcal_thermal_calibrate INVCAL_THERMAL_CHOSEN(invcal_thermal_calibrate)
 #define invcal_thermal_start INVCAL_THERMAL_CHOSEN(invcal_thermal_start)

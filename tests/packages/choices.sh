@@ -19,9 +19,10 @@ links() {
     cc -std=c99 -O2 -Iinclude "$@" "$out/$function.c" "$library" -lm -o "$out/program"
 }
 
-# The linker, not the compiler, refuses it, and names the function.
-refuses() { # FUNCTION LIBRARY FLAG...
-    ! links "$@" > "$out/said" 2>&1 && grep -q "undefined reference to .$1_" "$out/said"
+# The linker, not the compiler, refuses it, and names the function and the option.
+refuses() { # FUNCTION LIBRARY [FLAG]
+    option=$(echo "${3:--DINVCAL_DOUBLE}" | sed 's/-DINVCAL_//; s/=.*//' | tr '[:upper:]' '[:lower:]')
+    ! links "$@" > "$out/said" 2>&1 && grep -q "undefined reference to .$1_.*${option}_" "$out/said"
 }
 
 for function in invcal_apply invcal_nominal invcal_load invcal_load_v1 invcal_record_init \

@@ -5,7 +5,7 @@
 // wide: -DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=16384
 // config: -DINVCAL_ALLAN_TAUS=1 -DINVCAL_ALLAN_OVERLAP=1
 // trusted: 1
-// dead: -DINVCAL_ALLAN_TAUS=1 invcal_allan_begin_float_1_1 1 a single averaging time is before no other
+// dead: -DINVCAL_ALLAN_TAUS=1 invcal_allan_begin_double_0_allan_taus_1_allan_overlap_1 1 a single averaging time is before no other
 
 static void begin(void)
 {

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 #
 # The linker options that keep the functions named in wanted, "%" for all. A name may end in a build's
-# choices: invcal_apply_float_9, invcal_allan_init_float_16_4.
+# choices: invcal_apply_double_0, invcal_session_init_double_0_max_positions_24.
 BEGIN {
     split(wanted, names, " ")
     for (i in names) is_wanted[plain(names[i])]
 }
 function plain(name) {
-    sub(/_(float|double)_[0-9_]+$/, "", name)
+    sub(/_double_[01](_.*)?$/, "", name)
     return name
 }
 {
