@@ -11,15 +11,6 @@
 
 #include "vector.h"
 
-#ifdef __AVR__ /* constants take memory there, unless they are read by other instructions */
-#include <avr/pgmspace.h>
-#define FLASH PROGMEM
-#define READ_FLASH(address) pgm_read_dword(address)
-#else
-#define FLASH
-#define READ_FLASH(address) (*(address))
-#endif
-
 #define EXPONENT UINT32_C(0x7F800000) /* of binary32: all set if not finite */
 #define NOT_A_NUMBER UINT32_C(0x7FC00000)
 
@@ -74,20 +65,34 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
     return are_finite;
 }
 
-/* The polynomial 0x04C11DB7 with its bits reversed, since the least significant bit goes first. Four
- * bits at once: the table has what is left of each, divided by the polynomial. */
+/* A CRC after four more bits. The polynomial is 0x04C11DB7 with its bits reversed, since the least
+ * significant bit goes first; the table has what four bits leave. On an AVR it would take memory. */
+static INVCAL_ONCE uint32_t after_four(uint32_t crc)
+{
+#ifdef __AVR__
+    for (unsigned bit = 0; bit < 4; bit++) {
+        const uint8_t is_odd = (uint8_t)(crc & 1u);
+        crc >>= 1;
+        if (is_odd) {
+            crc ^= UINT32_C(0xEDB88320);
+        }
+    }
+    return crc;
+#else
+    static const uint32_t table[16] = {0x00000000, 0x1DB71064, 0x3B6E20C8, 0x26D930AC,
+                                       0x76DC4190, 0x6B6B51F4, 0x4DB26158, 0x5005713C,
+                                       0xEDB88320, 0xF00F9344, 0xD6D6A3E8, 0xCB61B38C,
+                                       0x9B64C2B0, 0x86D3D2D4, 0xA00AE278, 0xBDBDF21C};
+
+    return crc >> 4 ^ table[crc & 15u];
+#endif
+}
+
 INVCAL_NOINLINE uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count)
 {
-    static const uint32_t table[16] FLASH = {0x00000000, 0x1DB71064, 0x3B6E20C8, 0x26D930AC,
-                                             0x76DC4190, 0x6B6B51F4, 0x4DB26158, 0x5005713C,
-                                             0xEDB88320, 0xF00F9344, 0xD6D6A3E8, 0xCB61B38C,
-                                             0x9B64C2B0, 0x86D3D2D4, 0xA00AE278, 0xBDBDF21C};
-
     crc = ~crc;
     for (unsigned i = 0; i < count; i++) {
-        crc ^= bytes[i];
-        crc = crc >> 4 ^ READ_FLASH(&table[crc & 15u]);
-        crc = crc >> 4 ^ READ_FLASH(&table[crc & 15u]);
+        crc = after_four(after_four(crc ^ bytes[i]));
     }
     return ~crc;
 }

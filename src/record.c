@@ -14,7 +14,14 @@
 #include "vector.h"
 
 enum { SENSOR_AT = 4, DATE_AT = 12, POSITIONS_AT = 16, WEAK_AT = 18, PRIOR_AT = 20 };
-enum { VERDICT_AT = 22, KNOWN_AT = 23, REALS_AT = 24, TEMPERATURE_AT = 32, NOISE_AT = 36, OFFSET_AT = 48 };
+enum {
+    VERDICT_AT = 22,
+    KNOWN_AT = 23,
+    REALS_AT = 24,
+    TEMPERATURE_AT = 32,
+    NOISE_AT = 36,
+    OFFSET_AT = 48
+};
 enum { RECORD_REALS = 27, BEFORE_SIGMA = 18, CALIBRATION_REALS = 12 };
 enum { EVERY_PARAMETER = 0x1FF }; /* as a mask */
 

@@ -281,28 +281,38 @@ invcal_status invcal_session_solve(const invcal_session *session, invcal_calibra
                                    invcal_quality *quality)
 {
     INVCAL_ASSERT(session && out && quality);
+#ifndef __AVR__
+    if (session->good == GOOD) {
+        copy_bytes(out, &session->calibration, sizeof *out);
+        copy_bytes(quality, &session->quality, sizeof *quality);
+        return INVCAL_OK;
+    }
+#endif
     return invcal_calibrate_judged(session->mean[0], session->count, &session->nominal,
                                    session->noise, out, quality);
 }
 
-/* NOT_GOOD, or GOOD and its quality. */
-static unsigned judge_session(const invcal_session *session, invcal_quality *q)
+/* NOT_GOOD, or GOOD with its solution. */
+static uint8_t judge_session(const invcal_session *session, invcal_calibration *c,
+                             invcal_quality *q)
 {
-    invcal_calibration calibration;
-
-    return invcal_session_solve(session, &calibration, q) == INVCAL_OK &&
-                   q->verdict == INVCAL_GOOD && (q->dof >= DOF || session->noise > 0)
+    return invcal_session_solve(session, c, q) == INVCAL_OK && q->verdict == INVCAL_GOOD &&
+                   (q->dof >= DOF || session->noise > 0)
                ? GOOD
                : NOT_GOOD;
 }
 
 int invcal_session_is_good(invcal_session *session)
 {
-    invcal_quality q;
-
     INVCAL_ASSERT(session);
     if (session->good == NOT_ASKED) {
-        session->good = (uint8_t)judge_session(session, &q);
+#ifdef __AVR__
+        invcal_calibration c;
+        invcal_quality q;
+        session->good = judge_session(session, &c, &q);
+#else
+        session->good = judge_session(session, &session->calibration, &session->quality);
+#endif
     }
     return session->good == GOOD;
 }
@@ -310,10 +320,11 @@ int invcal_session_is_good(invcal_session *session)
 /* With few degrees of freedom a sigma counts for more: its 95 % interval over 1.96. */
 int invcal_session_reaches(const invcal_session *session, const invcal_real target[3])
 {
+    invcal_calibration c;
     invcal_quality q;
 
     INVCAL_ASSERT(session && target);
-    if (judge_session(session, &q) != GOOD) {
+    if (judge_session(session, &c, &q) != GOOD) {
         return 0;
     }
     const invcal_real wider = invcal_coverage(q.sigma_dof) / INVCAL_NORMAL;
@@ -327,8 +338,9 @@ int invcal_session_reaches(const invcal_session *session, const invcal_real targ
 
 int invcal_session_meets(const invcal_session *session, invcal_real need, invcal_real gravity)
 {
+    invcal_calibration c;
     invcal_quality q;
 
     INVCAL_ASSERT(session);
-    return judge_session(session, &q) == GOOD && invcal_accuracy(&q, gravity) <= need;
+    return judge_session(session, &c, &q) == GOOD && invcal_accuracy(&q, gravity) <= need;
 }

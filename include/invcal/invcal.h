@@ -460,9 +460,10 @@ typedef struct {
     invcal_rests_axis axis[3]; /* x, y, z */
 } invcal_rests;
 
-/* A session: 560 bytes (float, 24 positions). mean and count may be read. Means are in counts, so
- * nominal may be replaced by another one with which all of them are readings (invcal_bad_reading,
- * expert.h). invcal_session_is_good uses it from the next position on. */
+/* A session: 688 bytes (float, 24 positions; on AVR 128 less, as its memory is short and it keeps no
+ * solution). mean and count may be read. Means are in counts, so nominal may be replaced by another
+ * one with which all of them are readings (invcal_bad_reading, expert.h). A session that is good
+ * uses it from the next position on. */
 typedef struct {
     /* saved: store.h */
     uint32_t layout;            /* identifies the build's layout of this structure */
@@ -478,6 +479,10 @@ typedef struct {
     invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
     /* not saved */
     invcal_rests rests; /* the detector */
+#ifndef __AVR__
+    invcal_calibration calibration; /* internal: the solution, while good */
+    invcal_quality quality;         /* of it */
+#endif
 } invcal_session;
 
 /* Begins a session for a sensor with zero at 0 and the same scale on all axes.
@@ -569,7 +574,8 @@ const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS]);
 int invcal_session_is_at(const invcal_session *session, const invcal_real up[3]);
 
 /* Solves the positions so far, without those that contradict the others (quality.left_out; see
- * invcal_calibrate_judged). Does not change the session: more may follow.
+ * invcal_calibrate_judged). Does not change the session: more may follow. If
+ * invcal_session_is_good has said so, copies what that has solved.
  *
  * Returns as invcal_calibrate. Cost: 190,000 instructions for 18 good positions, up to 400,000 if
  * some are wrong. Stack: about 850 bytes. */
