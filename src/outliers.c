@@ -33,12 +33,14 @@ typedef struct {
 
 /* Leaving position k out is the same as adding an unknown, its error: a column that is 1 there and
  * 0 elsewhere. Of two such columns the nine unknowns leave the product -h_i K h_k, of one with
- * itself 1 - h_k K h_k. So each position is read and weighed once, and a group costs only the
- * products of its rows. */
+ * itself 1 - h_k K h_k. So each position is weighed once, and a group costs only the products of
+ * its rows. */
 typedef struct {
-    invcal_real u[3];        /* the corrected reading */
     invcal_real unexplained; /* the part of c'c that the nine leave */
+#ifndef __AVR__              /* where memory is short, the position is read again */
     invcal_real rest;        /* c'r: the residual */
+    invcal_real u[3];        /* the corrected reading */
+#endif
 } single;
 
 /* A member of a group, by what the nine and the member before it leave of its column. */
@@ -84,26 +86,22 @@ static INVCAL_ONCE void enter(contest *c, invcal_mask out, invcal_real squares)
     }
 }
 
-/* h v, where h is the row of u. */
-static INVCAL_OFTEN invcal_real along(const invcal_real u[3],
-                                      const invcal_real v[INVCAL_PARAMETERS])
+/* The row of position k, and in place of J its residual, as invcal_fit_row. */
+static INVCAL_ONCE void recall_row(const search *s, unsigned k,
+                                   invcal_real row[INVCAL_PARAMETERS + 1])
 {
-    const invcal_real x = u[0];
-    const invcal_real y = u[1];
-    const invcal_real z = u[2];
-
-    return x * (v[INVCAL_DELTA_X] + x * v[INVCAL_DK_X] + y * v[INVCAL_GAMMA_XY] +
-                z * v[INVCAL_GAMMA_XZ]) +
-           y * (v[INVCAL_DELTA_Y] + y * v[INVCAL_DK_Y] + z * v[INVCAL_GAMMA_ZY]) +
-           z * (v[INVCAL_DELTA_Z] + z * v[INVCAL_DK_Z]);
+#ifdef __AVR__
+    invcal_fit_row(s->fit, k, row);
+#else
+    memcpy(row, s->alone[k].u, sizeof s->alone[k].u);
+    row[INVCAL_J] = s->alone[k].rest;
+    invcal_row_of(row);
+#endif
 }
 
-/* v = K h = L^-T (L^-1 h), from L^-1 and the row of u. */
-static INVCAL_ONCE void make_weights(const invcal_real *inverse, const invcal_real u[3],
-                                     invcal_real v[INVCAL_PARAMETERS])
+/* h becomes v = K h = L^-T (L^-1 h), from L^-1. */
+static INVCAL_ONCE void make_weights(const invcal_real *inverse, invcal_real v[INVCAL_PARAMETERS])
 {
-    memcpy(v, u, 3 * sizeof *u);
-    invcal_row_of(v);
     (void)invcal_leverage(inverse, v);
     INVCAL_ROLL
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
@@ -121,19 +119,20 @@ static INVCAL_ONCE void make_weights(const invcal_real *inverse, const invcal_re
  * 100 clear groups of three have such a pair, but only one in fifteen pairs of a good set is one. */
 static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
 {
-    const single *const one = &s->alone[k];
     const member *const before = &s->group[d - 1];
-    invcal_real left = one->unexplained;
-    invcal_real rest = one->rest;
+    invcal_real row[INVCAL_PARAMETERS + 1];
+    invcal_real left = s->alone[k].unexplained;
     invcal_real share = 0;
 
     if ((before->out | s->fit->positions.left_out) >> k & 1u) {
         return 0;
     }
     const invcal_mask out = before->out | bit(k);
+    recall_row(s, k, row);
+    invcal_real rest = row[INVCAL_J];
     INVCAL_ROLL
     for (unsigned i = 1; i < d; i++) {
-        const invcal_real product = along(one->u, s->group[i].v);
+        const invcal_real product = invcal_dot(row, s->group[i].v, INVCAL_PARAMETERS);
         share = product * s->group[i].reciprocal;
         rest += share * s->group[i].rest;
         left -= share * product;
@@ -150,10 +149,10 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
     m->squares = squares;
     m->reciprocal = reciprocal;
     m->rest = rest;
-    make_weights(s->fit->sums.sum, one->u, m->v);
+    make_weights(s->fit->sums.sum, row);
     INVCAL_ROLL
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        m->v[r] += share * before->v[r];
+        m->v[r] = row[r] + share * before->v[r];
     }
     return 1;
 }
@@ -168,8 +167,10 @@ static INVCAL_ONCE void search_groups(search *s)
     for (unsigned k = 0; k < count; k++) {
         single *const one = &s->alone[k];
         invcal_fit_row(fit, k, row);
+#ifndef __AVR__
         memcpy(one->u, row, sizeof one->u);
         one->rest = row[INVCAL_J];
+#endif
         one->unexplained = 1 - invcal_leverage(fit->sums.sum, row);
     }
     for (unsigned i = 0; i < count; i++) {

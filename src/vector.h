@@ -54,11 +54,18 @@
 #define INVCAL_NOINLINE
 #endif
 
-/* Where there is no FPU, the library's own square root has the bits of libm's: newlib's takes 300
- * bytes more of flash, and 100 of memory for errno. */
+/* Without an FPU an operation is a call of libgcc's: loops cost little, straight code costs flash. */
+#if defined(__AVR__) || (defined(__ARM_ARCH) && !defined(__ARM_FP)) ||                             \
+    (defined(__riscv) && !defined(__riscv_flen))
+#define INVCAL_HAS_FPU 0
+#else
+#define INVCAL_HAS_FPU 1
+#endif
+
+/* There the library's own square root has the bits of libm's: newlib's takes 300 bytes more of
+ * flash, and 100 of memory for errno. That of avr-libc is small. */
 float invcal_root(float x);
-#if !INVCAL_DOUBLE &&                                                                              \
-    ((defined(__ARM_ARCH) && !defined(__ARM_FP)) || (defined(__riscv) && !defined(__riscv_flen)))
+#if !INVCAL_DOUBLE && !INVCAL_HAS_FPU && !defined(__AVR__)
 #undef INVCAL_SQRT
 #define INVCAL_SQRT invcal_root
 #endif
@@ -143,13 +150,13 @@ static inline int invcal_is_unit(const invcal_real v[3])
 static INVCAL_ONCE void invcal_correct_inline(const invcal_calibration *c, const invcal_real raw[3],
                                               invcal_real out[3])
 {
-    const invcal_real x = raw[0] - c->offset[0];
-    const invcal_real y = raw[1] - c->offset[1];
-    const invcal_real z = raw[2] - c->offset[2];
+    const invcal_real u[3] = {raw[0] - c->offset[0], raw[1] - c->offset[1], raw[2] - c->offset[2]};
 
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        out[i] = c->matrix[i][0] * x + c->matrix[i][1] * y + c->matrix[i][2] * z;
+        const invcal_real *const row = c->matrix[i];
+        out[i] = INVCAL_HAS_FPU ? row[0] * u[0] + row[1] * u[1] + row[2] * u[2]
+                                : invcal_dot3(row, u);
     }
 }
 /* Inline for frequent callers if speed matters. */
