@@ -45,11 +45,10 @@ typedef struct {
 
 /* A member of a group, by what the nine and the member before it leave of its column. */
 typedef struct {
-    invcal_mask out;                  /* it and those before it */
-    invcal_real squares;              /* of the others */
-    invcal_real reciprocal;           /* of c'c */
-    invcal_real rest;                 /* c'r */
-    invcal_real v[INVCAL_PARAMETERS]; /* its product with column k is -h_k v */
+    invcal_mask out;                      /* it and those before it */
+    invcal_real squares;                  /* of the others */
+    invcal_real reciprocal;               /* of c'c */
+    invcal_real v[INVCAL_PARAMETERS + 1]; /* its product with column k is -h_k v; then c'r */
 } member;
 
 /* The search in a fit. */
@@ -59,7 +58,7 @@ typedef struct {
     invcal_real promising; /* max squares left by a pair, see visit */
     contest contests[INVCAL_GROUP + 1];
     single alone[INVCAL_MAX_POSITIONS];
-    member group[INVCAL_GROUP]; /* nobody, the first and the second; nothing follows the third */
+    member group[INVCAL_GROUP]; /* nobody, the first, the second; the third needs no more than v */
 } search;
 
 static invcal_mask bit(unsigned i)
@@ -86,7 +85,7 @@ static INVCAL_ONCE void enter(contest *c, invcal_mask out, invcal_real squares)
     }
 }
 
-/* The row of position k, and in place of J its residual, as invcal_fit_row. */
+/* The row of position k and its residual, as invcal_fit_row. */
 static INVCAL_ONCE void recall_row(const search *s, unsigned k,
                                    invcal_real row[INVCAL_PARAMETERS + 1])
 {
@@ -94,8 +93,8 @@ static INVCAL_ONCE void recall_row(const search *s, unsigned k,
     invcal_fit_row(s->fit, k, row);
 #else
     memcpy(row, s->alone[k].u, sizeof s->alone[k].u);
-    row[INVCAL_J] = s->alone[k].rest;
     invcal_row_of(row);
+    row[INVCAL_J] = s->alone[k].rest;
 #endif
 }
 
@@ -120,7 +119,7 @@ static INVCAL_ONCE void make_weights(const invcal_real *inverse, invcal_real v[I
 static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
 {
     const member *const before = &s->group[d - 1];
-    invcal_real row[INVCAL_PARAMETERS + 1];
+    member *const m = &s->group[d < INVCAL_GROUP ? d : 0]; /* of the third only v, for a moment */
     invcal_real left = s->alone[k].unexplained;
     invcal_real share = 0;
 
@@ -128,13 +127,13 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
         return 0;
     }
     const invcal_mask out = before->out | bit(k);
-    recall_row(s, k, row);
-    invcal_real rest = row[INVCAL_J];
+    recall_row(s, k, m->v);
+    invcal_real rest = m->v[INVCAL_J];
     INVCAL_ROLL
     for (unsigned i = 1; i < d; i++) {
-        const invcal_real product = invcal_dot(row, s->group[i].v, INVCAL_PARAMETERS);
+        const invcal_real product = invcal_dot(m->v, s->group[i].v, INVCAL_PARAMETERS);
         share = product * s->group[i].reciprocal;
-        rest += share * s->group[i].rest;
+        rest += share * s->group[i].v[INVCAL_J];
         left -= share * product;
     }
     /* 0: the others explain its column, so that leaving it out changes nothing */
@@ -144,15 +143,14 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
     if (d >= s->size || (d > 1 && !(squares <= s->promising))) {
         return 0;
     }
-    member *const m = &s->group[d];
     m->out = out;
     m->squares = squares;
     m->reciprocal = reciprocal;
-    m->rest = rest;
-    make_weights(s->fit->sums.sum, row);
+    m->v[INVCAL_J] = rest;
+    make_weights(s->fit->sums.sum, m->v);
     INVCAL_ROLL
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        m->v[r] = row[r] + share * before->v[r];
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) { /* of the first, share is 0 */
+        m->v[r] += share * before->v[r];
     }
     return 1;
 }
@@ -162,7 +160,7 @@ static INVCAL_ONCE void search_groups(search *s)
 {
     const invcal_fit *const fit = s->fit;
     const unsigned count = fit->positions.count;
-    invcal_real row[INVCAL_PARAMETERS + 1];
+    invcal_real *const row = s->group[0].v;
 
     for (unsigned k = 0; k < count; k++) {
         single *const one = &s->alone[k];
@@ -259,7 +257,6 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
     }
     s.group[0].out = 0;
     s.group[0].squares = fit->squares;
-    invcal_zero_reals(s.group[0].v, INVCAL_PARAMETERS);
     search_groups(&s);
     clear_group(&s, found);
 }
