@@ -53,36 +53,44 @@ void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
     }
 }
 
+/* v = m v if step is 1, m' v if it is 3: the way from an element to the next of the same row. */
+static INVCAL_NOINLINE void multiply(const invcal_real *m, unsigned step, invcal_real v[3])
+{
+    const invcal_real x = v[0];
+    const invcal_real y = v[1];
+    const invcal_real z = v[2];
+
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        v[i] = m[0] * x + m[step] * y + m[2 * step] * z;
+        m += 4 - step;
+    }
+}
+
 /* a = S U' with U orthonormal, which Newton's iteration U <- (U + U^-T) / 2 finds from a itself,
  * and S = a U, row by row. A singular value s becomes (s + 1/s) / 2, at least 1, and then each step
- * more than halves its distance from 1, and near 1 squares it. */
+ * more than halves its distance from 1, and near 1 squares it. So from the second step on det shows
+ * the distance: once it is below the root of epsilon, that step was the last. */
 void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
 {
-    invcal_real(*u)[3] = (invcal_real(*)[3])work;       /* U' */
-    invcal_real(*c)[3] = (invcal_real(*)[3])(work + 9); /* its cofactors */
-    invcal_real change = 1;
+    invcal_real *const u = work;     /* U' */
+    invcal_real *const c = work + 9; /* its cofactors */
+    const invcal_real *from = a[0];
+    invcal_real det;
+    unsigned step = 0;
 
-    memcpy(u, a, 9 * sizeof *work);
-    for (unsigned step = 0; step < STEPS && change > INVCAL_EPSILON; step++) {
-        const invcal_real det = invcal_cofactors((const invcal_real(*)[3])u, c);
-        change = 0;
+    do {
+        det = invcal_cofactors((const invcal_real(*)[3])from, (invcal_real(*)[3])c);
         INVCAL_ROLL
-        for (unsigned i = 0; i < 3; i++) {
-            INVCAL_ROLL
-            for (unsigned j = 0; j < 3; j++) {
-                const invcal_real half = (c[i][j] / det - u[i][j]) / 2;
-                u[i][j] += half;
-                change += half * half;
-            }
+        for (unsigned i = 0; i < 9; i++) {
+            u[i] = (c[i] / det + from[i]) / 2;
         }
-    }
+        from = u;
+        step++;
+    } while (step < 2 || (step < STEPS && INVCAL_FABS(det) > 1 + INVCAL_SQRT(INVCAL_EPSILON)));
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
-        INVCAL_ROLL
-        for (unsigned j = 0; j < 3; j++) {
-            c[0][j] = invcal_dot3(a[i], u[j]);
-        }
-        memcpy(a[i], c[0], sizeof a[i]);
+        multiply(u, 1, a[i]);
     }
 }
 
@@ -93,9 +101,12 @@ static INVCAL_ONCE void make_triangular(const invcal_real *l, invcal_real root, 
     for (unsigned r = 0; r < 3; r++) {
         INVCAL_ROLL
         for (unsigned c = 0; c < 3; c++) {
-            a[r][c] = c < r ? *l++ / root : 0;
+            invcal_real x = c > r ? 0 : *l++;
+            if (c == r) {
+                x = 1 / x;
+            }
+            a[r][c] = x / root;
         }
-        a[r][r] = 1 / (*l++ * root);
     }
 }
 
@@ -113,9 +124,8 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
     static const uint8_t order[] = {INVCAL_DK_X,     INVCAL_GAMMA_XY, INVCAL_DK_Y,
                                     INVCAL_GAMMA_XZ, INVCAL_GAMMA_ZY, INVCAL_DK_Z,
                                     INVCAL_DELTA_X,  INVCAL_DELTA_Y,  INVCAL_DELTA_Z};
-    const invcal_real sign = 1 + 2 * p[INVCAL_DK_X] < 0 ? (invcal_real)-1 : 1;
+    const invcal_real sign = p[INVCAL_DK_X] < INVCAL_REAL(-0.5) ? (invcal_real)-1 : 1;
     invcal_real *q = work;
-    invcal_real *delta = &q[INVCAL_PACKED(3, 0)];
 
     INVCAL_ROLL
     for (unsigned i = 0; i < sizeof order; i++) {
@@ -123,17 +133,14 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
         q[i] = sign * (r >= INVCAL_DK_X && r <= INVCAL_DK_Z ? 1 + 2 * p[r] : p[r]);
     }
     q[9] = -sign;
-    if (invcal_factor(q, 3, 4, 1 / SQUARE) != INVCAL_OK || !(q[9] < 0)) {
+    if (invcal_factor(q, 3, 4, 1 / SQUARE) != INVCAL_OK) {
         return INVCAL_NOT_ELLIPSOID;
     }
     invcal_back_substitute(q, 3);
     make_triangular(q, INVCAL_SQRT(-q[9]), out->matrix);
-    INVCAL_ROLL
-    for (unsigned i = 0; i < 3; i++) {
-        out->offset[i] = delta[i];
-    }
+    memcpy(out->offset, &q[INVCAL_PACKED(3, 0)], sizeof out->offset);
     invcal_make_symmetric(out->matrix, work);
-    /* the squares of all elements of A are those of 1 / semi-axis, added up */
+    /* the squares of all elements of A are those of 1 / semi-axis, added up; NaN if k <= 0 */
     return invcal_dot(out->matrix[0], out->matrix[0], 9) < SQUARE &&
                    invcal_dot3(out->offset, out->offset) < SQUARE
                ? INVCAL_OK
@@ -167,21 +174,14 @@ invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibr
 static INVCAL_NOINLINE void compose_unchecked(const invcal_calibration *nominal,
                                               invcal_calibration *c)
 {
-    const invcal_real delta[3] = {c->offset[0], c->offset[1], c->offset[2]};
-    const invcal_real(*n)[3] = nominal->matrix;
     invcal_real cofactor[3][3];
-    const invcal_real det = invcal_cofactors(n, cofactor);
+    const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
 
-    INVCAL_UNROLL
+    multiply(cofactor[0], 3, c->offset);
+    INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real a[3] = {c->matrix[i][0], c->matrix[i][1], c->matrix[i][2]};
-        INVCAL_UNROLL
-        for (unsigned j = 0; j < 3; j++) {
-            c->matrix[i][j] = a[0] * n[0][j] + a[1] * n[1][j] + a[2] * n[2][j];
-        }
-        c->offset[i] = nominal->offset[i] + (cofactor[0][i] * delta[0] + cofactor[1][i] * delta[1] +
-                                             cofactor[2][i] * delta[2]) /
-                                                det;
+        multiply(nominal->matrix[0], 3, c->matrix[i]);
+        c->offset[i] = nominal->offset[i] + c->offset[i] / det;
     }
 }
 
