@@ -25,9 +25,11 @@ void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3
 void invcal_apply_counts(const invcal_calibration *calibration, const int32_t raw[3],
                          invcal_real calibrated[3])
 {
-    const invcal_real counts[3] = {(invcal_real)raw[0], (invcal_real)raw[1], (invcal_real)raw[2]};
-
-    invcal_apply(calibration, counts, calibrated);
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        calibrated[i] = (invcal_real)raw[i];
+    }
+    invcal_apply(calibration, calibrated, calibrated);
 }
 
 invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field)
