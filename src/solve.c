@@ -33,9 +33,15 @@ INVCAL_NOINLINE void invcal_cross(const invcal_real *a, const invcal_real *b,
 
 invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
 {
-    invcal_cross(m[1], m[2], c[0]);
-    invcal_cross(m[2], m[0], c[1]);
-    invcal_cross(m[0], m[1], c[2]);
+    const invcal_real *a = m[1];
+    const invcal_real *b = m[2];
+
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        invcal_cross(a, b, c[i]);
+        a = b;
+        b = m[i];
+    }
     return invcal_dot3(m[0], c[0]);
 }
 
