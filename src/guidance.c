@@ -13,33 +13,25 @@
 #include "sums.h"
 #include "vector.h"
 
-#define RIDGE INVCAL_REAL(1e-5)       /* over the trace plus 10: between weak and good */
-#define ACROSS INVCAL_REAL(0.0078125) /* the opposite direction counts 1/64 less */
-#define THE_SAME INVCAL_REAL(0.9)     /* cosine of 26 degrees: the same position if closer */
-#define CLEARLY INVCAL_REAL(1.001)    /* if directions differ by less, the first wins */
-#define NO_LENGTH INVCAL_REAL(1e-6)   /* a square, so that 0 has a length too */
+#define RIDGE INVCAL_REAL(1e-5)     /* over the trace plus 10: between weak and good */
+#define ACROSS 128                  /* the opposite direction counts 1/64 less */
+#define THE_SAME INVCAL_REAL(0.9)   /* cosine of 26 degrees: the same position if closer */
+#define CLEARLY INVCAL_REAL(1.001)  /* if directions differ by less, the first wins */
+#define NO_LENGTH INVCAL_REAL(1e-6) /* a square, so that 0 has a length too */
 
-INVCAL_NOINLINE int invcal_direction(unsigned n, invcal_real up[3])
+INVCAL_NOINLINE void invcal_direction(unsigned n, invcal_real up[3])
 {
-    static const invcal_real length[] = {0, 1, INVCAL_REAL(0.70710678118654752),
-                                         INVCAL_REAL(0.57735026918962576)};
-    unsigned squares = 0;
-
+    n += n >= INVCAL_DIRECTIONS / 2; /* not the centre */
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
-        const int sign = 1 - (int)(n & 3u);
-        if (sign < -1) {
-            return 0;
-        }
-        up[i] = (invcal_real)sign;
-        squares += sign != 0;
-        n >>= 2;
+        up[i] = (invcal_real)(1 - (int)(n % 3));
+        n /= 3;
     }
+    const invcal_real length = INVCAL_SQRT(invcal_dot3(up, up));
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
-        up[i] *= length[squares];
+        up[i] /= length;
     }
-    return 1;
 }
 
 /* ---- information ----------------------------------------------------------------------------- */
@@ -68,23 +60,21 @@ void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal
 {
     const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current) + NO_LENGTH);
     invcal_real h[INVCAL_PARAMETERS];
-    invcal_real best = 0;
+    invcal_real most = 0;
     unsigned next = 0;
 
     (void)invcal_ridged_inverse(sums);
     for (unsigned n = 0; n < INVCAL_DIRECTIONS; n++) {
-        if (!invcal_direction(n, h)) {
-            continue;
-        }
+        invcal_direction(n, h);
         const invcal_real along = invcal_dot3(h, current);
         invcal_row_of(h);
-        const invcal_real merit = invcal_leverage(sums->sum, h) * (length + ACROSS * along);
-        if (along <= THE_SAME * length && !(merit <= CLEARLY * best)) { /* any, if all are NaN */
-            best = merit;
+        const invcal_real merit = invcal_leverage(sums->sum, h) * (ACROSS * length + along);
+        if (along <= THE_SAME * length && !(merit <= most)) { /* any, if all are NaN */
+            most = CLEARLY * merit;
             next = n;
         }
     }
-    (void)invcal_direction(next, up);
+    invcal_direction(next, up);
 }
 
 void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,

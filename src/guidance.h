@@ -7,11 +7,11 @@
 
 #include "invcal/expert.h"
 
-enum { INVCAL_DIRECTIONS = 43 }; /* from 0 to the last, 222 to base 4 */
+enum { INVCAL_DIRECTIONS = 26 };
 
-/* Faces, edges and corners of a cube, as unit vectors: n to base 4 has a digit for each axis, x
- * first, 0 for +, 1 for neither, 2 for -; the centre is 0. Returns 0 if a digit is 3. */
-int invcal_direction(unsigned n, invcal_real up[3]);
+/* Faces, edges and corners of a cube, as unit vectors: with the centre as number 13, n to base 3 has
+ * a digit for each axis, x first, 0 for +, 1 for neither, 2 for -. */
+void invcal_direction(unsigned n, invcal_real up[3]);
 
 /* The sums of positions; skips those that are not readings.
  *

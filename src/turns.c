@@ -360,7 +360,8 @@ void invcal_turns_next(const invcal_turns *turns, invcal_turn *out)
     invcal_zero(&turn, sizeof turn);
     *out = turn;
     for (unsigned n = 0; n < INVCAL_DIRECTIONS; n++) {
-        if (invcal_direction(n, up) && turn_to(turns->up, up, &turn) >= NO_ARC) {
+        invcal_direction(n, up);
+        if (turn_to(turns->up, up, &turn) >= NO_ARC) {
             make_turn_rows(turns, &turn, &rows);
             const invcal_real merit = merit_of(inverse, turns->n, &rows);
             if (!(merit <= CLEARLY * best)) { /* the last one, if all are NaN */
