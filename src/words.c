@@ -27,20 +27,21 @@ static INVCAL_ONCE unsigned tilt(unsigned less)
 }
 
 /* Writes text number n: before the first, second, third axis; after the third, second, first. # is
- * the tilt, as a multiple of 5 degrees. */
+ * the tilt, as a multiple of 5 degrees. Returns its end, a 0. */
 INVCAL_NOINLINE static char *put(char *at, unsigned n, unsigned fives)
 {
     static const char texts[] = "\0 up, tilt # deg, \0 and \0 rise\0 rises\0 up\0";
     const char *text = texts;
 
-    while (n > 0) { /* at most 42 steps: the length of all */
-        n -= *text++ == '\0';
+    for (; n > 0; n--) {
+        while (*text++ != '\0') { /* at most 42 steps: the length of all */
+        }
     }
-    for (; *text != '\0'; text++) { /* at most 17 steps: that of the longest */
-        *at = *text;
-        if (*text == '#') {
-            *at = (char)('0' + fives / 2);
-            at += fives > 1;
+    while ((*at = *text++) != '\0') { /* at most 17 steps: that of the longest */
+        if (*at == '#') {
+            if (fives > 1) {
+                *at++ = (char)('0' + fives / 2);
+            }
             *at = fives % 2 == 0 ? '0' : '5';
         }
         at++;
@@ -63,7 +64,7 @@ const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS])
         unsigned parts = WHOLE;
         if (x < 1) {
             //@ assert \is_finite(x); // no NaN is less than 1
-            parts = (unsigned)(int)(x * WHOLE);
+            parts = (unsigned)(int)(x * WHOLE); /* as signed: less code in software */
         }
         size[i] = parts;
         const unsigned rank = parts + (i ^ 1u); /* of equals z comes first, then x */
@@ -83,6 +84,6 @@ const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS])
         }
         axis = axis == 2 ? 0 : axis + 1;
     }
-    *put(at, TEXTS - 1 - named, fives) = '\0';
+    (void)put(at, TEXTS - 1 - named, fives);
     return words;
 }
