@@ -24,8 +24,9 @@ INVCAL_NOINLINE void invcal_direction(unsigned n, invcal_real up[3])
     n += n >= INVCAL_DIRECTIONS / 2; /* not the centre */
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
-        up[i] = (invcal_real)(1 - (int)(n % 3));
-        n /= 3;
+        const unsigned third = n * 11 / 32; /* of n < 32: some have to call a function to divide */
+        up[i] = (invcal_real)(1 - (int)(n - 3 * third));
+        n = third;
     }
     const invcal_real length = INVCAL_SQRT(invcal_dot3(up, up));
     INVCAL_ROLL
