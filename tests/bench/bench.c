@@ -401,7 +401,7 @@ static void bench_thermal(void)
     report("thermal_at", end());
 }
 
-/* A memory that costs next to nothing. */
+/* A memory that costs almost nothing. */
 static uint8_t slots[2][INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, 8)];
 
 static int read_slot(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
