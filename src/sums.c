@@ -28,7 +28,11 @@ void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 #if !INVCAL_FAST
 INVCAL_NOINLINE void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
 {
+#ifdef __AVR__
+    invcal_products(h, h); /* both factors the same: two equal halves, in less flash */
+#else
     invcal_row_inline(h);
+#endif
 }
 
 INVCAL_NOINLINE invcal_status invcal_read(const invcal_calibration *nominal,
