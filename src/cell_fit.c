@@ -193,7 +193,6 @@ void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
     invcal_quality *const q = &fit->quality;
     const invcal_real seen = q->noise * q->noise;
     invcal_real expected = 0;
-    invcal_real k[INVCAL_PARAMETERS];
 
     for (unsigned i = 0; i < INVCAL_CELLS; i++) {
         const unsigned count = invcal_cells_count(&fit->tables, i);
@@ -207,12 +206,12 @@ void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
     const invcal_real dof = invcal_number(q->dof);
     const invcal_real of_power = invcal_number(POWER_DOF);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        k[r] = q->sigma[r] * q->sigma[r] / seen;
+        q->sigma[r] = q->sigma[r] * q->sigma[r] / seen; /* K */
     }
     q->noise = INVCAL_SQRT((dof * seen + of_power * expected) / (dof + of_power));
     q->sigma_dof = (uint16_t)(q->dof + POWER_DOF);
     q->verdict = INVCAL_GOOD;
-    invcal_judge_parameters(k, (const invcal_real(*)[3])fit->triad.matrix, q);
+    invcal_judge_parameters((const invcal_real(*)[3])fit->triad.matrix, q);
 }
 
 /* The row of cell k: (eta, 1, excess length of late samples), since an offset d moves the length by

@@ -23,20 +23,16 @@ void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_real row[INVCAL_PA
 /* Squares of the residuals themselves, since J'J - p'H'Hp cancels if nominal is far off. */
 invcal_status invcal_fit_solve(invcal_fit *fit)
 {
-    invcal_real condition;
+    invcal_quality q; /* not used */
     invcal_real row[INVCAL_PARAMETERS + 1];
 
-    invcal_status status = invcal_positions_sum(&fit->positions, &fit->sums);
-    if (status == INVCAL_OK) {
-        status = invcal_determine(fit->sums.sum, INVCAL_PARAMETERS + 1, row,
-                                  &condition); /* L^-1 and p */
-    }
+    const invcal_status status = invcal_positions_solve(&fit->positions, &fit->sums, &q);
     if (status != INVCAL_OK) {
         return status;
     }
     fit->squares = ROUNDING * ROUNDING;
     for (unsigned k = 0; k < fit->positions.count; k++) {
-        if (!invcal_is_left_out(&fit->positions, k)) {
+        if (!(fit->positions.left_out >> k & 1u)) {
             invcal_fit_row(fit, k, row);
             fit->squares += row[INVCAL_J] * row[INVCAL_J];
         }

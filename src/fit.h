@@ -20,7 +20,7 @@ typedef struct {
     invcal_sums sums; /* their number; L^-1 of their system, then p */
 } invcal_fit;
 
-/* Returns as invcal_positions_sum, then as invcal_determine. */
+/* Returns as invcal_positions_solve. */
 invcal_status invcal_fit_solve(invcal_fit *fit);
 
 /* The row of position k: h, and in place of J its residual J + h p. */

@@ -5,7 +5,10 @@
 #ifndef INVCAL_JUDGE_H
 #define INVCAL_JUDGE_H
 
+#include <stddef.h>
+
 #include "invcal/expert.h"
+#include "vector.h"
 
 /* Positions, with nominal and noise. */
 typedef struct {
@@ -18,24 +21,45 @@ typedef struct {
 
 static inline int invcal_is_left_out(const invcal_positions *positions, unsigned i)
 {
-    return positions->left_out && i < INVCAL_MAX_POSITIONS && (positions->left_out >> i & 1u);
+    return i < INVCAL_MAX_POSITIONS && (positions->left_out >> i & 1u);
 }
 
 /* INVCAL_BAD_... of the nominal and noise. */
 invcal_status invcal_positions_check(const invcal_positions *positions);
 
-/* First pass: the sums of all that are not left out, up to the first that is not a reading. Returns
- * as invcal_observe. */
-invcal_status invcal_positions_sum(const invcal_positions *positions, invcal_sums *sums);
+/* One pass over all that are not left out.
+ *
+ * First, with c the nominal, a and q NULL: the sums of their exact rows.
+ *
+ * Second, with the calibration c of the raw counts, and A of it: residuals without cancellation,
+ * and the information on the nine parameters, each row weighted by its actual noise. sums become a
+ * system: sigma^2 of the parameters is noise^2 times the diagonal of its inverse. Its last element:
+ * the weighted squares of the residuals, in terms of noise of u. q begins anew, with the residuals.
+ *
+ * Returns as invcal_observe for the first that is not a reading; in the second INVCAL_NOT_ELLIPSOID
+ * if a residual is absurd, or all are. */
+invcal_status invcal_positions_pass(const invcal_positions *positions, const invcal_calibration *c,
+                                    const invcal_real a[3][3], invcal_sums *sums,
+                                    invcal_quality *q);
+
+static inline invcal_status invcal_positions_sum(const invcal_positions *positions,
+                                                 invcal_sums *sums)
+{
+    return invcal_positions_pass(positions, positions->nominal, NULL, sums, NULL);
+}
+
+/* First pass, and its solution: sums become L^-1 and p, and q tells K and the condition of them.
+ * Returns as the pass, then INVCAL_TOO_FEW, then as invcal_determine. */
+invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,
+                                     invcal_quality *q);
 
 /* The system of nine to L^-1, and to p if there is a row behind them.
  *
- * k          the diagonal of the inverse.
- * condition  tr A tr A^-1: at least that of A.
+ * q->sigma      the diagonal K(r,r) of the inverse.
+ * q->condition  tr A tr A^-1: at least that of A.
  *
  * INVCAL_UNDETERMINED if it is determined by rounding only. */
-invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_real k[INVCAL_PARAMETERS],
-                               invcal_real *condition);
+invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_quality *q);
 
 /* invcal_calibrate_without. */
 invcal_status invcal_positions_calibrate(const invcal_positions *positions, invcal_calibration *out,
@@ -44,54 +68,51 @@ invcal_status invcal_positions_calibrate(const invcal_positions *positions, invc
 /* ---- the steps of a judgement ---------------------------------------------------------------- */
 
 #define INVCAL_WEAK_K INVCAL_REAL(100.0)   /* square of 10. Above: usable only within its sigma */
+#define INVCAL_ABSURD INVCAL_REAL(0.1)     /* rms of the residuals. Above: refused */
 #define INVCAL_HOPELESS_K INVCAL_REAL(1e6) /* square of 1000, all nine K together. Above: refused */
-
-/* Of calibrated lengths, each less 1. */
-typedef struct {
-    invcal_real rms; /* until the end: the sum of their squares */
-    invcal_real max; /* without its sign */
-    unsigned worst;  /* the position of max */
-    unsigned count;
-} invcal_residuals;
-
-/* Position i, calibrated. */
-void invcal_residuals_add(invcal_residuals *residuals, unsigned i, const invcal_row *row);
-
-/* Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID for an rms of a tenth of the field. */
-invcal_status invcal_residuals_end(invcal_residuals *residuals);
 
 enum { INVCAL_UNCHECKED = 0x1E }; /* a bit for each systematic error */
 
-/* Nothing was found, since nothing was tested. */
+/* Nothing was found, since nothing was tested; no residuals. */
 static inline void invcal_judge_begin(invcal_quality *q)
 {
-    q->left_out = 0;
-    q->suspected = 0;
-    q->size = 0;
-    q->systematic = INVCAL_NO_SYSTEMATIC;
-    q->axis = 0;
+    invcal_zero(q, sizeof *q); /* INVCAL_GOOD, INVCAL_NO_SYSTEMATIC */
     q->unchecked = INVCAL_UNCHECKED;
-    q->verdict = INVCAL_GOOD;
 }
 
-/* rms, max, worst, positions. */
-void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q);
+/* Position i, calibrated: rms (until the end the sum of the squares), max and worst of |eta| - 1.
+ * From j = (|eta|^2 - 1)/2 = (|eta| - 1)(|eta| + 1)/2, since a root less 1 would cancel. */
+static INVCAL_ONCE void invcal_residuals_add(invcal_quality *q, unsigned i, const invcal_row *row)
+{
+    const invcal_real twice = 2 * row->h[INVCAL_J];
+    const invcal_real r = twice / (1 + INVCAL_SQRT(1 + twice));
+
+    q->rms += r * r;
+    if (!(INVCAL_FABS(r) <= q->max)) {
+        q->max = INVCAL_FABS(r);
+        q->worst = (uint16_t)i;
+    }
+    q->positions++;
+}
+
+/* Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID if they are not readings of one field. */
+static INVCAL_ONCE invcal_status invcal_residuals_end(invcal_quality *q)
+{
+    q->rms = INVCAL_SQRT(q->rms / invcal_number(q->positions));
+    return q->rms <= INVCAL_ABSURD ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
+}
 
 /* g = A eta: noise of u, the same on all axes, moves the length of eta = A (u - delta), A
  * symmetric, by |g| times that noise. Returns |g|^2. */
-invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3]);
-
-/* Second pass, with the calibration c of the raw counts: residuals without cancellation, and the
- * information on the nine parameters, each row weighted by its actual noise.
- *
- * a     A of c.
- * sums  as a system: sigma^2 of the parameters is noise^2 times the diagonal of its inverse. The
- *       last element: the weighted squares of the residuals, in terms of noise of u.
- *
- * Returns INVCAL_OK; INVCAL_NOT_ELLIPSOID if a residual is absurd, or all are. */
-invcal_status invcal_positions_compare(const invcal_positions *positions,
-                                       const invcal_calibration *c, const invcal_real a[3][3],
-                                       invcal_sums *sums, invcal_residuals *residuals);
+static INVCAL_ONCE invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3],
+                                               invcal_real g[3])
+{
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        g[i] = invcal_dot3(a[i], eta);
+    }
+    return invcal_dot3(g, g);
+}
 
 /* Only a worse one counts. */
 static inline void invcal_raise(invcal_quality *q, unsigned verdict)
@@ -110,7 +131,7 @@ enum { INVCAL_STATED = 4 }; /* residuals that a stated noise counts as */
  * squares  the sum of the weighted squares of the residuals.
  * dof      their degrees of freedom, q->dof rounded down; below 1 they do not count. */
 void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
-                        invcal_quality *q);
+                        invcal_real silent, invcal_quality *q);
 
 /* dof rounded down, and limited so that a stated noise can still be added. */
 static inline uint16_t invcal_whole(invcal_real dof)
@@ -128,14 +149,13 @@ static inline uint16_t invcal_whole(invcal_real dof)
 invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real trace);
 static inline int invcal_is_resolved(invcal_real condition)
 {
-    return condition * INVCAL_FLOOR < 2;
+    return condition < 2 / INVCAL_FLOOR;
 }
 
-/* weak, sigma and the verdict, from K(r,r) = k[r] = sigma^2 / noise^2. Weak: K is large, or the
+/* weak, sigma and the verdict, from K(r,r) = sigma^2 / noise^2 in q->sigma[r]. Weak: K is large, or the
  * information 1 / K is at most ten times the part added by noise in the readings themselves, about
  * noise^2 in each row: then open directions look determined (mathematics.md, "Verdict, and near
  * cones"). */
-void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
-                             invcal_quality *q);
+void invcal_judge_parameters(const invcal_real a[3][3], invcal_quality *q);
 
 #endif

@@ -102,15 +102,7 @@ static INVCAL_ONCE void recall_row(const search *s, unsigned k,
 static INVCAL_ONCE void make_weights(const invcal_real *inverse, invcal_real v[INVCAL_PARAMETERS])
 {
     (void)invcal_leverage(inverse, v);
-    INVCAL_ROLL
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real y = v[r];
-        v[r] = 0;
-        INVCAL_ROLL
-        for (unsigned c = 0; c <= r; c++) {
-            v[c] += *inverse++ * y;
-        }
-    }
+    invcal_transposed(inverse, INVCAL_PARAMETERS, v);
 }
 
 /* Position k as member d, from 1: the group enters the contest of its size. Returns 1 if a member

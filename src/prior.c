@@ -106,7 +106,7 @@ static invcal_status judge_with(const invcal_real *information, update *prior,
                                 invcal_real l[SYSTEM], const invcal_real a[3][3])
 {
     invcal_quality *q = &prior->q;
-    invcal_real k[INVCAL_PARAMETERS];
+    invcal_real *const k = q->sigma;
     invcal_real dof = (invcal_real)q->positions;
     invcal_real trace = 0;
     unsigned bits = 0;
@@ -131,13 +131,13 @@ static invcal_status judge_with(const invcal_real *information, update *prior,
     }
     q->dof = invcal_whole(dof);
     q->condition = invcal_condition(l, INVCAL_PARAMETERS, trace);
-    invcal_judge_begin(q);
-    invcal_judge_noise(prior->stated, information[SYSTEM - 1], dof, q);
+    q->verdict = INVCAL_GOOD;
+    invcal_judge_noise(prior->stated, information[SYSTEM - 1], dof, -INVCAL_REAL_MAX, q);
     prior->of_noise = q->verdict;
     const invcal_real seen = q->noise >= prior->resolved ? q->noise : prior->resolved;
     q->noise = prior->noise; /* the weight of the prior */
     prior->noise = seen;
-    invcal_judge_parameters(k, a, q);
+    invcal_judge_parameters(a, q);
     prior->from_prior = (uint16_t)bits;
     return INVCAL_OK;
 }
@@ -145,7 +145,6 @@ static invcal_status judge_with(const invcal_real *information, update *prior,
 static invcal_status calibrate(const invcal_positions *positions, update *prior)
 {
     invcal_sums sums;
-    invcal_residuals residuals;
     invcal_calibration triad;
     invcal_real l[SYSTEM];
     const invcal_real(*a)[3] = (const invcal_real(*)[3])triad.matrix;
@@ -156,12 +155,11 @@ static invcal_status calibrate(const invcal_positions *positions, update *prior)
         status = invcal_compose(positions->nominal, &prior->c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_positions_compare(positions, &prior->c, a, &sums, &residuals);
+        status = invcal_positions_pass(positions, &prior->c, a, &sums, &prior->q);
     }
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_judge_residuals(&residuals, &prior->q);
     status = judge_with(sums.sum, prior, l, a);
     if (status == INVCAL_OK) { /* again, with the noise found */
         status = judge_with(sums.sum, prior, l, a);

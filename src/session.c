@@ -22,17 +22,6 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 #define HEAD ((uint32_t)offsetof(invcal_session, mean))
 #define LAYOUT (UINT32_C(0x5E040000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
 
-/* From the first byte on. Volatile: not by memcpy, see vector.c. */
-INVCAL_NOINLINE static void copy_bytes(void *to, const void *from, size_t size)
-{
-    const uint8_t *source = (const uint8_t *)from;
-    volatile uint8_t *at = (volatile uint8_t *)to;
-
-    for (size_t i = 0; i < size; i++) {
-        at[i] = source[i];
-    }
-}
-
 /* ---- settings -------------------------------------------------------------------------------- */
 
 /* Called before any other write to the session; writes only on success. */
@@ -63,7 +52,7 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
         session->high = INT32_MAX;
         session->rate = rate;
         session->count = 0;
-        copy_bytes(&session->nominal, nominal, sizeof *nominal);
+        invcal_copy(&session->nominal, nominal, sizeof *nominal);
         session->noise = 0;
     }
     return status;
@@ -158,7 +147,9 @@ static INVCAL_ONCE void keep(invcal_session *session)
 
     if (count == INVCAL_MAX_POSITIONS) {
         count--;
-        copy_bytes(session->mean[0], session->mean[1], count * sizeof session->mean[0]);
+        for (unsigned i = 0; i < count; i++) {
+            invcal_copy(session->mean[i], session->mean[i + 1], sizeof session->mean[0]);
+        }
     }
     (void)invcal_rests_mean(&session->rests, session->mean[count]); /* TAKEN: there is one */
     session->count = (uint8_t)(count + 1u);
@@ -283,8 +274,8 @@ invcal_status invcal_session_solve(const invcal_session *session, invcal_calibra
     INVCAL_ASSERT(session && out && quality);
 #ifndef __AVR__
     if (session->good == GOOD) {
-        copy_bytes(out, &session->calibration, sizeof *out);
-        copy_bytes(quality, &session->quality, sizeof *quality);
+        invcal_copy(out, &session->calibration, sizeof *out);
+        invcal_copy(quality, &session->quality, sizeof *quality);
         return INVCAL_OK;
     }
 #endif

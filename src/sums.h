@@ -65,6 +65,23 @@ invcal_status invcal_read(const invcal_calibration *nominal, const invcal_real r
                           invcal_real h[INVCAL_PARAMETERS + 1]);
 #endif
 
+/* v = L' v, for a packed triangle of n rows. */
+void invcal_transposed(const invcal_real *l, unsigned n, invcal_real *v);
+
+/* invcal_variance. */
+static INVCAL_ONCE invcal_real invcal_variance_inline(const invcal_real *inverse, unsigned n,
+                                                      unsigned r)
+{
+    invcal_real sum = 0;
+
+    INVCAL_ROLL
+    for (unsigned i = r; i < n; i++) {
+        const invcal_real x = inverse[INVCAL_PACKED(i, r)];
+        sum += x * x;
+    }
+    return sum;
+}
+
 /* A += weight v v', a packed triangle of n rows. */
 void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight);
 

@@ -14,9 +14,12 @@ invcal_real invcal_trace(const invcal_real *a, unsigned n)
 {
     invcal_real sum = 0;
 
-    for (unsigned r = 0; r < n; r++) {
-        sum += a[INVCAL_PACKED(r, r)];
-    }
+    unsigned r = 1;
+
+    do {
+        sum += *a;
+        a += ++r;
+    } while (r <= n);
     return sum;
 }
 
@@ -25,9 +28,9 @@ static INVCAL_ONCE invcal_real largest(const invcal_real *a, unsigned n)
     invcal_real most = 0;
 
     INVCAL_UNROLL_ROWS
-    for (unsigned r = 0; r < n; r++) {
-        const invcal_real d = a[INVCAL_PACKED(r, r)];
-        most = d > most ? d : most;
+    for (unsigned r = 2; r < n + 2; r++) {
+        most = *a > most ? *a : most;
+        a += r;
     }
     return most;
 }
@@ -111,23 +114,31 @@ void invcal_back_substitute(invcal_real *l, unsigned n)
     back_substitute(l, n);
 }
 
+INVCAL_OFTEN void invcal_transposed(const invcal_real *l, unsigned n, invcal_real *v)
+{
+    INVCAL_UNROLL_ROWS
+    for (unsigned r = 0; r < n; r++) {
+        const invcal_real x = v[r];
+        v[r] = 0;
+        INVCAL_UNROLL_ROWS
+        for (unsigned c = 0; c <= r; c++) {
+            v[c] += *l++ * x;
+        }
+    }
+}
+
 /* In place, row by row: L^-1(r,c) = -sum L(r,k) L^-1(k,c) / L(r,r) over k = c ... r - 1. The rows
- * above are inverted already, and in ascending order of c each L(r,c) is read for the last time
- * when it is replaced. */
+ * above are inverted already. */
 static INVCAL_ONCE void invert(invcal_real *l, unsigned n)
 {
     invcal_real *row = l;
 
     INVCAL_UNROLL_ROWS
     for (unsigned r = 0; r < n; r++) {
+        invcal_transposed(l, r, row);
         INVCAL_UNROLL_ROWS
         for (unsigned c = 0; c < r; c++) {
-            invcal_real sum = 0;
-            INVCAL_UNROLL_ROWS
-            for (unsigned k = c; k < r; k++) {
-                sum += row[k] * l[INVCAL_PACKED(k, c)];
-            }
-            row[c] = -sum * row[r];
+            row[c] *= -row[r];
         }
         row += r + 1;
     }
@@ -146,13 +157,7 @@ void invcal_invert(invcal_real *l, unsigned n)
 
 invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r)
 {
-    invcal_real sum = 0;
-
-    for (unsigned i = r; i < n; i++) {
-        const invcal_real x = inverse[INVCAL_PACKED(i, r)];
-        sum += x * x;
-    }
-    return sum;
+    return invcal_variance_inline(inverse, n, r);
 }
 
 invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PARAMETERS])

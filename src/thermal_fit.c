@@ -40,7 +40,6 @@ typedef struct {
     int is_judged;              /* the rows are derivatives at the solution, not equations for it */
     invcal_real min, max;       /* temperatures */
     invcal_thermal now;         /* the current calibration, used for the rows */
-    invcal_residuals residuals; /* its residuals */
     invcal_quality q;           /* its quality */
     invcal_real squares;        /* weighted, of the residuals */
     invcal_real largest;        /* on the diagonal of the system */
@@ -91,7 +90,9 @@ static invcal_status gather(job *j, unsigned n)
     invcal_row row;
 
     invcal_zero(j->a, sizeof j->a);
-    invcal_zero(&j->residuals, sizeof j->residuals);
+    j->q.rms = 0;
+    j->q.max = 0;
+    j->q.positions = 0;
     for (unsigned i = 0; i < p->count; i++) {
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
         invcal_apply(&j->now.nominal, &p->raw[3 * (size_t)i], u);
@@ -102,7 +103,7 @@ static invcal_status gather(job *j, unsigned n)
         if (status != INVCAL_OK) {
             return status;
         }
-        invcal_residuals_add(&j->residuals, i, &row);
+        invcal_residuals_add(&j->q, i, &row);
         const invcal_real square = invcal_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
         if (j->is_judged) {
             invcal_products(row.h, g);
@@ -110,7 +111,7 @@ static invcal_status gather(job *j, unsigned n)
         }
         add_at(j, n, &row, 1 / square, t);
     }
-    return j->is_judged ? invcal_residuals_end(&j->residuals) : INVCAL_OK;
+    return j->is_judged ? invcal_residuals_end(&j->q) : INVCAL_OK;
 }
 
 /* A coefficient known with a standard deviation is one more row, (noise / sigma) x = 0: it is 0 at
@@ -315,10 +316,10 @@ static invcal_status weigh(job *j)
         const invcal_real share = ratio * ratio * invcal_variance(j->a, n, i);
         dof += share > 1 ? 1 : share; /* above 1 by rounding only */
     }
-    invcal_judge_begin(&j->q);
+    j->q.verdict = INVCAL_GOOD;
+    j->q.unchecked = INVCAL_UNCHECKED;
     j->q.dof = invcal_whole(dof);
-    invcal_judge_noise(j->positions->noise, j->squares, dof, &j->q);
-    invcal_judge_residuals(&j->residuals, &j->q);
+    invcal_judge_noise(j->positions->noise, j->squares, dof, -INVCAL_REAL_MAX, &j->q);
     if (j->widest > 0) {
         j->noise = j->q.noise;
         status = solve_to(j, n);
@@ -348,7 +349,7 @@ static invcal_status judge_at(job *j, invcal_real temperature)
     const invcal_thermal *now = &j->now;
     invcal_thermal_place place;
     invcal_calibration triad;
-    invcal_real k[NINE];
+    invcal_real *const k = j->q.sigma;
     invcal_real t;
 
     invcal_status status = invcal_thermal_find(now, temperature, &t, &place);
@@ -364,7 +365,7 @@ static invcal_status judge_at(job *j, invcal_real temperature)
             return INVCAL_UNDETERMINED;
         }
     }
-    invcal_judge_parameters(k, (const invcal_real(*)[3])triad.matrix, &j->q);
+    invcal_judge_parameters((const invcal_real(*)[3])triad.matrix, &j->q);
     return INVCAL_OK;
 }
 

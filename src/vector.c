@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The loops for builds optimised for size: see invcal_zero in vector.h. Volatile: gcc would turn
- * them into calls of memset.
+ * them into calls of memset and memcpy.
  */
 #include "vector.h"
 
@@ -20,5 +20,15 @@ void invcal_zero_reals(invcal_real *x, unsigned count)
 
     for (unsigned i = 0; i < count; i++) {
         at[i] = 0;
+    }
+}
+
+void invcal_copy_bytes(void *restrict to, const void *restrict from, size_t size)
+{
+    volatile uint8_t *at = (volatile uint8_t *)to;
+    const uint8_t *source = (const uint8_t *)from;
+
+    for (size_t i = 0; i < size; i++) {
+        at[i] = source[i];
     }
 }
