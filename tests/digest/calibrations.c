@@ -158,6 +158,26 @@ static void sets_with_outliers_or_drift(void)
     }
 }
 
+/* The same without a test for drift; and which position would be next, and how good it would be. */
+static void robust(void)
+{
+    invcal_calibration calibration;
+    invcal_quality quality;
+    float up[3], root[INVCAL_PARAMETERS];
+
+    input_positions(raw, 18, 0.02f, 1e-3f);
+    raw[7][0] -= 300;
+    const invcal_status status =
+        invcal_calibrate_robust(raw[0], 18, &nominal, 1e-3f, &calibration, &quality);
+    begin_set("robust", status);
+    digest_calibration(&calibration, &nominal);
+    digest_quality(&quality, &nominal);
+    invcal_next(raw[0], 18, &nominal, up);
+    digest_reals("next", up, 3);
+    invcal_prospect(raw[0], 18, &nominal, up, root);
+    digest_reals("root", root, INVCAL_PARAMETERS);
+}
+
 static void refusals(void)
 {
     input_positions(raw, 18, 0.02f, 1e-3f);
@@ -187,5 +207,6 @@ void part_calibrations(void)
     sets_with_a_prior();
     six_faces();
     sets_with_outliers_or_drift();
+    robust();
     refusals();
 }

@@ -261,6 +261,20 @@ static void store_results(const invcal_calibration *calibration, const invcal_qu
     }
 }
 
+static void texts(void)
+{
+    digest_set("texts");
+    for (unsigned i = 0; i <= INVCAL_STATUS_COUNT; i++) {
+        digest_text("status", invcal_status_text((invcal_status)i));
+    }
+    for (unsigned i = 0; i <= INVCAL_WEAK + 1; i++) {
+        digest_text("verdict", invcal_verdict_text((invcal_verdict)i));
+    }
+    for (unsigned i = 0; i <= INVCAL_PARAMETERS; i++) {
+        digest_text("parameter", invcal_parameter_name(i));
+    }
+}
+
 static void use(const invcal_calibration *calibration)
 {
     invcal_calibration scaled = *calibration;
@@ -291,4 +305,5 @@ void part_device(void)
     record_results(&calibration, &quality);
     store_results(&calibration, &quality);
     use(&calibration);
+    texts();
 }
