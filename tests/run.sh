@@ -4,8 +4,9 @@
 # Runs every test in the build folder $1, and the scripts next to this file, two at a time. Prints a
 # line for each suite, below it what failed and where its log is, and at the end `N passed, N failed`.
 # CC, CFLAGS and UNITY are passed on to scripts that compile something. ONLY='rests|tool': only suites whose names match.
-# PART=src: the unit tests of the library, of the TYPES 'float double' or one of them; PART=host: everything else. LONG=1:
-# with the tests that take long. LONG=only: the same, without what LONG does not change.
+# PART=src: the unit tests of the library, of the TYPES 'float double' or one of them; PART=host: everything else.
+# LONG=1: with the tests that take long. LONG=only: the same, without what LONG does not change.
+# A suite with fewer checks than floors.txt states has failed, see floor.sh; unless it says what is not tried here.
 build=$1
 tests=$(dirname "$0")
 logs=$build/run
@@ -92,17 +93,34 @@ failures() { # LOG
         }' "$1"
 }
 
+floor() { # SUITE COUNT
+    case $1 in
+    float-*) set -- "$2" "unit-${1#*-}" ;;
+    double-*) set -- "$2" "unit-${1#*-}" double ;;
+    *) set -- "$2" "$1" ;;
+    esac
+    sh "$tests/floor.sh" "$@" ${LONG:+long} ${BRIEF:+brief} ${DEGREE:+"degree$DEGREE"}
+}
+
 # A suite gives its result as "N Tests F Failures I Ignored" (Unity) or "N passed, N failed".
 # One that gives neither has crashed, and one that ran no test shows nothing: one failure each.
 while read -r name _; do
-    : >> "$logs/$name.log" # in case it was not run
+    log=$logs/$name.log
+    : >> "$log" # in case it was not run
     result=$(awk '
         / Tests .* Failures .* Ignored/ { p = $1 - $3 - $5; f = $3 }
         /^[0-9]+ passed, [0-9]+ failed$/ { p = $1; f = $3 }
         /^exit status / { status = $3 }
-        END { if (p + f == 0 || (status && !f)) f++; print p + 0, f + 0 }' "$logs/$name.log")
-    echo "$name: ${result% *} passed, ${result#* } failed"
-    [ "${result#* }" -eq 0 ] || { failures "$logs/$name.log"; echo "    all of it: $logs/$name.log"; }
+        END { if (p + f == 0 || (status && !f)) f++; print p + 0, f + 0 }' "$log")
+    passed=${result% *} failed=${result#* } said=
+    if [ "$failed" -gt 0 ]; then
+        said=$(failures "$log")
+    elif [ "$FLOORS" = exact ] || ! grep -q ' not tried: ' "$log"; then
+        said=$(floor "$name" "$passed") || failed=1
+    fi
+    echo "$name: $passed passed, $failed failed"
+    [ -z "$said" ] || printf '%s\n' "$said"
+    [ "$failed" -eq 0 ] || echo "    all of it: $log"
 done < "$logs/list" | awk '{ print }
     /^[a-z0-9_-]+: [0-9]+ passed, [0-9]+ failed$/ { passed += $2; failed += $4 }
     END { print passed + 0 " passed, " failed + 0 " failed"; exit failed > 0 || passed == 0 }'

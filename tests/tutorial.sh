@@ -66,7 +66,7 @@ compiles() { # NAME
     *.c) set -- "$1" "${CC:-cc}" -std=c99 ;;
     *) set -- "$1" "$(command -v c++ || command -v clang++-19)" -std=c++11 ;;
     esac
-    [ -n "$2" ] || return 0
+    [ -n "$2" ] || { echo "$1 is not tried: there is no C++ compiler"; return 0; }
     "$2" "$3" -Wall -Wextra -pedantic -Werror -I"$root/include" -I. -c "$1" -o "$1.o" \
         > "$out/$1.log" 2>&1 && echo 0 > "$out/$1.compiled" || echo 1 > "$out/$1.compiled"
 }

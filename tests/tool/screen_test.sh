@@ -96,6 +96,8 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
         python3 "$here/screen_svg.py" 'or go on: 57 degrees to go' < "$work/typed" > "$work/watch.svg"
         [ -z "$DRAW" ] || cp "$work/watch.svg" "$here/../../port/host/watch.svg"
         check "the tutorial shows a frame of it" cmp "$work/watch.svg" "$here/../../port/host/watch.svg"
+    else
+        echo "tool: the tutorial's frame is not tried: python3 is not installed"
     fi
 
     terminal 'NO_COLOR=1 invcal watch "$work/edges.csv"'

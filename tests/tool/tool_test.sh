@@ -686,6 +686,8 @@ if [ -c /dev/full ]; then
     noticed "help of a command" calibrate --help
     noticed "apply" apply "$work/apply.json" "$work/log.csv"
     noticed "a refusal in JSON" calibrate "$work/three.csv" --positions --json
+else
+    echo "tool: a full standard output is not tried: there is no /dev/full"
 fi
 echo old > "$work/out/cal.json"
 "$tool" calibrate "$good" --positions --out "$work/out/cal.json" >&- 2> "$work/stderr"
