@@ -39,6 +39,7 @@ times > "$work/times"
 used=$(awk -F '[ms ]+' 'NR == 2 { print int(60 * ($1 + $3) + $2 + $4) }' "$work/times")
 
 # Its last word: #number ... cov: edges ft: features corp: inputs/bytes
+edges() { sed -n "s/^#[0-9]*[[:blank:]]*$1 *cov: \([0-9]*\).*/\1/p" "$work/log"; }
 tried=$(sed -n 's/^stat::number_of_executed_units: *//p' "$work/log")
 reached=$(sed -n 's/^#[0-9]*[[:blank:]]*DONE *\(cov: [0-9]*\).*corp: \([0-9]*\).*/\1, \2 kept/p' "$work/log")
 result=PASS
@@ -48,5 +49,11 @@ if [ $status -ne 0 ]; then
 elif [ "${tried:-0}" -le $((least * used)) ]; then
     echo "$name: at most $least inputs per second"
     result=FAIL
+elif [ "$FLOORS" = update ]; then # three quarters of what the seeds alone reach: code may become shorter
+    sh "$here/../floor.sh" $(($(edges INITED) * 3 / 4))+ "edges-$name"
+else
+    reaches=$(edges DONE)
+    said=$(WHAT=edges sh "$here/../floor.sh" "${reaches:-0}" "edges-$name") || result=FAIL
+    [ -z "$said" ] || echo "${said%: FAIL}" # that is what the next line says
 fi
 echo "$name: ${tried:-0} inputs, ${reached:-nothing reached}: $result"
