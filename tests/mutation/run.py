@@ -30,6 +30,7 @@ FLAGS = "-std=c99 -ffp-contract=off -fno-math-errno -O2 -w -Iinclude".split()
 FLAGS_OF = {"short": FLAGS + ["-DINVCAL_THERMAL_DEGREE=2"],  # the same code as in BUILD
             "own": FLAGS + ["-DINVCAL_THERMAL_DEGREE=2"], "full": FLAGS}
 LEAST = 0.90
+LEAST_VALID = 0.5  # of the mutants tried; nearly all compile, and to other bytes
 SECONDS = {"short": 5, "own": 5, "full": 60}  # of the processor; suites take 0.2 and 10 at most
 SANITIZE = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")  # as in `make check`
 ROUNDS = (("short", "float", ()), ("short", "double", ()), ("own", "float", SANITIZE),
@@ -202,7 +203,19 @@ def summary(counts):
         valid = count[0] + count[1]
         print("%-20s %8d %8d %8d %8d %6.1f %%" %
               (file, *count, 100 * count[0] / valid if valid else 100))
-    return total[0] >= LEAST * (total[0] + total[1]) > 0
+    valid = total[0] + total[1]
+    if valid < LEAST_VALID * sum(total):
+        print("only %d of %d compile to other bytes: FAIL" % (valid, sum(total)))
+        return False
+    return total[0] >= LEAST * valid > 0
+
+
+def enough(possible):
+    """Has src/ as many mutants as tests/floors.txt states? That is three quarters: code may become shorter."""
+    if os.environ.get("FLOORS") == "update":
+        possible = possible * 3 // 4
+    return subprocess.run(["sh", "tests/floor.sh", "%d+" % possible, "mutants"], check=False,
+                          env={**os.environ, "WHAT": "mutants"}).returncode == 0
 
 
 def main():
@@ -226,7 +239,7 @@ def main():
     for file, before, after in sorted(gone | killed):
         print("survivors.txt is stale, this is %s: %s\n    - %s\n    + %s" %
               ("gone" if (file, before, after) in gone else "killed", file, before, after))
-    good = summary(counts) and not gone
+    good = bool(summary(counts) and not gone and (sys.argv[4:] or enough(len(everything))))
     print("%d of %d possible mutants tried; at least %.0f %% must be killed" %
           (len(chosen), len(everything), 100 * LEAST))
     print("%d passed, %d failed" % (good, not good))
