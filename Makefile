@@ -221,6 +221,8 @@ web: $(BUILD)/invcal.html ## build/invcal.html: calibrate live in a browser, or 
 
 # Stops with one line if a command is missing: $(call need,command)
 need = @command -v $(1) > /dev/null || { echo '$(1) is not installed: make deps' >&2; exit 1; }
+# In front of a gate: it must make as many checks as tests/floors.txt states, if all of it is run: $(call gate,NAME,PARTS)
+gate = $(if $(strip $(2)),,sh tests/gate.sh '$(1)')
 
 # PART=src: only the unit tests of the library, without building the tool. PART=host: everything else.
 UNIT_TESTS := $(foreach type,$(TYPES),$(SUITES:%=$(BUILD)/$(type)/%))
@@ -230,10 +232,10 @@ test: $(if $(filter host,$(PART)),,$(UNIT_TESTS)) $(if $(filter src,$(PART)),,$(
 
 coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the tool (PART=src, PART=host)
 	$(call need,llvm-cov-19)
-	$(Q)sh tests/coverage.sh $(BUILD) $(PART)
+	$(Q)sh tests/gate.sh 'coverage $(PART)' sh tests/coverage.sh $(BUILD) $(PART)
 
 check: schema ## all tests at full length under gcc and clang, C99 and C11; and with sanitizers
-	$(Q)sh tests/check.sh $(BUILD)/check
+	$(Q)$(call gate,check,$(CONFIGURATION) $(ONLY)) sh tests/check.sh $(BUILD)/check
 
 mutation: ## do the unit tests notice small changes to src/? (SAMPLE=, SEED=, ONLY=files, V=1)
 	$(call need,python3)
@@ -241,58 +243,58 @@ mutation: ## do the unit tests notice small changes to src/? (SAMPLE=, SEED=, ON
 
 # All targets at full length come with all builds.
 targets: $(BUILD)/float/digest $(if $(QUICK)$(TARGETS),,builds) ## the unit tests on emulated targets, and the same bits on all of them (QUICK=1)
-	$(Q)QUICK="$(QUICK)" sh tests/targets.sh $(BUILD) $(TARGETS)
+	$(Q)QUICK="$(QUICK)" $(call gate,targets $(if $(QUICK),quick),$(TARGETS)) sh tests/targets.sh $(BUILD) $(TARGETS)
 
 builds: $(BUILD)/float/digest ## the same bits from every build: sources, levels, compilers (BRIEF=1, ONLY='m4f .* -Os')
-	$(Q)BRIEF="$(BRIEF)" ONLY="$(ONLY)" sh tests/builds.sh $(BUILD) $(TARGETS)
+	$(Q)BRIEF="$(BRIEF)" ONLY="$(ONLY)" $(call gate,builds,$(ONLY) $(TARGETS)) sh tests/builds.sh $(BUILD) $(TARGETS)
 
 firmware: ## run the example firmware on an emulated Cortex-M4F, and check what it prints
 	$(call need,arm-none-eabi-gcc)
 	$(call need,qemu-system-arm)
-	$(Q)sh tests/firmware.sh $(BUILD)/targets
+	$(Q)sh tests/gate.sh firmware sh tests/firmware.sh $(BUILD)/targets
 
 size: ## flash, stack and structures on every target, against the budgets (V=1: every function)
-	$(Q)V="$(V)" UPDATE="$(UPDATE)" TARGETS="$(TARGETS)" sh tests/size.sh $(BUILD)/size
+	$(Q)V="$(V)" UPDATE="$(UPDATE)" TARGETS="$(TARGETS)" $(call gate,size,$(TARGETS)) sh tests/size.sh $(BUILD)/size
 
 bench: ## instructions of each operation on emulated targets, against the budgets
-	$(Q)UPDATE="$(UPDATE)" TARGETS="$(TARGETS)" sh tests/bench.sh $(BUILD)
+	$(Q)UPDATE="$(UPDATE)" TARGETS="$(TARGETS)" $(call gate,bench,$(TARGETS)) sh tests/bench.sh $(BUILD)
 
 rules: ## MISRA C:2012, clang-tidy, loop bounds, complexity (TOOL=1: of the tool, which takes minutes)
-	$(Q)sh tests/rules.sh $(BUILD) $(if $(TOOL),tool)
+	$(Q)sh tests/gate.sh 'rules $(if $(TOOL),tool)' sh tests/rules.sh $(BUILD) $(if $(TOOL),tool)
 
 SECONDS ?= 60
 fuzz: ## fuzzers of the library and the tool with sanitizers (SECONDS=60 each, DOUBLE=1, KEEP=1)
 	$(call need,clang-19)
-	$(Q)DOUBLE="$(DOUBLE)" KEEP="$(KEEP)" sh tests/fuzz.sh $(BUILD) $(SECONDS)
+	$(Q)DOUBLE="$(DOUBLE)" KEEP="$(KEEP)" sh tests/gate.sh fuzz sh tests/fuzz.sh $(BUILD) $(SECONDS)
 
 proof: ## no undefined behaviour in src/, proved by Frama-C/Eva (MODULES=..., DOUBLE=1, INT16=1)
 	$(call need,frama-c)
-	$(Q)DOUBLE="$(DOUBLE)" INT16="$(INT16)" sh tests/proof.sh $(BUILD) $(MODULES)
+	$(Q)DOUBLE="$(DOUBLE)" INT16="$(INT16)" $(call gate,proof $(if $(INT16),int16),$(MODULES)) sh tests/proof.sh $(BUILD) $(MODULES)
 
 schema: $(BUILD)/invcal ## check the tool's JSON output against port/host/schema.json
 	$(call need,python3)
-	$(Q)sh tests/tool/schema.sh $(BUILD)/invcal $(BUILD)/tool
+	$(Q)sh tests/gate.sh schema sh tests/tool/schema.sh $(BUILD)/invcal $(BUILD)/tool
 
 pages: $(BUILD)/invcal ## the reports in a browser: phone, desktop, paper; light and dark (PAGES=names; SELF=1: test the gate, too)
 	$(call need,chromium)
 	$(Q)sh tests/pages/set.sh $(BUILD)/invcal $(BUILD)/pages/of > $(BUILD)/pages.all
 	$(Q)grep -E '/($(or $(PAGES),.*))[.](html|svg)$$' $(BUILD)/pages.all > $(BUILD)/pages.list
 	$(Q)rm -f $(BUILD)/pages/chromium.log
-	$(Q)$(if $(SELF),sh tests/pages.sh --self-test $(BUILD) &&) sh tests/pages/all.sh $(BUILD)
+	$(Q)$(if $(SELF),sh tests/pages.sh --self-test $(BUILD) &&) $(call gate,pages,$(PAGES)) sh tests/pages/all.sh $(BUILD)
 
 check-web: $(BUILD)/invcal.html $(BUILD)/invcal $(BUILD)/float/digest ## the page in Chromium and Firefox; its numbers, bit by bit (WEB=names)
 	$(call need,chromium)
 	$(call need,firefox-esr)
-	$(Q)sh tests/web.sh $(BUILD) "$(WEB)"
+	$(Q)$(call gate,check-web,$(WEB)) sh tests/web.sh $(BUILD) "$(WEB)"
 
 manual: ## the headers and port/manual as HTML in build/manual; everything documented, no dead link
 	$(call need,doxygen)
-	$(Q)sh tests/manual.sh $(BUILD)
+	$(Q)sh tests/gate.sh manual sh tests/manual.sh $(BUILD)
 
 fleet: $(BUILD)/invcal ## the manual's fleet, with GNU parallel and with Apache Spark from PyPI in local mode
 	$(call need,parallel)
 	$(call need,java)
-	$(Q)sh tests/fleet/fleet.sh $(BUILD)
+	$(Q)sh tests/gate.sh fleet sh tests/fleet/fleet.sh $(BUILD)
 
 derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## check layout, expected.h, man page, pictures, scripts, English
 	$(call need,clang-format-19)
@@ -300,14 +302,14 @@ derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## check layout, expected.h, man page
 	$(call need,python3)
 	$(call need,man)
 	$(call need,mandoc)
-	$(Q)sh tests/derived.sh $(BUILD)
+	$(Q)sh tests/gate.sh derived sh tests/derived.sh $(BUILD)
 
 numerics: ## rounding errors, against 50 digits and the bounds of expert.h (COUNT=30000: ten minutes)
 	$(call need,python3)
-	$(Q)CC="$(CC)" sh tests/numerics.sh $(BUILD) $(COUNT)
+	$(Q)CC="$(CC)" sh tests/gate.sh numerics sh tests/numerics.sh $(BUILD) $(COUNT)
 
 check-gates: ## plant a bug for each gate in a copy, and check that the gate turns red (GATES=names)
-	$(Q)sh tests/gates.sh $(BUILD) $(GATES)
+	$(Q)$(call gate,check-gates,$(GATES)) sh tests/gates.sh $(BUILD) $(GATES)
 
 reference: ## regenerate tests/reference/expected.h (needs python3)
 	$(call need,python3)
@@ -347,7 +349,7 @@ packages: ## lay out all packages, in build/packages
 	@echo "the packages are in $(BUILD)/packages"
 
 check-packages: all $(BUILD)/invcal.1 ## use each package, C++ and the tarball as their users would (PACKAGES=names)
-	$(Q)sh tests/packages.sh $(BUILD) $(PACKAGES)
+	$(Q)$(call gate,check-packages,$(PACKAGES)) sh tests/packages.sh $(BUILD) $(PACKAGES)
 
 dist: ## build/dist: the last commit as a tarball, and its packages as zips; the same bytes each time
 	$(call need,git)
