@@ -3,7 +3,8 @@
 #
 # sh tests/derived.sh BUILD
 # Whatever is derived is up to date: the layout of the sources, expected.h, turns_design.h, releases/values.h, the man
-# page, the pictures of the manual. Checks the shell scripts and the English, too.
+# page, the pictures of the manual. Checks the shell scripts and the English, too, and that the suites of floors.txt
+# are there.
 # Ends with `N passed, N failed`.
 build=$1
 cd "$(dirname "$0")/.." || exit 1
@@ -57,6 +58,11 @@ samples() { # from all samples of such recordings
 scripts() {
     sh tests/sources.sh sh | xargs shellcheck -S warning
 }
+suites() {
+    ! sed -n 's|^unit-\([^ ]*\) .*|tests/unit/test_\1.c|p; s|^tool-\([^ ]*\) .*|tests/tool/test_\1.c|p
+        s|^package-\([^ ]*\) .*|tests/packages/\1.sh|p; s|^edges-\([^ ]*\) .*|tests/fuzz/\1.c|p' tests/floors.txt |
+        while read -r file; do [ -e "$file" ] || echo "there is no $file"; done | grep .
+}
 manual() {
     mandoc -Tlint -W warning "$build/invcal.1" &&
         test -z "$(LC_ALL=C.UTF-8 man --warnings -l -Tutf8 "$build/invcal.1" 2>&1 > /dev/null)"
@@ -80,6 +86,7 @@ fi
 gate "releases' files and values are what their scripts print" releases
 gate "the tool writes every key that its last release wrote" python3 tests/reference/releases/tool.py "$build/invcal" --check
 gate "nothing else is at the top level" top_level
+gate "no suite of tests/floors.txt is gone" suites
 gate "shellcheck accepts the shell scripts" scripts
 gate "text and comments have no misspelt word, and none of tests/words.txt" sh tests/words.sh
 gate "man and mandoc accept the man page" manual

@@ -138,6 +138,7 @@ plant design tests/reference/turns_design.h 's/0\.45016/0.45017/' \
     'turns_design.h is what its script prints: FAIL' make derived
 plant releases tests/reference/releases/values.h 's/0xca, 0x01/0xcb, 0x01/' \
     'what their scripts print: FAIL' make derived
+plant gone tests/floors.txt 's/^unit-allan /unit-alan /' 'there is no tests/unit/test_alan\.c' make derived
 plant script tests/readme.sh 's/^root=/unused=1\n&/' 'shell scripts: FAIL' make derived
 plant spelling src/circle.c 's|^enum { TERMS|/* Sep''erate. */\n&|' 'Sep''erate ==> Separate' make derived
 plant wording README.md 's/^## Try it/&, who''ever you are/' 'README.md:[0-9]+:who''ever: better: ' make derived
