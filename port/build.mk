@@ -7,9 +7,13 @@ include $(TARGET)/target.mk
 
 CC     := $(PREFIX)gcc
 BUILD  ?= build/targets
-OUT    := $(BUILD)/$(subst /,-,$(TARGET:port/%=%))$(if $(QUICK),-quick)
+OUT    := $(BUILD)/$(subst /,-,$(TARGET:port/%=%))$(if $(QUICK),-quick)$(LEVEL:%=-%)
 UNITY  ?= tests/unity
 OPT    ?= -O2
+# What `make size` and `make bench` measure: LEVEL=Os, O2, ...; fast is -O2 with INVCAL_FAST.
+ifdef LEVEL
+override OPT := $(if $(filter fast,$(LEVEL)),-O2 -DINVCAL_FAST=1,-$(LEVEL))
+endif
 REAL   ?= 0
 # Long tests run where LONG is set: by the target.mk of a machine that computes double in hardware.
 # Elsewhere, and with QUICK, they are skipped, and loops over random members visit one of SHARE.
@@ -37,7 +41,7 @@ Q := $(if $(V),,@)
 .DEFAULT_GOAL := tests
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: tests bench digest facts
+.PHONY: tests bench traced digest facts
 
 # Flags may have changed with them.
 RULES := $(MAKEFILE_LIST)
@@ -47,7 +51,7 @@ $(OUT)/%.o: %.c $(RULES)
 	$(Q)$(CC) $(FLAGS) -c $< -o $@
 
 # Where int has 16 bits, it is here that a number too large for it is noticed.
-$(LIBRARY): FLAGS += -Wconversion -pedantic -Werror
+$(LIBRARY): FLAGS += -Wconversion -pedantic -Werror $(if $(filter fast,$(LEVEL)),-Wno-error)
 
 # Not at link time: the optimiser does not see which names the assembly of a start-up uses.
 $(COMMON): FLAGS += -fno-lto
@@ -82,21 +86,29 @@ $(PARTS_digest:%=$(OUT)/tests/digest/digest.%.o): $(OUT)/tests/digest/digest.%.o
 	$(Q)$(CC) $(FLAGS) -DDIGEST_PART=$* -c $< -o $@
 
 $(OUT)/bench.elf: $(OUT)/tests/bench/bench.o
+$(OUT)/traced.elf: $(OUT)/tests/bench/traced.o
 $(DIGESTS:%=$(OUT)/%.elf): $(OUT)/%.elf: $(OUT)/tests/digest/%.o \
     $(patsubst %.c,$(OUT)/%.o,$(filter-out %/digest.c,$(wildcard tests/digest/*.c)))
-$(OUT)/bench.elf $(DIGESTS:%=$(OUT)/%.elf): $(COMMON) $(LIBRARY)
+$(OUT)/bench.elf $(OUT)/traced.elf $(DIGESTS:%=$(OUT)/%.elf): $(COMMON) $(LIBRARY)
 	$(Q)$(CC) $(FLAGS) $^ -Wl,--gc-sections $(LINK) -o $@
 
 digest: $(DIGESTS:%=$(OUT)/%.elf)
 
 bench: $(OUT)/bench.elf
 
+# What tests/bench/cycles.py traces.
+$(OUT)/tests/bench/traced.o: tests/bench/bench.c $(RULES)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(FLAGS) -DBENCH_TRACED=1 -c $< -o $@
+
+traced: $(OUT)/traced.elf
+
 # The example firmware, where the family has one.
 -include $(dir $(TARGET))firmware/firmware.mk
 
 # For tests/target.sh. With run_counting the machine counts; unit says what, nothing if it cannot.
 facts:
-	@echo "compiler='$(CC)' cpu='$(CPU)' emulator='$(or $(EMULATOR),$(firstword $(RUN)))'"
+	@echo "compiler='$(CC)' cpu='$(CPU)' emulator='$(or $(EMULATOR),$(firstword $(RUN)))' levels='Os $(LEVELS)' processor='$(PROCESSOR)'"
 	@echo "out='$(OUT)' run='$(RUN)' run_counting='$(RUN:-kernel=$(COUNTING) -kernel)' unit='$(UNIT)'"
 
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)

@@ -18,14 +18,14 @@ target_make() {
     make -s --no-print-directory -f port/build.mk BUILD="$build_in" TARGET="$built_for" "$@"
 }
 
-# target_facts BUILD FOLDER: sets compiler, cpu, emulator, out, run, run_counting and unit from
-# port/build.mk.
+# target_facts BUILD FOLDER [LEVEL]: sets compiler, cpu, emulator, levels, processor, out, run, run_counting
+# and unit from port/build.mk.
 target_facts() {
     if [ ! -f "${2%/}/target.mk" ]; then
         echo "$2 is not a target; targets: $(all_targets | paste -s -d ' ' -)" >&2
         return 1
     fi
-    facts=$(target_make "$1" "$2" facts) || return
+    facts=$(target_make "$1" "$2" LEVEL="$3" facts) || return
     eval "$facts"
 }
 

@@ -71,7 +71,7 @@ void invcal_sums_init(invcal_sums *sums);
  *
  * nominal  the same for all positions.
  *
- * Returns as invcal_observe. Cost: 230 instructions, no division. */
+ * Returns as invcal_observe. Cost: 440 instructions, no division. */
 invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nominal,
                               const invcal_real raw[3]);
 
@@ -102,7 +102,7 @@ void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real w
  *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid, or on one that no triad has: see
  *                         invcal_calibrate;
  *   INVCAL_BAD_NOMINAL    the result is beyond the limits of invcal_nominal.
- * Cost: 2,900 instructions. Stack: about 180 bytes. */
+ * Cost: 4,200 instructions. Stack: about 180 bytes. */
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
                            invcal_calibration *out);
 
@@ -182,7 +182,7 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
  * count    any; no positions leave all nine open.
  * nominal  the one of the refusal.
  *
- * Returns bit r for parameter r; 0: none. Cost: 7,000 instructions for 18 positions. Stack: about
+ * Returns bit r for parameter r; 0: none. Cost: 12,000 instructions for 18 positions. Stack: about
  * 400 bytes. */
 uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
                              const invcal_calibration *nominal);
@@ -191,8 +191,7 @@ uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
  *
  * raw, count, nominal  those of the refusal.
  *
- * Returns the first one, from 0; count if all are readings. Cost: 76 instructions for each
- * reading. Stack: about 110 bytes. */
+ * Returns the first one, from 0; count if all are readings. Stack: about 70 bytes. */
 unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
                             const invcal_calibration *nominal);
 
@@ -206,7 +205,7 @@ unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
  * nominal      the one it was solved with.
  * x            delta over field, dk (1), gamma (rad): accurate to a few INVCAL_EPSILON.
  *
- * Checks nothing: a bad calibration gives NaN. Cost: 320 instructions. Stack: about 190 bytes. */
+ * Checks nothing: a bad calibration gives NaN. Stack: about 190 bytes. */
 void invcal_deviation(const invcal_calibration *calibration, const invcal_calibration *nominal,
                       invcal_real x[INVCAL_PARAMETERS]);
 
@@ -219,7 +218,7 @@ void invcal_deviation(const invcal_calibration *calibration, const invcal_calibr
  * nominal      the one it was solved with. If its matrix is diagonal, the new one is exactly 0
  *              below the diagonal.
  *
- * Cost: 620 instructions. Stack: about 200 bytes. */
+ * Stack: about 200 bytes. */
 void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibration *nominal);
 
 /* The standard deviation of the offset in raw counts: quality.sigma of delta through the inverse of
@@ -228,7 +227,7 @@ void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibr
  *
  * sigma  of the three raw axes, counts.
  *
- * Cost: 190 instructions. Stack: about 80 bytes. */
+ * Stack: about 80 bytes. */
 void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration *nominal,
                          invcal_real sigma[3]);
 
@@ -243,15 +242,14 @@ void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration
  * quality  reads dof and verdict; sets noise, sigma_dof and verdict. noise is 1, the whole field,
  *          if there is neither a residual nor a stated noise.
  *
- * Cost: 90 instructions. Stack: about 10 bytes. */
+ * Stack: about 10 bytes. */
 void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality *quality);
 
 /* Is `found` the better of two calibrations? For a device that recalibrates now and then.
  *
  * Returns 1 if its verdict is no worse, and the sum of the squares of its nine 95 % intervals,
  * invcal_coverage of sigma_dof times sigma, is smaller, so that a sigma that happens to be small
- * does not decide. 0 otherwise, also if they are equal. Cost: 120 instructions. Stack: about 40
- * bytes. */
+ * does not decide. 0 otherwise, also if they are equal. Stack: about 40 bytes. */
 int invcal_improves(const invcal_quality *found, const invcal_quality *present);
 
 /* ---- without some of the positions ----------------------------------------------------------- */
@@ -262,7 +260,7 @@ int invcal_improves(const invcal_quality *found, const invcal_quality *present);
  *
  * out  may equal nominal.
  *
- * Everything else as for invcal_calibrate_judged. Cost: 90,000 instructions for 18 good
+ * Everything else as for invcal_calibrate_judged. Cost: 110,000 instructions for 18 good
  * positions. */
 invcal_status invcal_calibrate_robust(const invcal_real *raw, unsigned count,
                                       const invcal_calibration *nominal, invcal_real noise,
@@ -305,7 +303,7 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
  *
  * Returns as invcal_calibrate; INVCAL_BAD_PRIOR if a number is negative or not finite, or all are
  * 0. INVCAL_UNDETERMINED refers to parameters without a prior.
- * Cost: 47,000 instructions for 18 positions. Stack: about 950 bytes. */
+ * Cost: 80,000 instructions for 18 positions. Stack: about 950 bytes. */
 invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count,
                                           const invcal_calibration *nominal, invcal_real noise,
                                           const invcal_real prior[INVCAL_PARAMETERS],
@@ -343,7 +341,7 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
  *
  * Returns as invcal_calibrate; INVCAL_TOO_FEW for fewer than six; INVCAL_UNDETERMINED if they leave
  * offsets or scales open; INVCAL_BAD_PRIOR unless gamma is above 0 and below 1.
- * Cost: 30,000 instructions for six positions. Stack: about 990 bytes. */
+ * Cost: 51,000 instructions for six positions. Stack: about 990 bytes. */
 invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
                                          const invcal_calibration *nominal, invcal_real noise,
                                          invcal_real gamma, invcal_calibration *out,
@@ -389,7 +387,7 @@ void invcal_linear_init(invcal_linear_sums *linear);
  * eta      the up direction in the frame of the unit, unit length within 1e-4.
  *
  * Returns INVCAL_OK; INVCAL_NOT_FINITE, INVCAL_OUT_OF_RANGE as invcal_observe;
- * INVCAL_BAD_DIRECTION. Cost: 330 instructions. Stack: about 130 bytes. */
+ * INVCAL_BAD_DIRECTION. Stack: about 120 bytes. */
 invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
                                          const invcal_calibration *nominal,
                                          const invcal_real raw[3], const invcal_real eta[3]);
@@ -413,7 +411,7 @@ invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
  *   INVCAL_UNDETERMINED   the directions leave parameters open;
  *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10;
  *   INVCAL_BAD_NOMINAL    the result is beyond the limits of invcal_nominal.
- * Cost: 1,700 instructions. Stack: about 200 bytes. */
+ * Stack: about 200 bytes. */
 invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
                                   invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS]);
 
@@ -441,7 +439,7 @@ void invcal_full_vector_init(invcal_full_vector *full);
  * raw      a position mean, raw counts.
  * eta      the up direction in the frame of the stand, unit length within 1e-4.
  *
- * Returns as invcal_linear_add_vertical. Cost: 430 instructions. Stack: about 140 bytes. */
+ * Returns as invcal_linear_add_vertical. Cost: 340 instructions. Stack: about 110 bytes. */
 invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_calibration *nominal,
                                      const invcal_real raw[3], const invcal_real eta[3]);
 
@@ -462,7 +460,7 @@ invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_cali
  *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10; or
  *                         the directions are mirrored: an angle has the wrong sign;
  *   INVCAL_BAD_NOMINAL    the result is beyond the limits of invcal_nominal.
- * Cost: 2,900 instructions. Stack: about 290 bytes. */
+ * Cost: 3,300 instructions. Stack: about 290 bytes. */
 invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_calibration *nominal,
                                        invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS],
                                        invcal_real mounting[3][3]);
@@ -557,10 +555,8 @@ void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds);
 
 /* Feeds one sample, of any value.
  *
- * Returns what happened. INVCAL_TAKEN comes 0.6 to 1 s after motion began.
- *
- * At 1 kHz a sample costs 56 instructions on a Cortex-M4F, decisions included, or 143 if the
- * compiler optimises for size, which omits the fast path for samples close to each other. */
+ * Returns what happened. INVCAL_TAKEN comes 0.6 to 1 s after motion began. Costs as much as
+ * invcal_session_feed. */
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3]);
 
 /* Call it where samples were lost: a new block begins. The rest goes on if the next samples agree
@@ -609,7 +605,7 @@ invcal_status invcal_background_init(invcal_background *background,
                                      const invcal_calibration *nominal, unsigned rate);
 
 /* Feeds one sample: as invcal_session_feed, but refuses a position that adds little. At the end of
- * a rest it compares the positions kept: up to 40,000 instructions. */
+ * a rest it compares the positions kept. Cost: of that, 26,000 instructions. */
 invcal_event invcal_background_feed(invcal_background *background, const int32_t raw[3]);
 
 /* Call it once a day: positions become a day older. */

@@ -64,7 +64,7 @@ void invcal_frame_init(invcal_frame *frame);
  *   INVCAL_NOT_FINITE      a reading is NaN or infinite;
  *   INVCAL_OUT_OF_RANGE    its length is outside 1/2 ... 2: not a rest, or not a calibration;
  *   INVCAL_BAD_DIRECTION   up has another length.
- * Cost: 150 instructions. Stack: about 80 bytes. */
+ * Cost: 250 instructions. Stack: about 40 bytes. */
 invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *calibration,
                                const invcal_real raw[3], const invcal_real up[3]);
 
@@ -78,7 +78,7 @@ invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *ca
  *   INVCAL_UNDETERMINED   all directions up were nearly the same, or opposite: the turn about them
  *                         is open (invcal_frame_level); or they contradict each other: a mirrored
  *                         axis.
- * Cost: 1,800 instructions. Stack: about 310 bytes. */
+ * Cost: 2,100 instructions. Stack: about 310 bytes. */
 invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation[3][3],
                                  invcal_frame_quality *quality);
 
@@ -92,13 +92,13 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
  *   INVCAL_UNDETERMINED   a rotation of more than 139 degrees; or the rests contradict each other:
  *                         the mean of their directions is shorter than 0.9, as of two that are 52
  *                         degrees apart, or they were added with other directions up.
- * Cost: 250 instructions. Stack: about 70 bytes. */
+ * Stack: about 70 bytes. */
 invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
                                  invcal_real rotation[3][3]);
 
 /* Turns a calibration: multiplies its matrix by R from the left.
  *
- * Cost: 150 instructions. Stack: about 50 bytes. */
+ * Stack: about 50 bytes. */
 void invcal_frame_turn(const invcal_real rotation[3][3], invcal_calibration *calibration);
 
 #ifdef __cplusplus

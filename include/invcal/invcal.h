@@ -34,7 +34,7 @@
  * - There are no globals: every function is reentrant, and safe in an interrupt or a thread as long
  *   as nothing else changes its arguments meanwhile.
  * - A null pointer is a programming error (INVCAL_ASSERT), not a status.
- * - Costs are those of a Cortex-M4F in float: instructions at -O2, stack at -Os.
+ * - Costs are those of a Cortex-M4F in float at -Os, both instructions and stack.
  */
 #ifndef INVCAL_INVCAL_H
 #define INVCAL_INVCAL_H
@@ -336,8 +336,7 @@ invcal_real invcal_coverage(unsigned dof);
  *          field itself is the unit.
  *
  * Computed from sigma alone, as if scale errors were independent: within 10 % (mathematics.md,
- * "Accuracy").
- * Cost: 65 instructions. */
+ * "Accuracy"). */
 invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
 
 /* Calibrates from position means.
@@ -366,7 +365,7 @@ invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
  *                         one that no triad has (a semi-axis below about 1/10 of nominal or of
  *                         another one, or a centre beyond ten times the field), or scatter by a
  *                         tenth of the field.
- * Cost: 18,000 instructions for 18 positions. Stack: about 660 bytes. */
+ * Cost: 30,000 instructions for 18 positions. Stack: about 660 bytes. */
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality);
@@ -382,7 +381,7 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
  * considers them all. About one in a hundred sets of 18 good positions is not called good.
  *
  * Returns as invcal_calibrate; INVCAL_BAD_COUNT for more than INVCAL_MAX_POSITIONS.
- * Cost: 120,000 instructions for 18 good positions. Stack: about 840 bytes. */
+ * Cost: 140,000 instructions for 18 good positions. Stack: about 1,200 bytes. */
 invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
                                       const invcal_calibration *nominal, invcal_real noise,
                                       invcal_calibration *out, invcal_quality *quality);
@@ -522,7 +521,7 @@ void invcal_session_hold(invcal_session *session, uint32_t milliseconds);
  * Positions beyond INVCAL_MAX_POSITIONS replace the oldest.
  *
  * Returns what happened. Never solves, so its cost is bounded.
- * Cost: 56 instructions on average at 1 kHz, 95 at 100 Hz. Stack: about 160 bytes. */
+ * Cost: 140 instructions on average at 1 kHz, 180 instructions at 100 Hz. Stack: about 140 bytes. */
 invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3]);
 
 /* Call it where samples were lost. A rest goes on if the next samples agree with it. */
@@ -552,7 +551,7 @@ const char *invcal_session_why(const invcal_session *session);
  *
  * up  out: the direction to point upwards, in the frame of the case: a unit vector.
  *
- * Cost: 14,000 instructions. Stack: about 480 bytes. */
+ * Cost: 25,000 instructions. Stack: about 480 bytes. */
 void invcal_session_next(const invcal_session *session, invcal_real up[3]);
 
 #define INVCAL_WORDS 40u /* bytes, with the terminating zero */
@@ -577,8 +576,8 @@ int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
  * invcal_calibrate_judged). Does not change the session: more may follow. If
  * invcal_session_is_good has said so, copies what that has solved.
  *
- * Returns as invcal_calibrate. Cost: 190,000 instructions for 18 good positions, up to 400,000 if
- * some are wrong. Stack: about 850 bytes. */
+ * Returns as invcal_calibrate. Cost: 140,000 instructions for 18 good positions, 440,000
+ * instructions if three are wrong. Stack: about 1,200 bytes. */
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality);
 

@@ -115,8 +115,8 @@ invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
  * 18 times, because cells move with the solution (found.covered is their count); INVCAL_REFUSED if
  * it is left out, or not a number.
  *
- * Cost: 220 instructions; a look up to 75,000, of samples that are dropped 125,000: with ten looks
- * 250 on average over 12,000 samples.
+ * Cost: 300 instructions; at a look up to 100,000 instructions; 350 instructions on average over
+ * 12,000 samples, with ten looks.
  * Stack: about 1,200 bytes. */
 invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const invcal_real raw[3]);
 
@@ -127,7 +127,7 @@ invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const i
  *        points north, and down by the dip, 60 degrees or more in most of Europe and North
  *        America: there, let the opposite side point up (invcal_words), and swing it around.
  *
- * Cost: up to 14,000 instructions. Stack: about 120 bytes. */
+ * Cost: up to 19,000 instructions. Stack: about 120 bytes. */
 void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_real along[3]);
 
 /* Solves the samples so far. More may follow.
@@ -145,7 +145,7 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
  *   INVCAL_UNDETERMINED   they leave parameters undetermined;
  *   INVCAL_NOT_ELLIPSOID, INVCAL_OUT_OF_RANGE   as for invcal_calibrate;
  *   INVCAL_BAD_NOMINAL    the result cannot be a calibration.
- * Cost: 50,000 instructions. Stack: about 1,200 bytes. */
+ * Cost: 76,000 instructions. Stack: about 1,200 bytes. */
 invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
                                         invcal_calibration *out, invcal_quality *quality,
                                         invcal_magnetometer_found *found);
@@ -157,7 +157,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
  * k            0 ... INVCAL_CELLS - 1.
  * raw          out: raw counts.
  *
- * Returns the number of its samples; if 0, raw is unchanged. Cost: 650 instructions. */
+ * Returns the number of its samples; if 0, raw is unchanged. */
 unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
                                   const invcal_calibration *calibration, unsigned k,
                                   invcal_real raw[3]);
@@ -207,7 +207,7 @@ void invcal_dip_init(invcal_dip *dip);
  * up, field  calibrated, in the axes of each sensor; of any length above 0.
  *
  * Returns INVCAL_OK; else the sums are unchanged: INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE if the
- * product of the lengths is 0 or beyond the number type. Cost: 350 instructions. Stack: about 80
+ * product of the lengths is 0 or beyond the number type. Cost: 460 instructions. Stack: about 80
  * bytes. */
 invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const invcal_real field[3]);
 
@@ -224,7 +224,7 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
  *   INVCAL_UNDETERMINED   an angle is undetermined: all turns were about one axis, or the field is
  *                         vertical; or no angle fits, for example if a and m are not of the same
  *                         instants.
- * Cost: 35,000 instructions. Stack: about 560 bytes. */
+ * Cost: 31,000 instructions. Stack: about 560 bytes. */
 invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_real rotation[3][3],
                                invcal_dip_quality *quality);
 

@@ -65,7 +65,7 @@ invcal_status invcal_plan_check(const invcal_plan *plan);
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW or INVCAL_BAD_PROGRAM by invcal_plan_check;
  * INVCAL_BAD_PROGRAM if there is no position i.
- * Error of a component: 3e-7 (float), 1e-15 (double). Cost: 300 instructions. Stack: 120 bytes. */
+ * Error of a component: 3e-7 (float), 1e-15 (double). Stack: about 120 bytes. */
 invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
                                       invcal_plan_position *out);
 

@@ -80,8 +80,8 @@ typedef struct {
  * invcal_scale.
  *
  * Returns INVCAL_OK; as invcal_store_save; INVCAL_NOT_FINITE, INVCAL_BAD_NOMINAL, INVCAL_DAMAGED as
- * invcal_record_encode, for arguments not from a solution. Stack: about 500 bytes, without the
- * callbacks. */
+ * invcal_record_encode, for arguments not from a solution. Cost: 17,000 instructions. Stack: about
+ * 500 bytes; both without the callbacks. */
 invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
                           const invcal_quality *quality);
 
@@ -89,8 +89,8 @@ invcal_status invcal_save(const invcal_store *store, const invcal_calibration *c
  *
  * Returns INVCAL_OK; as invcal_store_load; as invcal_record_decode. INVCAL_NO_SPACE,
  * INVCAL_OTHER_VERSION or INVCAL_DAMAGED: it holds something else. A session of up to five
- * positions is INVCAL_DAMAGED, since it does not end with the CRC of a record. Stack: about 450
- * bytes. */
+ * positions is INVCAL_DAMAGED, since it does not end with the CRC of a record. Cost: 11,000
+ * instructions. Stack: about 450 bytes; both as above. */
 invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration);
 
 /* The same for a calibration saved by release 0.1.0: call it if invcal_load fails, in a device in
@@ -101,14 +101,16 @@ invcal_status invcal_load_v1(const invcal_store *store, invcal_calibration *cali
 
 /* Saves the lasting part of a session: see invcal_session_size.
  *
- * Returns as invcal_store_save. Stack as that. */
+ * Returns as invcal_store_save. Cost: 22,000 instructions for 18 positions, without the callbacks.
+ * Stack as that. */
 invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session);
 
 /* Loads it, to resume with a new stream. If it fails, the session may be overwritten: begin a new
  * one.
  *
  * Returns as invcal_store_load, then as invcal_session_resume. INVCAL_OTHER_VERSION: it holds
- * something else, or a session saved by a different build. Stack as these. */
+ * something else, or a session saved by a different build. Cost: 17,000 instructions for 18
+ * positions. Stack as these. */
 invcal_status invcal_load_session(const invcal_store *store, invcal_session *session);
 
 /* ---- the store: any bytes -----------------------------------------------------------------------
@@ -151,7 +153,7 @@ invcal_status invcal_load_session(const invcal_store *store, invcal_session *ses
  *                     neither slot can be read: nothing was erased then; call invcal_store_erase to
  *                     start over.
  * If one slot cannot be read (error correction, after a power cut), it is erased and used.
- * Reads both slots, and the new bytes. Stack: about 200 bytes, without the callbacks. */
+ * Reads both slots, and the new bytes. Stack: about 180 bytes, without the callbacks. */
 invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size);
 
 /* Loads them.

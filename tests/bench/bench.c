@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Instructions (AVR: cycles) that each operation takes, by the counter of the emulated machine.
- * Prints one line for each, its name and the figure, and OK. Counting itself is subtracted.
+ * Prints one line for each, its name and the figure, and OK. Counting itself is subtracted. What a
+ * user waits for comes first; with BENCH_TRACED=1, which is for cycles.py, it is all.
  */
 #include <string.h>
 
@@ -14,6 +15,10 @@
 #include "invcal/plan.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
+
+#ifndef BENCH_TRACED
+#define BENCH_TRACED 0
+#endif
 
 enum { POSITIONS = 18, REPEATS = 16 };
 
@@ -81,9 +86,15 @@ static void bench_core(void)
         board_exit(1);
     }
     invcal_sums_init(&sums);
+    for (unsigned i = 1; i < POSITIONS; i++) {
+        (void)invcal_sums_add(&sums, &nominal, raw[i]);
+    }
     begin();
     (void)invcal_sums_add(&sums, &nominal, raw[0]);
     report("add_position", end());
+    begin();
+    (void)invcal_solve(&sums, &nominal, &calibration);
+    report("solve", end());
     begin();
     for (unsigned i = 0; i < REPEATS; i++) {
         invcal_apply(&calibration, raw[i], calibrated);
@@ -142,6 +153,8 @@ static void bench_magnetometer(void)
     uint32_t total = 0;
     uint32_t samples = 0;
     uint32_t most = 0;
+    uint32_t next = 0;
+    invcal_real along[3];
     enum { MOTION = 12000 };
 
     (void)invcal_magnetometer_init(&magnetometer, &nominal);
@@ -156,6 +169,12 @@ static void bench_magnetometer(void)
         (void)invcal_magnetometer_feed(&magnetometer, field);
         const uint32_t count = end();
         total += count;
+        if (i % 1000 == 1) {
+            begin();
+            invcal_magnetometer_next(&magnetometer, along);
+            const uint32_t once = end();
+            next = once > next ? once : next;
+        }
         if (magnetometer.due == due) {
             samples += count;
         } else if (count > most) {
@@ -165,6 +184,7 @@ static void bench_magnetometer(void)
     report("magnetometer_sample", samples / MOTION);
     report("magnetometer_with_looks", total / MOTION);
     report("magnetometer_look", most);
+    report("magnetometer_next", next);
     begin();
     const invcal_status status =
         invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found);
@@ -239,8 +259,10 @@ static void bench_full_vector(void)
 
 static void bench_all(void)
 {
+    const invcal_real prior[INVCAL_PARAMETERS] = {0, 0, 0, 0, 0, 0, INVCAL_CROSS_AXIS};
     invcal_calibration calibration;
     invcal_quality quality;
+    uint16_t set;
 
     begin();
     const invcal_status status =
@@ -252,6 +274,19 @@ static void bench_all(void)
     begin();
     (void)invcal_calibrate_judged(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
     report("judged_18_positions", end());
+    begin();
+    (void)invcal_calibrate_robust(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
+    report("robust_18_positions", end());
+    begin();
+    (void)invcal_calibrate_with_prior(raw[0], POSITIONS, &nominal, INVCAL_REAL(0.001), prior,
+                                      &calibration, &quality, &set);
+    report("18_positions_with_prior", end());
+    begin();
+    set = invcal_undetermined(raw[0], POSITIONS, &nominal);
+    report("undetermined", end());
+    if (set != 0) {
+        board_exit(1);
+    }
 }
 
 static void bench_six_faces(void)
@@ -302,8 +337,9 @@ static uint32_t feed(unsigned rate)
     return total / (5 * rate);
 }
 
-/* Three seconds in each position; the first `wrong` of them read 1 % too much. */
-static uint32_t solve_session(unsigned wrong)
+/* Three seconds in each position; the first `wrong` of them read 1 % too much. Sixteen are without
+ * the ninth and the last. */
+static uint32_t solve_session(unsigned positions, unsigned wrong)
 {
     enum { RATE = 32, SECONDS = 3 };
     int32_t sample[3];
@@ -312,12 +348,12 @@ static uint32_t solve_session(unsigned wrong)
     unsigned left_out = 0;
 
     (void)invcal_session_begin(&session, &nominal, RATE);
-    for (unsigned i = 0; i < POSITIONS; i++) {
+    for (unsigned i = 0; i < positions; i++) {
         for (unsigned k = 0; k < RATE * SECONDS; k++) {
             next_sample(sample);
             sample[2] -= 8192;
             for (unsigned a = 0; a < 3; a++) {
-                const int32_t mean = (int32_t)raw[i][a];
+                const int32_t mean = (int32_t)raw[i + (positions == 16 ? i / 8 : 0)][a];
                 sample[a] += i < wrong ? mean + mean / 100 : mean;
             }
             (void)invcal_session_feed(&session, sample);
@@ -330,7 +366,7 @@ static uint32_t solve_session(unsigned wrong)
     for (invcal_mask set = quality.left_out; set; set &= set - 1) {
         left_out++;
     }
-    if (session.count != POSITIONS || status != INVCAL_OK || left_out != wrong) {
+    if (session.count != positions || status != INVCAL_OK || left_out != wrong) {
         board_exit(1);
     }
     return count;
@@ -341,11 +377,106 @@ static void bench_session(void)
     invcal_real up[3];
 
     report("feed_100_Hz", feed(100));
-    report("feed_400_Hz", feed(400));
-    report("feed_1000_Hz", feed(1000));
     begin();
     invcal_next(raw[0], POSITIONS, &nominal, up);
     report("next_orientation", end());
+}
+
+/* A memory that takes no time of its own, of granularity 8; how many bytes were moved. */
+static uint8_t slots[2][INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, 8)];
+static uint32_t read_bytes;
+static uint32_t programmed_bytes;
+
+static int read_slot(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
+{
+    (void)context;
+    memcpy(bytes, &slots[slot][offset], size);
+    read_bytes += size;
+    return 0;
+}
+
+static int erase_slot(void *context, unsigned slot)
+{
+    (void)context;
+    memset(slots[slot], 0xFF, sizeof slots[slot]);
+    return 0;
+}
+
+static int program_slot(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
+                        uint32_t size)
+{
+    (void)context;
+    memcpy(&slots[slot][offset], bytes, size);
+    programmed_bytes += size;
+    return 0;
+}
+
+static void begin_store(void)
+{
+    read_bytes = programmed_bytes = 0;
+    begin();
+}
+
+/* Saves go over two earlier ones: both slots are read. */
+static void bench_store(void)
+{
+    const invcal_store store = {read_slot, erase_slot, program_slot, NULL, sizeof slots[0], 8};
+    invcal_calibration calibration;
+    invcal_quality quality;
+    int failed = invcal_session_solve(&session, &calibration, &quality) != INVCAL_OK;
+
+    (void)invcal_save_session(&store, &session);
+    (void)invcal_save_session(&store, &session);
+    begin_store();
+    failed |= invcal_save_session(&store, &session) != INVCAL_OK;
+    report("save_session", end());
+    report("save_session_read_bytes", read_bytes);
+    report("save_session_programmed_bytes", programmed_bytes);
+    begin_store();
+    failed |= invcal_load_session(&store, &session) != INVCAL_OK;
+    report("load_session", end());
+    report("load_session_read_bytes", read_bytes);
+    (void)invcal_save(&store, &calibration, &quality);
+    (void)invcal_save(&store, &calibration, &quality);
+    begin_store();
+    failed |= invcal_save(&store, &calibration, &quality) != INVCAL_OK;
+    report("save", end());
+    report("save_read_bytes", read_bytes);
+    report("save_programmed_bytes", programmed_bytes);
+    begin_store();
+    failed |= invcal_load(&store, &calibration) != INVCAL_OK;
+    report("load", end());
+    report("load_read_bytes", read_bytes);
+    if (failed) {
+        board_exit(1);
+    }
+}
+
+/* The end of a rest, with as many positions as are kept in the background. */
+static void bench_background(void)
+{
+    enum { RATE = 32, SECONDS = 4, ONE_G = 8192 };
+    static invcal_background background;
+    int32_t sample[3];
+    uint32_t most = 0;
+
+    (void)invcal_background_init(&background, &nominal, RATE);
+    background.session.count = INVCAL_MAX_POSITIONS - 1;
+    for (unsigned i = 0; i + 1 < INVCAL_MAX_POSITIONS; i++) {
+        memcpy(background.session.mean[i], raw[i % POSITIONS], sizeof raw[0]);
+    }
+    for (unsigned i = 0; i < RATE * SECONDS; i++) {
+        next_sample(sample);
+        sample[2] -= i < RATE * SECONDS / 2 ? 0 : 2 * ONE_G; /* turned over */
+        begin();
+        const invcal_event event = invcal_background_feed(&background, sample);
+        const uint32_t count = end();
+        most = event == INVCAL_TAKEN || event == INVCAL_REFUSED ? count : most;
+    }
+    report("background_rest", most);
+    if (most == 0) {
+        board_exit(1);
+    }
 }
 
 /* A sample of one axis at rest, on average; and the solution from all of them. */
@@ -399,66 +530,6 @@ static void bench_thermal(void)
     begin();
     (void)invcal_thermal_at(&thermal, 30, &calibration, &place);
     report("thermal_at", end());
-}
-
-/* A memory that costs almost nothing. */
-static uint8_t slots[2][INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, 8)];
-
-static int read_slot(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
-{
-    (void)context;
-    memcpy(bytes, &slots[slot][offset], size);
-    return 0;
-}
-
-static int erase_slot(void *context, unsigned slot)
-{
-    (void)context;
-    memset(slots[slot], 0xFF, sizeof slots[slot]);
-    return 0;
-}
-
-static int program_slot(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
-                        uint32_t size)
-{
-    (void)context;
-    memcpy(&slots[slot][offset], bytes, size);
-    return 0;
-}
-
-/* Over what was saved twice before: both slots are read. */
-static void bench_store(void)
-{
-    const invcal_store store = {read_slot, erase_slot, program_slot, NULL, sizeof slots[0], 8};
-    invcal_calibration calibration;
-    invcal_quality quality;
-    uint32_t count[4] = {0};
-    invcal_status status = invcal_session_solve(&session, &calibration, &quality);
-
-    for (unsigned i = 0; i < 3 && status == INVCAL_OK; i++) {
-        begin();
-        status = invcal_save_session(&store, &session);
-        count[0] = end();
-    }
-    if (status == INVCAL_OK) {
-        begin();
-        status = invcal_load_session(&store, &session);
-        count[1] = end();
-    }
-    for (unsigned i = 0; i < 3 && status == INVCAL_OK; i++) {
-        begin();
-        status = invcal_save(&store, &calibration, &quality);
-        count[2] = end();
-    }
-    begin();
-    if (status != INVCAL_OK || invcal_load(&store, &calibration) != INVCAL_OK) {
-        board_exit(1);
-    }
-    count[3] = end();
-    report("save_session", count[0]);
-    report("load_session", count[1]);
-    report("save", count[2]);
-    report("load", count[3]);
 }
 
 static invcal_moves moves;
@@ -565,19 +636,26 @@ int main(void)
     idle = end();
     make_positions();
     bench_core();
+    bench_session();
+    report("session_solve", solve_session(POSITIONS, 0));
+    bench_store();
+    if (BENCH_TRACED) {
+        return 0;
+    }
+    report("session_solve_16", solve_session(16, 0));
+    report("session_solve_1_wrong", solve_session(POSITIONS, 1));
+    report("session_solve_3_wrong", solve_session(POSITIONS, 3));
+    report("feed_400_Hz", feed(400));
+    report("feed_1000_Hz", feed(1000));
     bench_full_vector();
     bench_frame();
     bench_magnetometer();
     bench_dip();
     bench_all();
     bench_six_faces();
-    bench_session();
+    bench_background();
     bench_allan();
     bench_thermal();
-    report("session_solve", solve_session(0));
-    bench_store();
-    report("session_solve_1_wrong", solve_session(1));
-    report("session_solve_3_wrong", solve_session(3));
     bench_gyro();
     bench_turns();
     report_text("OK\n");

@@ -9,7 +9,7 @@
     next
 }
 NF != 3 || $2 !~ /^[0-9]+$/ || $2 == 0 { next }
-$1 ~ /^\.text/ { bytes["text", module] += $2; next }
+$1 ~ /^\.(text|progmem)/ { bytes["text", module] += $2; next }
 $1 ~ /^\.(s?rodata|got2)/ { bytes["rodata", module] += $2; next }
 $1 ~ /^\.s?data/ { bytes["data", module] += $2; next }
 $1 ~ /^\.s?bss/ { bytes["bss", module] += $2; next }

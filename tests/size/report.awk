@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: MIT
 #
-# The tables of one target, each figure next to its budget; then "FAIL ..." for each that exceeds it,
-# and "N passed, N failed".
-# Usage: awk -v target=m4f -v V=1 -f report.awk BUDGETS MEASURED FIGURES DEPTHS
+# The tables of one target, each figure next to its budget and goal; then "FAIL ..." for each that
+# exceeds one, and "N passed, N failed".
+# Usage: awk -v target=m4f -v V=1 -f report.awk BUDGETS GOALS MEASURED FIGURES DEPTHS
 #     V       1: also every function
 #     DEPTHS  "function bytes", what depth.c measured
 FNR == 1 { file++ }
 /^#/ || NF == 0 { next }
 
-file == 1 && $1 == "figure" { for (i = 3; i <= NF; i++) if ($i == target) column = i; next }
+file == 1 && $1 == "figure" { for (i = 2; i <= NF; i++) if ($i == target) column = i; next }
 file == 1 && $1 !~ /^frame\./ && column { budget[$1] = $column }
-file == 1 && $1 !~ /^frame\./ && target == "m4f" { goal[$1] = $2 }
 file == 1 { next }
+file == 2 && $1 == target { goal[$2] = $3; goal_of[$2] = $4 }
+file == 2 { next }
 
-file == 2 && $1 == "fault" { sub(/^fault /, ""); fail($0); next }
-file == 2 && $1 == "stack" {
+file == 3 && $1 == "fault" { sub(/^fault /, ""); fail($0); next }
+file == 3 && $1 == "stack" {
     stack[$3] = $4
     path[$3] = $6
     names[++functions] = $3
@@ -25,10 +26,10 @@ file == 2 && $1 == "stack" {
     if ($5) plus[$2] = plus[$3] = "+"
     next
 }
-file == 2 && $1 == "part" { part[++parts] = sprintf("%-12s%7s  %s", $2, $3, $4); next }
-file == 2 { measured[$1] = $2; next }
-file == 3 { check($1, $2); order[++figures] = $1; next }
-file == 4 { depth($1, $2) }
+file == 3 && $1 == "part" { part[++parts] = sprintf("%-12s%7s  %s", $2, $3, $4); next }
+file == 3 { measured[$1] = $2; next }
+file == 4 { check($1, $2); order[++figures] = $1; next }
+file == 5 { depth($1, $2) }
 
 function fail(text) { failure[++failed] = text }
 
@@ -66,11 +67,10 @@ function module_table(    i, k, kind, module, total) {
 }
 
 function figure_table(    i) {
-    printf "\n%-28s%8s%12s%12s\n", "figure", "is", "at most", target == "m4f" ? "goal" : ""
+    printf "\n%-28s%8s%12s%12s\n", "figure", "is", "at most", "goal"
     for (i = 1; i <= figures; i++) {
         if (order[i] ~ /^(flash$|module|stack)/) continue
-        printf "%-28s%8d%12s%12s\n", order[i], figure[order[i]], budget[order[i]],
-            goal[order[i]] == "-" ? "" : goal[order[i]]
+        printf "%-28s%8d%12s%12s\n", order[i], figure[order[i]], budget[order[i]], goal[order[i]]
     }
 }
 
@@ -91,6 +91,12 @@ END {
     if (!column) fail("has no budgets: make size UPDATE=1")
     for (what in budget) {
         if (budget[what] != "-" && figure[what] == "") fail(what " has a budget, but was not measured")
+    }
+    for (what in goal) {
+        if (goal_of[what] != "") goal[what] = int(goal[what] * figure[goal_of[what]])
+        if (figure[what] == "") fail(what " has a goal, but was not measured")
+        else if (figure[what] > goal[what]) fail(what " is " figure[what] ", its goal at most " goal[what])
+        else passed++
     }
     module_table()
     figure_table()

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
 # What tests/size.sh measures, for one target:
-#     make -f tests/size/size.mk TARGET=port/cortex-m/m4f programs
-override OPT := -Os -fstack-usage
+#     make -f tests/size/size.mk TARGET=port/cortex-m/m4f LEVEL=Os programs
 include port/build.mk
+override OPT += -fstack-usage
 
 HEADERS := $(notdir $(wildcard include/invcal/*.h))
 
@@ -21,7 +21,12 @@ $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/imu.elf $(OUT)/whole
 	    $$(awk -v wanted="$(WANTED)" -f tests/size/wanted.awk $(OUT)/public) \
 	    -Wl,-Map=$(@:.elf=.map) $(LINK) -o $@
 
-# The program of README.md.
+# The program of README.md, with its main, but without start-up and the functions of its board, which have the
+# address of main.
+$(OUT)/program.elf: $(OUT)/program.o $(LIBRARY)
+	$(Q)$(CC) $(FLAGS) $^ -nostartfiles -Wl,--gc-sections -Wl,-e,main \
+	    $$($(subst gcc,nm,$(CC)) -u $< | sed -n 's/.* \(board_.*\)/-Wl,--defsym=\1=main/p') $(LINK) -o $@
+
 $(OUT)/program.c: README.md
 	@mkdir -p $(@D)
 	$(Q)awk '/^```c$$/ { on = 1; next } /^```$$/ { on = 0 } on' $< > $@
@@ -41,8 +46,13 @@ $(OUT)/declared: $(wildcard src/*.h include/invcal/*.h)
 	    awk -f tests/size/public.awk > $@
 
 .PHONY: programs
-programs: $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/imu.elf $(OUT)/whole.elf \
+programs: $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/program.elf $(OUT)/imu.elf $(OUT)/whole.elf \
     $(OUT)/tests/size/structures.o $(OUT)/declared
+
+# The example firmware, where the family has one.
+$(OUT)/firmware.elf $(OUT)/firmware_imu.elf: LINK += -Wl,-Map=$(@:.elf=.map)
+.PHONY: firmwares
+firmwares: $(if $(FIRMWARE),$(OUT)/firmware.elf $(OUT)/firmware_imu.elf)
 
 # The program that measures its stack.
 $(OUT)/depth.elf: $(OUT)/tests/size/depth.o $(COMMON) $(LIBRARY)

@@ -4,3 +4,5 @@
 include port/cortex-m/family.mk
 CPU := -mcpu=cortex-m0plus -mthumb -mfloat-abi=soft
 RUN := $(QEMU) -M mps2-an385 -kernel
+PROCESSOR := cortex-m0plus
+LEVELS := O2

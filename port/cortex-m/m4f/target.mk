@@ -3,3 +3,5 @@
 include port/cortex-m/family.mk
 CPU := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
 RUN := $(QEMU) -M mps2-an386 -kernel
+PROCESSOR := cortex-m4
+LEVELS := O2 Og O3 fast
