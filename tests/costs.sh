@@ -31,7 +31,7 @@ done
 
 raw() { # TARGET NAME: a figure of the budgets, or the stack of a function
     awk -v what="$2" '$1 == what || ($1 == "stack" && $3 ~ "^" what "(_double_0.*)?$") {
-            print $1 == what ? $2 : $4
+            print ($1 == what ? $2 : $4)
             exit
         }' "$build/all.$1"
 }

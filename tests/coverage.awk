@@ -128,9 +128,9 @@ END {
             stale++
         }
     }
-    printf "%-28s", part == "src" ? "module" : "file"
+    printf "%-28s", (part == "src" ? "module" : "file")
     for (k = 1; k <= kinds; k++) {
-        printf " %18s", kind[k] == "MC/DC" ? kind[k] : kind[k] (kind[k] == "branch" ? "es" : "s")
+        printf " %18s", (kind[k] == "MC/DC" ? kind[k] : kind[k] (kind[k] == "branch" ? "es" : "s"))
     }
     print ""
     for (i = 1; i <= modules; i++) {

@@ -22,7 +22,7 @@ awk 'BEGIN {
     styles == 2 && !styled { print } # those of the pictures; the first are those of the page
     /^<\/style>/ && styles == 2 && !styled { styled = 1; print "<rect class=\"paper\" width=\"100%\" height=\"100%\"/>" }
     /<div class="row">/ { in_row = 1 }
-    in_row && /^<svg/ { printf "<g transform=\"translate(%d %d)\">\n", part % 2 * 344, part < 2 ? 0 : 352; part++; inside = 1 }
+    in_row && /^<svg/ { printf "<g transform=\"translate(%d %d)\">\n", part % 2 * 344, (part < 2 ? 0 : 352); part++; inside = 1 }
     inside { print }
     inside && /^<\/svg>/ { print "</g>"; inside = 0 }
     in_row && /^<\/div>/ { exit }

@@ -15,16 +15,20 @@ help_of() {
     "$tool" "$1" --help all | awk -v command="$1" "$escape $2"
 }
 
-# Text for troff: escapes its requests, and characters that it would replace by typographic ones.
+# Text for troff: escapes its requests, and characters that it would replace by typographic ones. (Not by
+# gsub, where each awk has its own rule for a backslash.)
 escape='
-function raw(s) {
-    gsub(/\\/, "\\e", s)
-    gsub(/-/, "\\-", s)
-    gsub(/\047/, "\\(aq", s)
-    gsub(/\^/, "\\(ha", s)
-    gsub(/`/, "\\(ga", s)
-    gsub(/~/, "\\(ti", s)
-    return s ~ /^\./ ? "\\\&" s : s
+BEGIN {
+    troff["\\"] = "\\e"; troff["-"] = "\\-"; troff["\047"] = "\\(aq"
+    troff["^"] = "\\(ha"; troff["`"] = "\\(ga"; troff["~"] = "\\(ti"
+}
+function raw(s,    c, i, out) {
+    out = s ~ /^\./ ? "\\" "&" : ""
+    for (i = 1; i <= length(s); i++) {
+        c = substr(s, i, 1)
+        out = out (c in troff ? troff[c] : c)
+    }
+    return out
 }
 # Hyphens within words need no escape.
 function text(s) {

@@ -19,7 +19,7 @@ FNR > 1 && /^#/ {
     text = $0
     sub(/^#+ */, "", text)
     # Headings of the index are groups of the navigation already (layout.awk), so not sections.
-    print page == "port/manual/README.md" ? "<h1>" text "</h1>" : $0 " {#" label(page, slug(text)) "}"
+    print (page == "port/manual/README.md" ? "<h1>" text "</h1>" : $0 " {#" label(page, slug(text)) "}")
     next
 }
 
@@ -62,7 +62,7 @@ function unbroken(code,    n, i, word, out) {
     for (i = 1; i <= n; i++) {
         code = word[i]
         gsub(/[\\$<>&#@%*_]/, "\\\\&", code)
-        gsub(/--/, "\\\\--", code)
+        gsub(/--/, "\\\\&", code)
         out = out (i > 1 ? " " : "") (code ~ /-/ && length(code) <= 40 ? "<span class=\"word\">" code "</span>" : code)
     }
     return out

@@ -32,7 +32,7 @@ calibrate counts "$out/outliers.csv" # the same, in unknown units
 
 # Angles of a stand: correct, one misset, exchanged columns, an open group.
 for trouble in none misset columns open; do
-    awk -v trouble=$trouble -v seed=1 -f "$here/../tool/stand.awk" > "$out/stand-$trouble.csv"
+    awk -v trouble=$trouble -v seed=1 -f "$here/../tool/random.awk" -f "$here/../tool/stand.awk" > "$out/stand-$trouble.csv"
 done
 sed -i 16q "$out/stand-open.csv"
 at_stand() { calibrate "$@" --positions --stand --zero 0,0,0 --lsb 1 --noise 0.001; }
@@ -45,7 +45,7 @@ at_stand stand-open "$out/stand-open.csv"
 # Temperature: lines with a wrong position, parabolas, no model at all, a log whose rests drift.
 sensor() { # sensor STATIONS WRONG
     awk -v what=positions -v stations="$1" -v wrong="$2" -v seed=1 -v sigma=1e-4 \
-        -f "$here/../tool/thermal.awk" "$here/../reference/expected.h"
+        -f "$here/../tool/random.awk" -f "$here/../tool/thermal.awk" "$here/../reference/expected.h"
 }
 sensor -20,25,70 23 > "$out/chamber.csv"
 calibrate thermal "$out/chamber.csv" --positions --thermal 1 --unit g --latitude 48.1 --height 520
@@ -63,7 +63,7 @@ calibrate warming-prior "$out/drift.csv" --thermal 1 --noise 0.02 --slope 0.01,0
 calibrate nine "$out/nine.csv"
 "$tool" simulate --plan faces > "$out/faces.csv"
 calibrate six-faces "$out/faces.csv" --six-faces --zero 0,0,0 --lsb 0.000598550415
-awk -v family=sphere -v count=2000 -v seed=7 -f "$here/../tool/positions.awk" > "$out/many.csv"
+awk -v family=sphere -v count=2000 -v seed=7 -f "$here/../tool/random.awk" -f "$here/../tool/positions.awk" > "$out/many.csv"
 calibrate many "$out/many.csv" --positions
 awk -F, 'NR > 1 { print $1 / 300, $2 / 300, $3 / 300 }' "$data/xsens_mti_positions.csv" > "$out/mag.txt"
 calibrate magnetometer "$out/mag.txt" --positions --gravity 48.5
@@ -81,7 +81,7 @@ refused() { # refused PAGE ARGUMENTS ...
 }
 "$tool" simulate --plan faces > "$out/faces.csv"
 refused faces "$out/faces.csv" --need 1mg --out "$out/none.json"
-awk -v family=plane -v count=18 -v seed=4 -f "$here/../tool/positions.awk" > "$out/plane.csv"
+awk -v family=plane -v count=18 -v seed=4 -f "$here/../tool/random.awk" -f "$here/../tool/positions.awk" > "$out/plane.csv"
 refused plane "$out/plane.csv" --positions
 "$tool" simulate --plan edges --dwell 0.5 --move 0.5 > "$out/restless.csv"
 refused restless "$out/restless.csv"

@@ -74,9 +74,9 @@ check "no unit: it says so" matches "$work/stdout" '"unit": "input"'
 check "no sigma, no floor: the longest time" matches "$work/stdout" '"dwell_end": "longest"'
 
 # Only white noise: terms that are not visible are 0.
-awk 'function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }
+awk "$random_awk"'
     BEGIN {
-        srand(1)
+        begin_random(1)
         print "t,x,y,z"
         for (i = 0; i < 6000; i++) printf "%.2f,%.5f,%.5f,%.5f\n", i / 100, normal(), normal(), normal() + 100
     }' > "$work/white.csv"
@@ -85,9 +85,9 @@ check "white noise: a random walk of 0" matches "$work/stdout" '^ *"walk": 0,$'
 check "white noise: no minus zero" lacks "$work/stdout" ' -0[],]'
 
 # Bias that wanders: a random walk, K of 1e-5 m/s^2 in a step of 0.1 s, is 3.16e-5 m/s^2 sqrt(Hz).
-awk 'function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }
+awk "$random_awk"'
     BEGIN {
-        srand(7)
+        begin_random(7)
         print "t,ax (m/s^2),ay (m/s^2),az (m/s^2)"
         for (i = 0; i < 100000; i++) {
             for (k = 0; k < 3; k++) b[k] += 1e-5 * normal()
@@ -112,7 +112,7 @@ run allan "$work/walk.csv" --sigma 1e-6
 check "it says that no time is enough" matches "$work/stdout" '^No dwell brings the sigma'
 
 # A filter of first order: short averaging times look better than they are.
-awk 'BEGIN { srand(3); for (i = 0; i < 20000; i++) { y += 0.02 * (rand() - 0.5 - y); print y, y, y } }' \
+awk "$random_awk"'BEGIN { begin_random(3); for (i = 0; i < 20000; i++) { y += 0.02 * (uniform() - 0.5 - y); print y, y, y } }' \
     > "$work/filtered.txt"
 run allan "$work/filtered.txt" --rate 100
 check "a filter is noticed" matches "$work/stdout" '^Not only this noise: on x y z the model does not fit'

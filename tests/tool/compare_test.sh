@@ -132,9 +132,9 @@ check "and is the same calibration today" near 1e-9 \
 # ---- a fleet -----------------------------------------------------------------------------------
 
 # Twenty devices whose offsets are normal with a deviation of 10 mg, and scales of 0.5 %.
-awk 'BEGIN { srand(5)
-    for (k = 1; k <= 20; k++) { for (i = 1; i <= 6; i++) { x = -6; for (j = 0; j < 12; j++) x += rand()
-        printf "%s%.6f", i == 1 ? "" : i == 4 ? " " : ",", x * (i <= 3 ? 0.01 : 0.005) + (k == 13 && i == 2 ? 0.1 : 0) }
+awk "$random_awk"'BEGIN { begin_random(5)
+    for (k = 1; k <= 20; k++) { for (i = 1; i <= 6; i++) {
+        printf "%s%.6f", (i == 1 ? "" : i == 4 ? " " : ","), normal() * (i <= 3 ? 0.01 : 0.005) + (k == 13 && i == 2 ? 0.1 : 0) }
         print "" } }' > "$work/devices"
 k=0
 while read -r offset dk; do

@@ -21,13 +21,13 @@ M='0.00247 0.00004 -0.00006 -0.00003 0.00244 0.00007 0.00005 0.00002 -0.00236'
 
 # calibration UNIT-MEMBERS GRAVITY FACTOR: a file of that sensor, its matrix times a factor
 calibration() {
-    echo "$offset $M" | awk -v more="$1" -v g="$2" -v f="$3" '{
+    echo "$offset $M" | more=$1 awk -v g="$2" -v f="$3" '{
         printf "{\"offset\": [%s, %s, %s],\n \"matrix\": [", $1, $2, $3
         for (i = 0; i < 3; i++) {
             printf "%s[%.17g, %.17g, %.17g]", i ? ", " : "", f * $(4 + 3 * i), f * $(5 + 3 * i),
                 f * $(6 + 3 * i)
         }
-        printf "],\n %s \"gravity\": %s}\n", more, g
+        printf "],\n %s \"gravity\": %s}\n", ENVIRON["more"], g
     }'
 }
 
@@ -506,8 +506,8 @@ mkdir "$work/evil*"
 evil="$work/evil*/"'
 int evil; *??
 \'
-calibration '"verdict": "*/ int evil; /* \\u000a#evil\\\\", "frame": "a\\nb*/",
-    "undetermined": ["*/\\n", "x"],' "$gravity" 1 > "$evil"
+calibration '"verdict": "*/ int evil; /* \u000a#evil\\", "frame": "a\nb*/",
+    "undetermined": ["*/\n", "x"],' "$gravity" 1 > "$evil"
 run export "$evil" --format c --name accel --out "$work/accel.h"
 check "hostile texts: exported" went_well
 check "hostile texts: the warning is one line" says 'warning: '

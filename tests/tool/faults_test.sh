@@ -303,13 +303,12 @@ refuses "apply --quiet reports an error" 3 'no\.csv: cannot be read' \
 # 1 mm/s^2. With share=S a random share S of them reads 20 mm/s^2 too much: their numbers go to the file
 # wrong. With angles=1 with angles in steps of 15 degrees, the wrong ones off by 15 degrees.
 cat > "$work/long.awk" << 'END'
-function gauss() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand()) }
 function put(x, y, z, rest) {
-    printf "%.6f,%.6f,%.6f%s\n", 9.8 * x * 1.01 + 0.1 + 0.001 * gauss(),
-        9.8 * y * 0.99 - 0.2 + 0.001 * gauss(), 9.8 * z * 1.02 + 0.05 + 0.001 * gauss(), rest
+    printf "%.6f,%.6f,%.6f%s\n", 9.8 * x * 1.01 + 0.1 + 0.001 * normal(),
+        9.8 * y * 0.99 - 0.2 + 0.001 * normal(), 9.8 * z * 1.02 + 0.05 + 0.001 * normal(), rest
 }
 BEGIN {
-    srand(seed)
+    begin_random(seed)
     d = 0.017453292519943295
     for (i = -1; i <= 1; i++) for (j = -1; j <= 1; j++) for (k = -1; k <= 1; k++) {
         q = i * i + j * j + k * k
@@ -320,12 +319,12 @@ BEGIN {
         p = i % m + 1
         x = X[p]; y = Y[p]; z = Z[p]
         if (random) {
-            z = 2 * rand() - 1; a = 6.283185307179586 * rand(); r = sqrt(1 - z * z)
+            z = 2 * uniform() - 1; a = 6.283185307179586 * uniform(); r = sqrt(1 - z * z)
             x = r * cos(a); y = r * sin(a)
         }
-        is_wrong = rand() < share
+        is_wrong = uniform() < share
         if (angles) {
-            a = 15 * int(24 * rand()); b = 15 * int(24 * rand())
+            a = 15 * int(24 * uniform()); b = 15 * int(24 * uniform())
             put(sin(a * d) * sin(b * d), cos(a * d), sin(a * d) * cos(b * d), "," a "," b + 15 * is_wrong)
         } else {
             longer = is_wrong ? 1 + 0.02 / 9.8 : 1
@@ -341,7 +340,7 @@ long() { # NAME=VALUE ...
         shift
     done
     : > "$work/wrong"
-    awk -v wrong="$work/wrong" "$@" -f "$work/long.awk" > "$work/long.csv"
+    awk -v wrong="$work/wrong" "$@" -f "$here/random.awk" -f "$work/long.awk" > "$work/long.csv"
 }
 of_long() { run calibrate "$work/long.csv" --positions --gravity 9.8 "$@"; }
 long n=65535 seed=1
@@ -404,12 +403,12 @@ with_angles() { long n="$1" angles=1 share=0.08 seed=1; }
 with_wrong() { long n="$1" random=1 share=0.1 seed=1; }
 with_rests() { # the same directions, five seconds each at 10 samples a second
     long n="$1" random=1 seed=1
-    awk -F , 'BEGIN { srand(2) } NR == 1 { print "t,x,y,z"; next } {
+    awk -F , "$random_awk"'BEGIN { begin_random(2) } NR == 1 { print "t,x,y,z"; next } {
         for (k = 1; k <= 55; k++) {
             f = k < 6 ? k / 6 : 1
             s = k < 6 ? 2 : 0.01
-            printf "%.1f,%.4f,%.4f,%.4f\n", 0.1 * t++, x + ($1 - x) * f + s * (rand() - 0.5),
-                y + ($2 - y) * f + s * (rand() - 0.5), z + ($3 - z) * f + s * (rand() - 0.5)
+            printf "%.1f,%.4f,%.4f,%.4f\n", 0.1 * t++, x + ($1 - x) * f + s * (uniform() - 0.5),
+                y + ($2 - y) * f + s * (uniform() - 0.5), z + ($3 - z) * f + s * (uniform() - 0.5)
         }
         x = $1; y = $2; z = $3 }' "$work/long.csv" > "$work/rests.csv"
 }
@@ -508,20 +507,19 @@ chance_of() { # RMS WITHOUT POSITIONS
 }
 # Half of the positions at 20 and half at 30 degrees, spread over the sphere along a spiral.
 warm() { # POSITIONS SEED
-    awk -v n="$1" -v seed="$2" '
-        function gauss() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand()) }
+    awk -v n="$1" -v seed="$2" "$random_awk"'
         BEGIN {
-            srand(seed)
+            begin_random(seed)
             print "x,y,z,temperature"
             for (t = 0; t < 2; t++) {
                 m = int((n + 1 - t) / 2)
-                begin = 6.28 * rand()
+                begin = 6.28 * uniform()
                 for (i = 0; i < m; i++) {
                     z = 1 - (2 * i + 1) / m
                     x = sqrt(1 - z * z) * cos(begin + 2.399963 * i)
                     y = sqrt(1 - z * z) * sin(begin + 2.399963 * i)
-                    printf "%.6f,%.6f,%.6f,%g\n", 9.8 * x * 1.01 + 0.1 + 0.001 * gauss(),
-                        9.8 * y * 0.99 - 0.2 + 0.001 * gauss(), 9.8 * z * 1.02 + 0.001 * gauss(),
+                    printf "%.6f,%.6f,%.6f,%g\n", 9.8 * x * 1.01 + 0.1 + 0.001 * normal(),
+                        9.8 * y * 0.99 - 0.2 + 0.001 * normal(), 9.8 * z * 1.02 + 0.001 * normal(),
                         20 + 10 * t
                 }
             }

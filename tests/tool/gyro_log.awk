@@ -2,7 +2,8 @@
 #
 # A log like the real one whose rests and moves are in tests/unit/gyro_logs.h: each rest lasts 3 s at its mean, and
 # each segment of a move turns steadily.
-#     awk -v name=xsens -v zero=32768 -v rate=4772 -v noise=1 -v shake=500 -f gyro_log.awk gyro_logs.h
+#     awk -v name=xsens -v zero=32768 -v rate=4772 -v noise=1 -v shake=500 \
+#         -f random.awk -f gyro_log.awk gyro_logs.h
 #
 # rate: counts per rad/s; zero: reading without a turn. Readings have a noise of +-`noise` counts; in moves the
 # accelerometer is shaken by `shake`.
@@ -12,7 +13,7 @@ $0 ~ "^static.* " name "_" { split($0, word, /[ _\[]+/); part = $0 ~ /_mean\[/ ?
 part == "mean" { mean[means++] = rows($0) }
 part == "rest" { rest[rests++] = rows($0) }
 part == "segment" { segment[segments++] = rows($0) }
-function any() { seed = (seed * 16807 + 11) % 2147483647; return seed / 1073741823 - 1 } # a sine would pass for rest
+function any() { return 2 * uniform() - 1 } # a sine would pass for rest
 function put(a, g) {
     printf "%.2f", n / 100
     for (i = 1; i <= 3; i++) printf ",%.2f", a[i] + noise * any()
@@ -21,6 +22,7 @@ function put(a, g) {
     n++
 }
 END {
+    begin_random(0)
     print "t,ax,ay,az,gx,gy,gz"
     for (r = 0; r < rests; r++) {
         split(rest[r], R)

@@ -47,7 +47,7 @@ refused_as() { # WORD PATTERN: of the gyroscope alone
         matches "$work/stdout" "$2" && matches "$work/stdout" '^  "verdict": "good"'
 }
 change() { # AWK: what is done to the fields of a row, from edges.csv to changed.csv
-    awk -F, -v OFS=, "NR == 1 { print; next } $1 { print }" "$work/edges.csv" > "$work/changed.csv"
+    awk -F, -v OFS=, "$random_awk NR == 1 { begin_random(1); print; next } $1 { print }" "$work/edges.csv" > "$work/changed.csv"
 }
 
 # ---- against the truth -------------------------------------------------------------------------------
@@ -277,7 +277,7 @@ head -n 2000 "$work/long.csv" > "$work/short.csv"
 refuses "nor do 4 rests in a plane" 1 'the 4 rests .*: the rests are nearly in a plane: turn about all three axes' \
     calibrate "$work/short.csv"
 for sensor in mpu0 mpu1; do
-    awk -v name=$sensor -v zero=0 -v rate=7505.747 -v noise=10 -v shake=2000 -f "$here/gyro_log.awk" "$here/../unit/gyro_logs.h" > "$work/long.csv"
+    awk -v name=$sensor -v zero=0 -v rate=7505.747 -v noise=10 -v shake=2000 -f "$here/random.awk" -f "$here/gyro_log.awk" "$here/../unit/gyro_logs.h" > "$work/long.csv"
     for rows in 3000 4000 5000; do
         check "MPU-9150, $sensor, $rows rows: not accused" is_not_accused "$work/long.csv" $rows --gravity 9.81
     done
@@ -302,7 +302,7 @@ check "clipped but for one move: JSON names all moves" test "$(grep -c '"left_ou
 run calibrate "$work/clipped.csv"
 check "the last line names the gyroscope" test "$(tail -n 1 "$work/stdout" | grep -c '^The gyroscope is not calibrated. Next, for it: turn more slowly')" -eq 1
 # It reads -1 to 1, mostly 1, whatever the turn.
-change '{ for (k = 5; k <= 7; k++) { r = rand(); $k = r < 0.6 ? 1 : r < 0.7 ? -1 : 0 } }'
+change '{ for (k = 5; k <= 7; k++) { r = uniform(); $k = r < 0.6 ? 1 : r < 0.7 ? -1 : 0 } }'
 solve "$work/changed.csv"
 check "noise of a count is not the end of the range" \
     refused_as 'too few' '"reason": "the gyroscope reads no turns between the rests",$'
@@ -494,7 +494,7 @@ refuses "a gyroscope's file that is not there" 3 'none\.csv' calibrate "$work/ac
 
 # ---- real sensors, from their rests and moves ----------------------------------------------------------
 
-real() { awk -v name="$1" -v zero="$2" -v rate="$3" -v noise="$4" -v shake="$5" -f "$here/gyro_log.awk" "$here/../unit/gyro_logs.h" > "$work/real.csv"; }
+real() { awk -v name="$1" -v zero="$2" -v rate="$3" -v noise="$4" -v shake="$5" -f "$here/random.awk" -f "$here/gyro_log.awk" "$here/../unit/gyro_logs.h" > "$work/real.csv"; }
 reference() { sed -n "/$1/,/;/p" "$here/../reference/gyro_samples.h" | sed 's/.*=//' | tr -d '{};\n'; }
 multiplied() { awk -v k="$1" '{ for (i = 1; i <= NF; i++) printf "%.6f ", $i * k }'; } # numbers, times K
 real xsens 32768 4772 3 20000

@@ -188,7 +188,7 @@ run calibrate "$work/batches.csv" --json
 check "calibrate LOG: ten samples for each time" near 0 "$(field offset)" "$plain_offset"
 run calibrate "$work/batches.csv" --rate 100 --json
 check "calibrate LOG: the same with the rate stated" near 0 "$(field offset)" "$plain_offset"
-awk -F, 'NR == 1 { print; next } { printf "%.2f,%s,%s,%s\n", NR == 6000 ? 1 : $1, $2, $3, $4 }' \
+awk -F, 'NR == 1 { print; next } { printf "%.2f,%s,%s,%s\n", (NR == 6000 ? 1 : $1), $2, $3, $4 }' \
     "$work/plain.csv" > "$work/backwards.csv"
 run calibrate "$work/backwards.csv"
 check "calibrate LOG: times that go back are reported" matches "$work/stdout" '^ +2 gaps in the stream'
@@ -308,7 +308,7 @@ in=/dev/null
 check "watch: lines that are cut or garbled are skipped" test "$code" -eq 0
 check "watch: they are reported" test "$(grep -c 'columns' "$work/stderr")" -eq 4
 check "watch: and cause no error" right_offset plain 2
-awk '{ print NR < 300 ? $0 : "garbage" }' "$work/plain.csv" > "$work/garbage.csv"
+awk '{ print (NR < 300 ? $0 : "garbage") }' "$work/plain.csv" > "$work/garbage.csv"
 in=$work/garbage.csv
 run watch - --json
 in=/dev/null

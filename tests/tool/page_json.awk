@@ -94,7 +94,7 @@ section == "The positions in numbers" && /^<tr><th scope="row"/ {
     }
     squares += after * after
     kept++
-    if (cell[1] == json["residual_worst"]) same(after < 0 ? -after : after, parts * json["residual_max"], "largest residual")
+    if (cell[1] == json["residual_worst"]) same(after + 0 < 0 ? -after : after, parts * json["residual_max"], "largest residual")
 }
 END {
     if (kept && kept == json["positions"] - left && !json["degree"]) {

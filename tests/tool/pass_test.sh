@@ -108,7 +108,7 @@ check "strict: is weak" strictly 1 '--strict: the verdict is weak: angle xy, ang
     "$data/t265_positions.csv" --positions
 check "strict: has no redundancy" strictly 1 'no redundancy: nothing checks' "$work/nine.csv" --positions
 for trouble in drift cubic; do
-    awk -v trouble=$trouble -v seed=1 -f "$here/trouble.awk" > "$work/$trouble.csv"
+    awk -v trouble=$trouble -v seed=1 -f "$here/random.awk" -f "$here/trouble.awk" > "$work/$trouble.csv"
     check "strict: $trouble" strictly 1 '--strict: the verdict is (drifting: the offsets drift|bent: the [xyz] axis has)' \
         "$work/$trouble.csv" --positions --zero 0,0,0 --lsb 1 --noise 0.000980665
 done
@@ -145,7 +145,7 @@ check "figures: outliers" agree 39 0 "$work/outliers.csv" --zero 0,0,0 --lsb 0.0
 check "figures: outliers beside a prior" agree 39 0 "$work/outliers.csv" --zero 0,0,0 --lsb 0.000598550415 \
     --noise 0.01 --prior 0.05,0.02,0.02 --tolerance 0.05,0.03,0.02
 }
-sensor() { awk -v what=positions -v stations="$1" -v wrong="$2" -v seed=1 -v sigma=1e-4 -f "$here/thermal.awk" \
+sensor() { awk -v what=positions -v stations="$1" -v wrong="$2" -v seed=1 -v sigma=1e-4 -f "$here/random.awk" -f "$here/thermal.awk" \
     "$here/../reference/expected.h"; }
 sensor -20,25,70 23 > "$work/chamber.csv"
 check "figures: of slopes over temperature, with an outlier" agree 50 0 "$work/chamber.csv" --positions --thermal 1 --unit g \

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# Positions of one family, at random: awk -v family=F -v count=N -v seed=S -f positions.awk
+# Positions of one family, at random: awk -v family=F -v count=N -v seed=S -f random.awk -f positions.awk
 # Rows are x,y,z in m/s^2 of a sensor with errors of some percent, in a field of 9.80665.
 #
 #   sphere      any direction             plane     in a plane through the centre
@@ -8,9 +8,6 @@
 #   cap         within 3 degrees          repeated  8 positions over and over
 #   hyperboloid x^2 + y^2 - z^2 = 1       cylinder  x^2 + y^2 = 1
 #   noise       nothing but noise
-function normal() {
-    return sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand())
-}
 function direction(    n) {
     do {
         x = normal(); y = normal(); z = normal()
@@ -34,11 +31,10 @@ function reading() {
         9.80665 * (1.01 * z + 0.002 * x + 0.01) + 0.001 * normal()
 }
 BEGIN {
-    srand(seed)
-    rand()
+    begin_random(seed)
     direction()
     a = x; b = y; c = z
-    angle = 0.3 + rand()
+    angle = 0.3 + uniform()
     for (i = 0; i < 8; i++) {
         direction()
         fixed[i, 0] = x; fixed[i, 1] = y; fixed[i, 2] = z
@@ -47,19 +43,19 @@ BEGIN {
         if (family == "plane") on_circle(0, 1)
         else if (family == "cone") on_circle(cos(angle), sin(angle))
         else if (family == "circles") on_circle(i % 2 ? 0.3 : -0.6, i % 2 ? sqrt(0.91) : 0.8)
-        else if (family == "cap") on_circle(cos(0.05 * rand()), 0.05 * rand())
+        else if (family == "cap") on_circle(cos(0.05 * uniform()), 0.05 * uniform())
         else direction()
         if (family == "repeated") {
             x = fixed[i % 8, 0]; y = fixed[i % 8, 1]; z = fixed[i % 8, 2]
         }
         if (family == "hyperboloid" || family == "cylinder") {
             n = sqrt(x * x + y * y)
-            h = 4 * rand() - 2
+            h = 4 * uniform() - 2
             r = family == "cylinder" ? 1 : sqrt(1 + h * h)
             x *= r / n; y *= r / n; z = h
         }
         if (family == "noise") {
-            x *= 3 * rand(); y *= 3 * rand(); z *= 3 * rand()
+            x *= 3 * uniform(); y *= 3 * uniform(); z *= 3 * uniform()
         }
         reading()
     }

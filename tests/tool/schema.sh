@@ -97,7 +97,7 @@ check "the file of --truth with a magnetometer is a truth of one" fits waved_tru
 prints 0 calibration calibrate "$work/gyro.csv" --gyro-axes y,x,z
 
 sensor() { # sensor STATIONS
-    awk -v what=positions -v stations="$1" -v seed=1 -v sigma=1e-4 -f "$here/thermal.awk" \
+    awk -v what=positions -v stations="$1" -v seed=1 -v sigma=1e-4 -f "$here/random.awk" -f "$here/thermal.awk" \
         "$here/../reference/expected.h"
 }
 sensor -20,25,70 > "$work/thermal.csv"
@@ -110,7 +110,7 @@ prints 0 calibration calibrate "$work/thermal.csv" --positions --thermal 1 --gra
 prints 1 calibration_refusal calibrate "$work/drift.csv" --thermal 1
 
 for trouble in none misset many swapped reversed zero; do
-    awk -v trouble=$trouble -v seed=1 -f "$here/stand.awk" > "$work/stand.csv"
+    awk -v trouble=$trouble -v seed=1 -f "$here/random.awk" -f "$here/stand.awk" > "$work/stand.csv"
     prints 0 calibration calibrate "$work/stand.csv" --positions --stand
 done
 prints 0 calibration calibrate "$work/stand.csv" --positions --plan per-group:6 --frame stand
@@ -125,7 +125,7 @@ head -n 3 "$work/nine.csv" > "$work/three.csv"
 prints 1 calibration_refusal calibrate "$work/three.csv" --positions
 awk 'BEGIN { for (i = 0; i < 18; i++) print cos(i / 2.9) "," sin(i / 2.9) "," 0 }' > "$work/flat.csv"
 prints 1 calibration_refusal calibrate "$work/flat.csv" --positions --gravity 1 --zero 0,0,0 --lsb 1
-awk 'BEGIN { srand(1); for (i = 0; i < 18; i++) print rand() "," rand() "," i % 3 * rand() }' \
+awk "$random_awk"'BEGIN { begin_random(1); for (i = 0; i < 18; i++) print uniform() "," uniform() "," i % 3 * uniform() }' \
     > "$work/noise.csv"
 prints 1 calibration_refusal calibrate "$work/noise.csv" --positions --gravity 1
 prints 1 calibration_refusal calibrate "$xsens" --positions --unit g

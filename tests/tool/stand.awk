@@ -2,7 +2,7 @@
 #
 # A unit on a two-axis stand, as a file of positions with angles, or as a log of samples:
 #
-#     awk -v trouble=T -v seed=S -f stand.awk
+#     awk -v trouble=T -v seed=S -f random.awk -f stand.awk
 #
 # Readings are in m/s^2 of a sensor with the errors X, the program is the paper's of 18 (Table 2), the columns
 # alpha and beta are what the stand states. trouble:
@@ -19,7 +19,6 @@
 #   lost       position 9 is missing
 #
 # noise (over the field, default 1e-4), plain=1 (no columns alpha and beta), log=1 (samples, with t).
-function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand()) }
 # The direction of angles, turned about (1 2 -2)/3 by `tilt` (Rodrigues), in the frame of the unit.
 function set_direction(a, b,    c, s, d, x, y, z) {
     a *= degree; b *= degree
@@ -74,7 +73,7 @@ function visit(n, a, b,    true_a, true_b) {
     if (log_wanted) write_rest(a, b); else write_position(a, b)
 }
 BEGIN {
-    srand(seed); rand()
+    begin_random(seed)
     degree = atan2(0, -1) / 180
     split("0.003 -0.002 0.004 0.004 -0.003 0.005 0.006 -0.002 0.003", X)
     if (noise == "") noise = 1e-4

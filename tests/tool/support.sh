@@ -148,8 +148,11 @@ same() { cmp -s "$1" "$2"; }
 matches() { grep -Eq -- "$2" "$1"; }
 lacks() { ! grep -Eq -- "$2" "$1"; }
 
+random_awk=$(cat "$here/random.awk")
+random_awk="$random_awk
+" # to be followed by a program
 positions() { # positions FAMILY COUNT SEED
-    awk -v family="$1" -v count="$2" -v seed="$3" -f "$here/positions.awk"
+    awk -v family="$1" -v count="$2" -v seed="$3" -f "$here/random.awk" -f "$here/positions.awk"
 }
 
 finish() {

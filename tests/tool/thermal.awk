@@ -2,22 +2,13 @@
 #
 # A sensor whose errors depend on temperature, as the reference computed its bound:
 #
-#   awk -v what=positions -v stations=-20,25,70 -v seed=S -v sigma=S -f thermal.awk expected.h
+#   awk -v what=positions -v stations=-20,25,70 -v seed=S -v sigma=S -f random.awk -f thermal.awk expected.h
 #       position means in g with a column temperature: the program of 18 at each station; the
 #       positions `wrong` (such as 5,23, from 1) read 0.05 too much
-#   awk -v what=grid -f thermal.awk expected.h
+#   awk -v what=grid -f random.awk -f thermal.awk expected.h
 #       the same without noise in the directions and at the temperatures of the bound
-#   awk -v what=NAME -f thermal.awk expected.h
+#   awk -v what=NAME -f random.awk -f thermal.awk expected.h
 #       the numbers of expected_NAME
-#
-# It has its own random numbers, the same with every awk.
-function uniform() {
-    state = (16807 * state) % 2147483647
-    return state / 2147483647
-}
-function normal() {
-    return sqrt(-2 * log(uniform())) * cos(6.283185307179586 * uniform())
-}
 function reading(x, y, z, temperature, sigma, error,    k, s, t) {
     t = (temperature - 25) / 45
     for (k = 1; k <= 9; k++) s[k] = number["thermal_constant", k] + number["thermal_slope", k] * t
@@ -61,8 +52,7 @@ name != "" {
     if (ends) name = ""
 }
 END {
-    state = 1 + seed
-    for (i = 0; i < 20; i++) uniform()
+    begin_random(seed)
     if (what == "positions" || what == "grid") print "x,y,z,temperature"
     if (what == "positions") positions()
     else if (what == "grid") grid()

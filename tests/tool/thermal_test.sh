@@ -8,12 +8,12 @@ here=$(dirname "$0")
 reference=$here/../reference/expected.h
 
 expected() { # expected NAME: its numbers
-    awk -v what="$1" -f "$here/thermal.awk" "$reference"
+    awk -v what="$1" -f "$here/random.awk" -f "$here/thermal.awk" "$reference"
 }
 
 sensor() { # sensor STATIONS SEED [WRONG]: position means, noise 1e-4 g
     awk -v what=positions -v stations="$1" -v seed="$2" -v wrong="${3:-0}" -v sigma=1e-4 \
-        -f "$here/thermal.awk" "$reference"
+        -f "$here/random.awk" -f "$here/thermal.awk" "$reference"
 }
 
 # Zero 0 and scale 1, so that the results are the sensor's errors.
@@ -40,7 +40,7 @@ warns() { [ "$code" -eq 0 ] && says "$1" || complain; }
 # ---- 18 positions at each of -20, 25 and 70 degrees ---------------------------------------------
 
 # Errors in all directions at -15 ... 65 degrees, of 25 draws; 2 (25) 18 degrees of freedom: 3 %.
-awk -v what=grid -f "$here/thermal.awk" "$reference" > "$work/grid.csv"
+awk -v what=grid -f "$here/random.awk" -f "$here/thermal.awk" "$reference" > "$work/grid.csv"
 truth=$(expected thermal_slope | cut -d ' ' -f 1-9)
 seed=0
 : > "$work/errors"

@@ -592,7 +592,7 @@ awk 'BEGIN { for (i = 0; i < 20; i++) print "0,0,0" }' > "$f"
 hopeless "zero vectors" "$f" undetermined 'undetermined'
 hopeless "zero vectors with a given nominal" "$f" 'out of range' \
     'hopeless\.csv:1: position 1 reads 0 of the field with the nominal' --zero 0,0,0 --lsb 1
-awk '{ print NR == 7 ? "1e30,1e30,1e30" : $0 }' "$good" > "$f"
+awk '{ print (NR == 7 ? "1e30,1e30,1e30" : $0) }' "$good" > "$f"
 hopeless "a position of 1e30" "$f" '(undetermined|out of range)' 'hopeless' --unit counts
 run calibrate "$f" --positions --json
 check "a position of 1e30 among those in m/s^2 is left out and named" test "$(json "$work/stdout" rejected)" = '[7]'
@@ -601,7 +601,7 @@ hopeless "a position of 1e30 with a given nominal" "$f" 'out of range' \
 run calibrate "$f" --positions --zero 0,0,0 --lsb 1 --json
 check "a position of 1e30 is left out and named" test "$(json "$work/stdout" rejected)" = '[7]'
 awk -F, 'NR == 1 { print "x,y,z\n# comment" }
-    { print NR == 7 ? "1e300,-1e300,3" : $1 "e-10," $2 "e-10," $3 "e-10" }' "$good" > "$f"
+    { print (NR == 7 ? "1e300,-1e300,3" : $1 "e-10," $2 "e-10," $3 "e-10") }' "$good" > "$f"
 hopeless "a position that overflows in the calculation" "$f" 'not finite' \
     'hopeless\.csv:9: the reading of position 7 is too large' --zero 0,0,0 --lsb 1e10
 awk 'NR % 2 { print "1.7e308,-1.7e308,1.7e308"; next } { print "-1.7e308,1.7e308,-1.7e308" }' \
@@ -609,7 +609,7 @@ awk 'NR % 2 { print "1.7e308,-1.7e308,1.7e308"; next } { print "-1.7e308,1.7e308
 hopeless "the largest numbers" "$f" '.*' 'hopeless'
 awk -F, '{ print $1 "e-320," $2 "e-320," $3 "e-320" }' "$good" > "$f"
 hopeless "subnormal numbers" "$f" '(undetermined|not an ellipsoid|out of range)' 'hopeless'
-awk '{ print NR == 3 ? "4e-324,0,-4e-324" : $0 }' "$good" > "$f"
+awk '{ print (NR == 3 ? "4e-324,0,-4e-324" : $0) }' "$good" > "$f"
 hopeless "one subnormal position" "$f" '.*' 'hopeless' --zero 0,0,0 --lsb 1 --keep-all
 run calibrate "$f" --positions --zero 0,0,0 --lsb 1
 check "a position without any reading is left out and named" matches "$work/stdout" \

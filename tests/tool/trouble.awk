@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# 24 positions of a sensor in trouble: awk -v trouble=T -v seed=S -f trouble.awk
+# 24 positions of a sensor in trouble: awk -v trouble=T -v seed=S -f random.awk -f trouble.awk
 # Rows are x,y,z in m/s^2 of a sensor with errors of some percent, in a field of 9.80665, with a noise of
 # 0.1 mg: random directions, in the order of the visits.
 #
@@ -14,9 +14,6 @@
 #   noisy       5 times the noise
 #   wrong       the fourth and the twentieth position read 20 mg too much
 #   spoilt      seven positions read 20 mg too much
-function normal() {
-    return sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand())
-}
 function direction(    a, n) {
     do {
         n = 0
@@ -25,8 +22,7 @@ function direction(    a, n) {
     for (a = 0; a < 3; a++) v[a] /= sqrt(n)
 }
 BEGIN {
-    srand(seed)
-    rand()
+    begin_random(seed)
     count = 24
     for (i = 0; i < count; i++) {
         direction()
