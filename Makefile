@@ -38,6 +38,14 @@ TYPES ?= float $(if $(LONG),double)
 # make V=1 shows the commands.
 Q := $(if $(V),,@)
 
+# An option that the library does not have would be ignored in silence.
+OPTIONS := INVCAL_CONFIG_HEADER $(filter-out %_H,$(shell sed -n 's/^#ifndef \(INVCAL_[A-Z_]*\)$$/\1/p' include/invcal/*.h))
+UNKNOWN := $(filter-out $(OPTIONS:%=-D%),$(foreach option,$(filter -DINVCAL_%,$(CFLAGS)),$(firstword $(subst =, ,$(option)))))
+$(if $(UNKNOWN),$(error $(UNKNOWN): invcal has no such option; it has $(sort $(OPTIONS))))
+
+# Where the compiler can, it notes which headers a file includes. (tcc cannot.)
+HEADERS_READ := $(shell $(CC) -MMD -MP -MF /dev/null -E -x c /dev/null > /dev/null 2>&1 && echo -MMD -MP)
+
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -59,28 +67,25 @@ INSTALLED := $(BUILD)/invcal:bin/invcal $(BUILD)/invcal.1:share/man/man1/invcal.
     $(BUILD)/invcal.pc:lib/pkgconfig/invcal.pc \
     $(BUILD)/invcal-double.pc:lib/pkgconfig/invcal-double.pc \
     $(foreach header,$(wildcard include/invcal/*.h),$(header):$(header))
-INTO = $(DESTDIR)$(PREFIX)
+# As typed, whatever is special to make or a shell.
+quote = '$(subst ','\'',$(value $1))'
 
 install: all $(BUILD)/invcal.1 pkg-config ## tool, manual, completion, schema; libraries, headers, .pc (PREFIX=, DESTDIR=)
-	$(Q)for pair in $(INSTALLED); do \
-	    to="$(INTO)/$${pair#*:}"; mkdir -p "$${to%/*}" && \
+	$(Q)into=$(call quote,DESTDIR)$(call quote,PREFIX); for pair in $(INSTALLED); do \
+	    to="$$into/$${pair#*:}"; mkdir -p "$${to%/*}" && \
 	    install -m 644 "$${pair%:*}" "$$to" || exit; \
-	done
-	$(Q)chmod 755 "$(INTO)/bin/invcal"
+	done && chmod 755 "$$into/bin/invcal"
 
 uninstall: ## remove what install put there
-	$(Q)for pair in $(INSTALLED); do rm -f "$(INTO)/$${pair#*:}"; done
-	$(Q)rmdir "$(INTO)/include/invcal" "$(INTO)/share/invcal" 2>/dev/null || true
+	$(Q)into=$(call quote,DESTDIR)$(call quote,PREFIX); for pair in $(INSTALLED); do rm -f "$$into/$${pair#*:}"; done; \
+	    rmdir "$$into/include/invcal" "$$into/share/invcal" 2>/dev/null || true
 
 # Made every time, as they contain the prefix and the options of the libraries.
 CHOICES = $(filter -DINVCAL_%,$(CFLAGS) $(DEGREE_FLAGS))
 .PHONY: pkg-config
 pkg-config:
 	@mkdir -p $(BUILD)
-	$(Q)version=$$(sh port/version.sh) && address=$$(sh port/address.sh) && for name in invcal invcal-double; do \
-	    sed -e 's|@PREFIX@|$(PREFIX)|' -e "s|@VERSION@|$$version|" -e "s|@ADDRESS@|$$address|" -e 's|@CHOICES@|$(CHOICES)|' \
-	        -e 's/ *$$//' port/pkg-config/$$name.pc.in > $(BUILD)/$$name.pc || exit; \
-	done
+	$(Q)prefix=$(call quote,PREFIX) choices='$(CHOICES)' sh port/pkg-config/fill.sh $(BUILD)
 
 demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sensor's positions
 	@echo 'A simulated MPU-6050 at 2 g, carried by hand through 18 orientations, 5 seconds in each:'
@@ -104,10 +109,19 @@ demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sens
 
 # ---- the library and its tests, once for each number type: build/float, build/double ----------
 
+# What everything is compiled with, and the unit tests besides. Written only if it differs from last time: then what
+# depends on it is made again.
+$(BUILD)/flags: says = $(CC) $(FLAGS) $(DEGREE_FLAGS) $(ASSERT_FLAGS)
+$(BUILD)/test-flags: says = $(SHORT_FLAGS) $(UNITY)
+$(BUILD)/flags $(BUILD)/test-flags: always
+	@mkdir -p $(@D)
+	@echo '$(subst ','\'',$(says))' | cmp -s - $@ || echo '$(subst ','\'',$(says))' > $@
+.PHONY: always
+
 define variant
-$(BUILD)/$(1)/%.o: %.c
+$(BUILD)/$(1)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $$(@D)
-	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $(DEGREE_FLAGS) $$(EXTRA) -MMD -MP -c $$< -o $$@
+	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $(DEGREE_FLAGS) $$(EXTRA) $(HEADERS_READ) -c $$< -o $$@
 
 # Sections: a program's linker with --gc-sections drops what it does not call.
 $(BUILD)/$(1)/src/%.o: EXTRA += -ffunction-sections -fdata-sections $(ASSERT_FLAGS)
@@ -115,13 +129,13 @@ $(BUILD)/$(1)/src/%.o: EXTRA += -ffunction-sections -fdata-sections $(ASSERT_FLA
 $(BUILD)/$(1)/libinvcal.a: $(SOURCES:%.c=$(BUILD)/$(1)/%.o)
 	$(Q)rm -f $$@ && $$(AR) rcs $$@ $$^
 
-$(BUILD)/$(1)/unity.o: $(UNITY)/unity.c $(UNITY)/unity.h
+$(BUILD)/$(1)/unity.o: $(UNITY)/unity.c $(UNITY)/unity.h $(BUILD)/flags
 	@mkdir -p $$(@D)
 	$(Q)$$(CC) $$(FLAGS) -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) -c $$< -o $$@
 
 $(BUILD)/$(1)/tests/unit/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
     -Isrc -Itests/unit -Itests/reference -I$(BUILD) $(SHORT_FLAGS)
-$(SUITES:%=$(BUILD)/$(1)/tests/unit/%.o): | $(BUILD)/positions.h
+$(SUITES:%=$(BUILD)/$(1)/tests/unit/%.o): $(BUILD)/test-flags | $(BUILD)/positions.h
 
 $(BUILD)/$(1)/test_%: $(BUILD)/$(1)/tests/unit/test_%.o $(BUILD)/$(1)/tests/unit/support.o \
     $(BUILD)/$(1)/unity.o $(BUILD)/$(1)/libinvcal.a
@@ -146,10 +160,10 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 # temperature. The library's options in CFLAGS do not apply to it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
     -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host
-$(BUILD)/tool/%.o: %.c
+$(BUILD)/tool/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(filter-out -DINVCAL_%,$(FLAGS)) $(TOOL_FLAGS) $(ASSERT_FLAGS) $(EXTRA) \
-	    -MMD -MP -c $< -o $@
+	    $(HEADERS_READ) -c $< -o $@
 
 $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
@@ -336,8 +350,7 @@ deps: ## install what these need besides a C compiler (Debian, root)
 	    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr zip unzip gcc-mingw-w64-x86-64 wine wine64
 	command -v npm > /dev/null || $(APT) install -y --no-install-recommends nodejs npm
 
-# As typed, whatever is special to make or a shell.
-package_folder = '$(subst ','\'',$(or $(value DEST),$(BUILD)/packages/$(PACKAGE)))'
+package_folder = $(if $(DEST),$(call quote,DEST),'$(BUILD)/packages/$(PACKAGE)')
 package: ## lay out a package, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
 	$(Q)sh port/stage.sh "$(PACKAGE)" $(package_folder)
 	@echo "$(PACKAGE) is in" $(package_folder)

@@ -32,8 +32,12 @@ run() {
     fi
     case $name in clang*) part=src ;; esac
     [ -z "$BRIEF" ] || types=float
-    [ "$long" != only ] || part=host folder=${out%/*}
-    make -s -j2 test BUILD="$folder" CC="$compiler" STD="$std" CFLAGS="$* -Werror" PART="$part" ONLY="$ONLY" TYPES="$types" \
+    set -- CC="$compiler" STD="$std" CFLAGS="$* -Werror"
+    if [ "$long" = only ]; then # with what make test has built, so with its flags
+        part=host folder=${out%/*}
+        set --
+    fi
+    make -s -j2 test BUILD="$folder" "$@" PART="$part" ONLY="$ONLY" TYPES="$types" \
         LONG="${long#-}" ASSERT="${assert#-}" DEGREE="${degree#-}" BRIEF="$([ "$long" = 1 ] || echo 1)" > "$log" 2>&1 || status=1
     [ $status -eq 0 ] || cat "$log"
     # A failed build is a failure, too.

@@ -51,6 +51,26 @@ has_choices() { # the flags for users contain the options of the libraries
             "$out/invcal.pc" "$out/invcal-double.pc"
 }
 
+# As typed, whatever is special to sed, a shell or pkg-config. (A dollar would be installed, but pkgconf prints it bare.)
+installs_anywhere() {
+    strange="$out/a b'c&d\\e"
+    make -s install BUILD="$build" PREFIX="$strange" && "$strange/bin/invcal" --version > /dev/null || return
+    flags=$(PKG_CONFIG_LIBDIR="$strange/lib/pkgconfig" pkg-config --cflags --libs invcal) &&
+        eval "set -- $flags" && cc -std=c99 "$example" "$@" -o "$out/example" && prints_as_expected "$out/example"
+}
+
+# Other flags, an option among them, make the library again; an option that it does not have is named.
+remakes() {
+    make -s BUILD="$out/other" "$out/other/float/src/session.o" CFLAGS=-O0 &&
+        make -s BUILD="$out/other" "$out/other/float/src/session.o" CFLAGS='-O0 -DINVCAL_MAX_POSITIONS=40' &&
+        nm "$out/other/float/src/session.o" | grep -q _max_positions_40$
+}
+
+names_what_is_unknown() {
+    ! make -s BUILD="$out/other" all CFLAGS=-DINVCAL_MAX_POSITION=40 > "$out/said" 2>&1 &&
+        grep -q 'INVCAL_MAX_POSITION: invcal has no such option' "$out/said"
+}
+
 uninstalls() { # all of it, and nothing else
     echo mine > "$prefix/include/invcal/mine.h"
     make -s uninstall BUILD="$build" PREFIX="$prefix" || return
@@ -68,5 +88,8 @@ check "only what is called is linked" links_what_is_called
 check "invcal is in float" is_double invcal 0
 check "invcal-double is in double" is_double invcal-double 1
 check "the flags contain the options of the libraries" has_choices
+check "a prefix may contain anything" installs_anywhere
+check "other flags make the library again" remakes
+check "an unknown option is named" names_what_is_unknown
 check "make uninstall removes all of it, and nothing else" uninstalls
 finish

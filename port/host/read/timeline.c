@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "read/timeline.h"
 
+#include <float.h>
 #include <math.h>
 
 static const timeline_bin empty = {
-    {HUGE_VALF, HUGE_VALF, HUGE_VALF, HUGE_VALF},
-    {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF, -HUGE_VALF},
+    {FLT_MAX, FLT_MAX, FLT_MAX, FLT_MAX},
+    {-FLT_MAX, -FLT_MAX, -FLT_MAX, -FLT_MAX},
 };
 
 static void widen(timeline_bin *bin, const float *low, const float *high)
