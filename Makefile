@@ -118,6 +118,13 @@ $(BUILD)/flags $(BUILD)/test-flags: always
 	@echo '$(subst ','\'',$(says))' | cmp -s - $@ || echo '$(subst ','\'',$(says))' > $@
 .PHONY: always
 
+# Libraries and tool need less of a compiler than the tests.
+$(BUILD)/can-test: $(BUILD)/flags
+	@echo '#include <math.h>' > $@.c; echo 'static const double x = (double)INFINITY; double y(void); double y(void) { return x; }' >> $@.c
+	@$(CC) -std=$(STD) -c $@.c -o $@.o 2> /dev/null || { \
+	    echo 'the tests need a compiler for which INFINITY is a constant, as C99 says; $(CC) can make all, but not test' >&2; exit 1; }
+	@touch $@
+
 define variant
 $(BUILD)/$(1)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $$(@D)
@@ -135,7 +142,7 @@ $(BUILD)/$(1)/unity.o: $(UNITY)/unity.c $(UNITY)/unity.h $(BUILD)/flags
 
 $(BUILD)/$(1)/tests/unit/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
     -Isrc -Itests/unit -Itests/reference -I$(BUILD) $(SHORT_FLAGS)
-$(SUITES:%=$(BUILD)/$(1)/tests/unit/%.o): $(BUILD)/test-flags | $(BUILD)/positions.h
+$(SUITES:%=$(BUILD)/$(1)/tests/unit/%.o): $(BUILD)/test-flags | $(BUILD)/positions.h $(BUILD)/can-test
 
 $(BUILD)/$(1)/test_%: $(BUILD)/$(1)/tests/unit/test_%.o $(BUILD)/$(1)/tests/unit/support.o \
     $(BUILD)/$(1)/unity.o $(BUILD)/$(1)/libinvcal.a
