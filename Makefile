@@ -120,9 +120,9 @@ $(BUILD)/flags $(BUILD)/test-flags: always
 
 # Libraries and tool need less of a compiler than the tests.
 $(BUILD)/can-test: $(BUILD)/flags
-	@echo '#include <math.h>' > $@.c; echo 'static const double x = (double)INFINITY; double y(void); double y(void) { return x; }' >> $@.c
+	@echo '#include <math.h>' > $@.c; echo 'static const double x[] = {(double)NAN, -(double)INFINITY}; double y(int i); double y(int i) { return x[i]; }' >> $@.c
 	@$(CC) -std=$(STD) -c $@.c -o $@.o 2> /dev/null || { \
-	    echo 'the tests need a compiler for which INFINITY is a constant, as C99 says; $(CC) can make all, but not test' >&2; exit 1; }
+	    echo 'the tests need a compiler for which NAN and -INFINITY are constants, as C99 says; $(CC) can make all, but not test' >&2; exit 1; }
 	@touch $@
 
 define variant
