@@ -43,18 +43,25 @@ invcal_status invcal_fit_solve(invcal_fit *fit)
 invcal_real invcal_chance(const invcal_fit *fit, invcal_real after, invcal_real before, unsigned m,
                           unsigned unknowns, unsigned stated)
 {
-    const invcal_real least = ROUNDED * fit->squares;
     const invcal_real noise = fit->positions.noise;
-    const unsigned more = noise > 0 ? stated : 0;
-    const invcal_real known = invcal_number(more) * noise * noise;
-    const unsigned dof = invcal_fit_spare(fit, unknowns) + more;
-    const invcal_real z = ((after > least ? after : least) + known) / (before + known);
+    unsigned dof = invcal_fit_spare(fit, unknowns);
+
+    if (!(after >= ROUNDED * fit->squares)) {
+        after = ROUNDED * fit->squares;
+    }
+    if (noise > 0) {
+        const invcal_real known = invcal_number(stated) * noise * noise;
+        dof += stated;
+        after += known;
+        before += known;
+    }
+    const invcal_real z = after / before;
     const invcal_real half = INVCAL_SQRT(z);
     const invcal_real twice = invcal_number(dof) * (1 - z);
     invcal_real p = m == 3 ? 1 + twice : 1;
 
     /* z^(dof/2) as a product: of libm only sqrt and fabs are used */
-    for (unsigned i = 0; i < dof; i++) {
+    while (dof-- > 0) {
         p *= half;
     }
     if (m != 2) {

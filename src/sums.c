@@ -13,16 +13,13 @@
 
 void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 {
-    const invcal_real x = eta[0];
-    const invcal_real y = eta[1];
-    const invcal_real z = eta[2];
-
-    g[INVCAL_DK_X] = g[0] * x;
-    g[INVCAL_DK_Y] = g[1] * y;
-    g[INVCAL_DK_Z] = g[2] * z;
-    g[INVCAL_GAMMA_XY] = (g[0] * y + g[1] * x) / 2;
-    g[INVCAL_GAMMA_XZ] = (g[0] * z + g[2] * x) / 2;
-    g[INVCAL_GAMMA_ZY] = (g[1] * z + g[2] * y) / 2;
+    INVCAL_ROLL
+    for (unsigned i = 0; i < 3; i++) {
+        const unsigned r = i / 2; /* xy, xz, yz */
+        const unsigned c = (i + 3) / 2;
+        g[INVCAL_DK_X + i] = g[i] * eta[i];
+        g[INVCAL_GAMMA_XY + i] = (g[r] * eta[c] + g[c] * eta[r]) / 2;
+    }
 }
 
 #if !INVCAL_FAST
