@@ -12,6 +12,12 @@ PREFIX ?= /usr/local
 # The folder of unity.h and unity.c: the tests build with any Unity.
 UNITY  ?= tests/unity
 
+include port/options.mk
+$(foreach path,BUILD UNITY,$(call check_path,$(path)))
+$(call check_options,CFLAGS,$(CFLAGS))
+$(if $(filter INVCAL_DOUBLE,$(call options_set,$(CFLAGS))),$(error CFLAGS: INVCAL_DOUBLE is not chosen there: \
+    there is a library for each number type, libinvcal.a in float and libinvcal_double.a in double))
+
 # In other locales awk and printf write 1,5 for 1.5, and sort uses another order.
 export LC_NUMERIC := C
 export LC_COLLATE := C
@@ -27,6 +33,9 @@ HOST    := $(wildcard port/host/*.c port/host/*/*.c)
 SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 TOOL_SUITES := $(patsubst tests/tool/%.c,%,$(wildcard tests/tool/test_*.c))
 DATA    := $(wildcard tests/data/*_positions.csv)
+# Where a compiler does not write what an object depends on, such as tcc, each depends on every header.
+TRACK   := $(shell $(CC) -MMD -MP -MF /dev/null -E -x c /dev/null > /dev/null 2>&1 && echo -MMD -MP)
+HEADERS := $(if $(TRACK),,$(wildcard include/invcal/*.h src/*.h port/*.h port/host/*/*.h tests/*.h tests/*/*.h))
 # With ASSERT=1, programming errors abort (INVCAL_ASSERT).
 ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itests/unit)
 # The degree of thermal.h, for the library and its tests; without DEGREE, its default.
@@ -38,19 +47,17 @@ TYPES ?= float $(if $(LONG),double)
 # make V=1 shows the commands.
 Q := $(if $(V),,@)
 
-# An option that the library does not have would be ignored in silence.
-OPTIONS := INVCAL_CONFIG_HEADER $(filter-out %_H,$(shell sed -n 's/^#ifndef \(INVCAL_[A-Z_]*\)$$/\1/p' include/invcal/*.h))
-UNKNOWN := $(filter-out $(OPTIONS:%=-D%),$(foreach option,$(filter -DINVCAL_%,$(CFLAGS)),$(firstword $(subst =, ,$(option)))))
-$(if $(UNKNOWN),$(error $(UNKNOWN): invcal has no such option; it has $(sort $(OPTIONS))))
-
-# Where the compiler can, it notes which headers a file includes. (tcc cannot.)
-HEADERS_READ := $(shell $(CC) -MMD -MP -MF /dev/null -E -x c /dev/null > /dev/null 2>&1 && echo -MMD -MP)
+# What the objects of each kind were compiled with. UNITY and LONG are for the tests.
+library_words = $(CC) $(AR) $(FLAGS) $(DEGREE_FLAGS) $(ASSERT_FLAGS) $(UNITY)
+tool_words    = $(CC) $(TOOL_COMPILER_FLAGS) $(TOOL_FLAGS) $(ASSERT_FLAGS) $(UNITY)
+tests_words   = $(SHORT_FLAGS)
+page_words    = $(WASM) $(TOOL_FLAGS)
 
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
 .PHONY: help all install uninstall demo web test check check-web windows targets builds firmware size bench schema pages manual derived \
-    rules coverage mutation fuzz proof numerics check-gates reference fleet format deps \
+    rules coverage mutation fuzz proof numerics check-gates check-shells reference fleet format deps \
     package packages check-packages dist clean
 
 help: ## this list
@@ -68,24 +75,26 @@ INSTALLED := $(BUILD)/invcal:bin/invcal $(BUILD)/invcal.1:share/man/man1/invcal.
     $(BUILD)/invcal-double.pc:lib/pkgconfig/invcal-double.pc \
     $(foreach header,$(wildcard include/invcal/*.h),$(header):$(header))
 # As typed, whatever is special to make or a shell.
-quote = '$(subst ','\'',$(value $1))'
+into = into=$(call quoted,$(value DESTDIR)$(value PREFIX))
 
 install: all $(BUILD)/invcal.1 pkg-config ## tool, manual, completion, schema; libraries, headers, .pc (PREFIX=, DESTDIR=)
-	$(Q)into=$(call quote,DESTDIR)$(call quote,PREFIX); for pair in $(INSTALLED); do \
-	    to="$$into/$${pair#*:}"; mkdir -p "$${to%/*}" && \
+	$(Q)$(into); for pair in $(INSTALLED); do \
+	    to=$$into/$${pair#*:}; mkdir -p "$${to%/*}" && \
 	    install -m 644 "$${pair%:*}" "$$to" || exit; \
 	done && chmod 755 "$$into/bin/invcal"
 
 uninstall: ## remove what install put there
-	$(Q)into=$(call quote,DESTDIR)$(call quote,PREFIX); for pair in $(INSTALLED); do rm -f "$$into/$${pair#*:}"; done; \
-	    rmdir "$$into/include/invcal" "$$into/share/invcal" 2>/dev/null || true
+	$(Q)$(into); for pair in $(INSTALLED); do rm -f "$$into/$${pair#*:}"; done; \
+	    rmdir "$$into/include/invcal" "$$into/share/invcal" 2> /dev/null || true
 
 # Made every time, as they contain the prefix and the options of the libraries.
-CHOICES = $(filter -DINVCAL_%,$(CFLAGS) $(DEGREE_FLAGS))
+CHOICES = $(foreach w,$(call option_words,$(CFLAGS) $(DEGREE_FLAGS)),$(if $(findstring -DINVCAL_ASSERT,$(w)),,$(w)))
 .PHONY: pkg-config
 pkg-config:
 	@mkdir -p $(BUILD)
-	$(Q)prefix=$(call quote,PREFIX) choices='$(CHOICES)' sh port/pkg-config/fill.sh $(BUILD)
+	$(Q)for name in invcal invcal-double; do \
+	    sh port/pkg-config/pc.sh $$name $(call quoted,$(value PREFIX)) $(call quoted,$(CHOICES)) > $(BUILD)/$$name.pc || exit; \
+	done
 
 demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sensor's positions
 	@echo 'A simulated MPU-6050 at 2 g, carried by hand through 18 orientations, 5 seconds in each:'
@@ -109,26 +118,10 @@ demo: $(BUILD)/invcal ## from a raw log to calibrated readings; then a real sens
 
 # ---- the library and its tests, once for each number type: build/float, build/double ----------
 
-# What everything is compiled with, and the unit tests besides. Written only if it differs from last time: then what
-# depends on it is made again.
-$(BUILD)/flags: says = $(CC) $(FLAGS) $(DEGREE_FLAGS) $(ASSERT_FLAGS)
-$(BUILD)/test-flags: says = $(SHORT_FLAGS) $(UNITY)
-$(BUILD)/flags $(BUILD)/test-flags: always
-	@mkdir -p $(@D)
-	@echo '$(subst ','\'',$(says))' | cmp -s - $@ || echo '$(subst ','\'',$(says))' > $@
-.PHONY: always
-
-# Libraries and tool need less of a compiler than the tests.
-$(BUILD)/can-test: $(BUILD)/flags
-	@echo '#include <math.h>' > $@.c; echo 'static const double x[] = {(double)NAN, -(double)INFINITY}; double y(int i); double y(int i) { return x[i]; }' >> $@.c
-	@$(CC) -std=$(STD) -c $@.c -o $@.o 2> /dev/null || { \
-	    echo 'the tests need a compiler for which NAN and -INFINITY are constants, as C99 says; $(CC) can make all, but not test' >&2; exit 1; }
-	@touch $@
-
 define variant
-$(BUILD)/$(1)/%.o: %.c $(BUILD)/flags
+$(BUILD)/$(1)/%.o: %.c $(BUILD)/words/library $(HEADERS)
 	@mkdir -p $$(@D)
-	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $(DEGREE_FLAGS) $$(EXTRA) $(HEADERS_READ) -c $$< -o $$@
+	$(Q)$$(CC) $$(FLAGS) -DINVCAL_DOUBLE=$(2) $(DEGREE_FLAGS) $$(EXTRA) $(TRACK) -c $$< -o $$@
 
 # Sections: a program's linker with --gc-sections drops what it does not call.
 $(BUILD)/$(1)/src/%.o: EXTRA += -ffunction-sections -fdata-sections $(ASSERT_FLAGS)
@@ -136,13 +129,13 @@ $(BUILD)/$(1)/src/%.o: EXTRA += -ffunction-sections -fdata-sections $(ASSERT_FLA
 $(BUILD)/$(1)/libinvcal.a: $(SOURCES:%.c=$(BUILD)/$(1)/%.o)
 	$(Q)rm -f $$@ && $$(AR) rcs $$@ $$^
 
-$(BUILD)/$(1)/unity.o: $(UNITY)/unity.c $(UNITY)/unity.h $(BUILD)/flags
+$(BUILD)/$(1)/unity.o: $(UNITY)/unity.c $(UNITY)/unity.h $(BUILD)/words/library
 	@mkdir -p $$(@D)
 	$(Q)$$(CC) $$(FLAGS) -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) -c $$< -o $$@
 
 $(BUILD)/$(1)/tests/unit/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
     -Isrc -Itests/unit -Itests/reference -I$(BUILD) $(SHORT_FLAGS)
-$(SUITES:%=$(BUILD)/$(1)/tests/unit/%.o): $(BUILD)/test-flags | $(BUILD)/positions.h $(BUILD)/can-test
+$(SUITES:%=$(BUILD)/$(1)/tests/unit/%.o): $(BUILD)/words/tests | $(BUILD)/positions.h
 
 $(BUILD)/$(1)/test_%: $(BUILD)/$(1)/tests/unit/test_%.o $(BUILD)/$(1)/tests/unit/support.o \
     $(BUILD)/$(1)/unity.o $(BUILD)/$(1)/libinvcal.a
@@ -167,16 +160,16 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 # temperature. The library's options in CFLAGS do not apply to it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
     -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host
-$(BUILD)/tool/%.o: %.c $(BUILD)/flags
+TOOL_COMPILER_FLAGS = $(filter-out $(CHOICES),$(subst -D INVCAL_,-DINVCAL_,$(FLAGS)))
+$(BUILD)/tool/%.o: %.c $(BUILD)/words/tool $(HEADERS)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(filter-out -DINVCAL_%,$(FLAGS)) $(TOOL_FLAGS) $(ASSERT_FLAGS) $(EXTRA) \
-	    $(HEADERS_READ) -c $< -o $@
+	$(Q)$(CC) $(TOOL_COMPILER_FLAGS) $(TOOL_FLAGS) $(ASSERT_FLAGS) $(EXTRA) $(TRACK) -c $< -o $@
 
 $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
 
 # For Windows, with MinGW-w64: port/windows supplies the POSIX functions that it lacks.
-$(BUILD)/invcal.exe: $(HOST) $(SOURCES) $(wildcard include/invcal/*.h src/*.h port/host/*/*.h port/windows/*.[ch] port/windows/*/*.h)
+$(BUILD)/invcal.exe: $(BUILD)/words/tool $(HOST) $(SOURCES) $(wildcard include/invcal/*.h src/*.h port/host/*/*.h port/windows/*.[ch] port/windows/*/*.h)
 	$(call need,x86_64-w64-mingw32-gcc)
 	@mkdir -p $(@D)
 	$(Q)x86_64-w64-mingw32-gcc -std=$(STD) -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Iinclude $(TOOL_FLAGS) \
@@ -207,7 +200,7 @@ need_wasm = @for file in /usr/include/wasm32-wasi/stdio.h $$(clang-19 -print-res
     [ -e "$$file" ] || { echo "$${file\#\#*/} is not installed: make deps" >&2; exit 1; }; done
 WASM_HOST := $(filter-out $(patsubst %,port/host/watch/%.c,live wave interrupt screen),$(HOST))
 
-$(BUILD)/web/live.wasm: port/web/live.c $(SOURCES) $(wildcard include/invcal/*.h src/*.h)
+$(BUILD)/web/live.wasm: port/web/live.c $(BUILD)/words/page $(SOURCES) $(wildcard include/invcal/*.h src/*.h)
 	$(call need,clang-19)
 	$(call need,wasm-ld-19)
 	$(need_wasm)
@@ -215,7 +208,7 @@ $(BUILD)/web/live.wasm: port/web/live.c $(SOURCES) $(wildcard include/invcal/*.h
 	$(Q)$(WASM) $(WARNINGS) -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -mexec-model=reactor -nostartfiles \
 	    -Wl,--no-entry $(SOURCES) $< -o $@
 
-$(BUILD)/web/tool.wasm: port/web/wasi.c port/web/wasi.h $(WASM_HOST) $(SOURCES) \
+$(BUILD)/web/tool.wasm: port/web/wasi.c $(BUILD)/words/page port/web/wasi.h $(WASM_HOST) $(SOURCES) \
     $(wildcard include/invcal/*.h src/*.h port/host/*/*.h)
 	$(call need,clang-19)
 	$(call need,wasm-ld-19)
@@ -249,7 +242,7 @@ gate = $(if $(strip $(2)),,sh tests/gate.sh '$(1)')
 UNIT_TESTS := $(foreach type,$(TYPES),$(SUITES:%=$(BUILD)/$(type)/%))
 TOOL_TESTS := $(TOOL_SUITES:%=$(BUILD)/tool/%) all
 test: $(if $(filter host,$(PART)),,$(UNIT_TESTS)) $(if $(filter src,$(PART)),,$(TOOL_TESTS)) ## the tests with one compiler; make check also runs the long ones
-	$(Q)CC="$(CC)" CFLAGS="$(CFLAGS)" UNITY="$(UNITY)" LONG="$(LONG)" PART="$(PART)" TYPES="$(TYPES)" sh tests/run.sh $(BUILD)
+	$(Q)CC=$(call quoted,$(CC)) CFLAGS=$(call quoted,$(CFLAGS)) UNITY="$(UNITY)" LONG="$(LONG)" PART="$(PART)" TYPES="$(TYPES)" sh tests/run.sh $(BUILD)
 
 coverage: ## what the tests reach: lines, branches, MC/DC of src/, lines of the tool (PART=src, PART=host)
 	$(call need,llvm-cov-19)
@@ -260,7 +253,7 @@ check: schema ## all tests at full length under gcc and clang, C99 and C11; and 
 
 mutation: ## do the unit tests notice small changes to src/? (SAMPLE=, SEED=, ONLY=files, V=1)
 	$(call need,python3)
-	$(Q)CC="$(CC)" sh tests/mutation.sh $(BUILD) $(or $(SAMPLE),150) $(or $(SEED),1) $(ONLY)
+	$(Q)CC=$(call quoted,$(CC)) sh tests/mutation.sh $(BUILD) $(or $(SAMPLE),150) $(or $(SEED),1) $(ONLY)
 
 # All targets at full length come with all builds.
 targets: $(BUILD)/float/digest $(if $(QUICK)$(TARGETS),,builds) ## the unit tests on emulated targets, and the same bits on all of them (QUICK=1)
@@ -327,7 +320,13 @@ derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## check layout, expected.h, man page
 
 numerics: ## rounding errors, against 50 digits and the bounds of expert.h (COUNT=30000: ten minutes)
 	$(call need,python3)
-	$(Q)CC="$(CC)" sh tests/gate.sh numerics sh tests/numerics.sh $(BUILD) $(COUNT)
+	$(Q)CC=$(call quoted,$(CC)) sh tests/gate.sh numerics sh tests/numerics.sh $(BUILD) $(COUNT)
+
+check-shells: all ## the scripts of make test under dash, bash and busybox, with four kinds of awk (ONLY=names)
+	$(call need,gawk)
+	$(call need,original-awk)
+	$(call need,busybox)
+	$(Q)$(call gate,check-shells,$(ONLY)) env ONLY="$(ONLY)" sh tests/shells.sh $(BUILD)
 
 check-gates: ## plant a bug for each gate in a copy, and check that the gate turns red (GATES=names)
 	$(Q)$(call gate,check-gates,$(GATES)) sh tests/gates.sh $(BUILD) $(GATES)
@@ -354,13 +353,15 @@ deps: ## install what these need besides a C compiler (Debian, root)
 	    gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc \
 	    gcc-powerpc-linux-gnu libc6-dev-powerpc-cross qemu-user locales \
 	    parallel default-jre-headless python3-venv \
+	    gawk mawk original-awk busybox tcc \
 	    lld-19 wasi-libc libclang-rt-19-dev-wasm32 firefox-esr zip unzip gcc-mingw-w64-x86-64 wine wine64
 	command -v npm > /dev/null || $(APT) install -y --no-install-recommends nodejs npm
 
-package_folder = $(if $(DEST),$(call quote,DEST),'$(BUILD)/packages/$(PACKAGE)')
+# As typed, too.
+package_folder = $(call quoted,$(or $(value DEST),$(BUILD)/packages/$(PACKAGE)))
 package: ## lay out a package, in build/packages/NAME unless DEST is given (PACKAGE=name, DEST=folder)
 	$(Q)sh port/stage.sh "$(PACKAGE)" $(package_folder)
-	@echo "$(PACKAGE) is in" $(package_folder)
+	@printf '%s is in %s\n' "$(PACKAGE)" $(package_folder)
 
 packages: ## lay out all packages, in build/packages
 	$(Q)rm -rf $(BUILD)/packages
@@ -379,4 +380,5 @@ dist: ## build/dist: the last commit as a tarball, and its packages as zips; the
 clean: ## remove build/
 	rm -rf $(BUILD)
 
+$(foreach kind,library tool tests page,$(eval $(call words_file,$(BUILD)/words/$(kind),$(kind)_words)))
 -include $(shell find $(addprefix $(BUILD)/,float double tool) -name '*.d' 2>/dev/null)

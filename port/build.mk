@@ -4,6 +4,7 @@
 # The target's own target.mk says with what and how.
 
 include $(TARGET)/target.mk
+include port/options.mk
 
 CC     := $(PREFIX)gcc
 BUILD  ?= build/targets
@@ -29,6 +30,9 @@ TESTING = -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -DUNITY_SUPPORT_64 $(SHORT) \
           '-DUNITY_OUTPUT_CHAR(c)=board_put(c)' \
           -include board.h -I$(UNITY) -Isrc -Itests/unit -Itests/reference -I$(BUILD)
 
+$(foreach path,BUILD UNITY,$(call check_path,$(path)))
+$(call check_options,OPT,$(OPT))
+
 LIBRARY := $(patsubst %.c,$(OUT)/%.o,$(wildcard src/*.c))
 SUITES  := $(filter-out $(WITHOUT),$(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c)))
 # A suite that is too large is several images: PARTS_test_session := 0 1 2 in target.mk.
@@ -43,8 +47,9 @@ Q := $(if $(V),,@)
 .SECONDARY:
 .PHONY: tests bench traced digest facts
 
-# Flags may have changed with them.
-RULES := $(MAKEFILE_LIST)
+# What is compiled depends on these rules, and on what the command line changes in them.
+RULES := $(MAKEFILE_LIST) $(OUT)/words
+target_words = $(CC) $(FLAGS) $(TESTING) $(LINK)
 
 $(OUT)/%.o: %.c $(RULES)
 	@mkdir -p $(@D)
@@ -111,4 +116,5 @@ facts:
 	@echo "compiler='$(CC)' cpu='$(CPU)' emulator='$(or $(EMULATOR),$(firstword $(RUN)))' levels='Os $(LEVELS)' processor='$(PROCESSOR)'"
 	@echo "out='$(OUT)' run='$(RUN)' run_counting='$(RUN:-kernel=$(COUNTING) -kernel)' unit='$(UNIT)'"
 
+$(eval $(call words_file,$(OUT)/words,target_words))
 -include $(shell find $(OUT) -name '*.d' 2>/dev/null)

@@ -32,13 +32,10 @@ run() {
     fi
     case $name in clang*) part=src ;; esac
     [ -z "$BRIEF" ] || types=float
-    set -- CC="$compiler" STD="$std" CFLAGS="$* -Werror"
-    if [ "$long" = only ]; then # with what make test has built, so with its flags
-        part=host folder=${out%/*}
-        set --
-    fi
-    make -s -j2 test BUILD="$folder" "$@" PART="$part" ONLY="$ONLY" TYPES="$types" \
-        LONG="${long#-}" ASSERT="${assert#-}" DEGREE="${degree#-}" BRIEF="$([ "$long" = 1 ] || echo 1)" > "$log" 2>&1 || status=1
+    set -- CC="$compiler" STD="$std" CFLAGS="$* -Werror" ASSERT="${assert#-}" DEGREE="${degree#-}"
+    [ "$long" != only ] || { part=host folder=${out%/*}; set --; } # what is there, whatever it was compiled with
+    make -s -j2 test BUILD="$folder" PART="$part" ONLY="$ONLY" TYPES="$types" LONG="${long#-}" \
+        BRIEF="$([ "$long" = 1 ] || echo 1)" "$@" > "$log" 2>&1 || status=1
     [ $status -eq 0 ] || cat "$log"
     # A failed build is a failure, too.
     awk -v status=$status '/^[0-9]+ passed, [0-9]+ failed$/ { passed = $1; failed = $3 }

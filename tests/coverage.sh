@@ -18,15 +18,17 @@ rm -rf "$1/coverage"
 mkdir -p "$1/coverage" || exit 1
 out=$(cd "$1/coverage" && pwd)
 
+# For the scripts of the tool as well, so that what they make is not built again.
+export CC="${CLANG:-clang-19}" CFLAGS='-O1 -fprofile-instr-generate -fcoverage-mapping' DEGREE=1
+
 # build FLAGS DEGREE TARGET ...: in a folder of that degree of thermal.h
 build() {
-    flags="-O1 -fprofile-instr-generate -fcoverage-mapping $1"
+    flags="$CFLAGS $1"
     folder=$out/$2
     degree=$2
     shift 2
     # shellcheck disable=SC2046 # names without blanks
-    make -s -j2 LONG=1 BUILD="$folder" DEGREE="$degree" CC="${CLANG:-clang-19}" \
-        CFLAGS="$flags '-DINVCAL_ASSERT(condition)=((void)0)'" $(printf "$folder/%s " "$@") \
+    make -s -j2 LONG=1 BUILD="$folder" DEGREE="$degree" CC="$CC" CFLAGS="$flags" $(printf "$folder/%s " "$@") \
         >> "$out/build.log" 2>&1 || { cat "$out/build.log"; return 1; }
 }
 
@@ -54,7 +56,7 @@ in_float_and_double() {
     degree=$1
     shift
     # shellcheck disable=SC2046 # names without blanks
-    build -fcoverage-mcdc "$degree" $(printf 'float/%s ' "$@") $(printf 'double/%s ' "$@") || return
+    build "-fcoverage-mcdc '-DINVCAL_ASSERT(condition)=((void)0)'" "$degree" $(printf 'float/%s ' "$@") $(printf 'double/%s ' "$@") || return
     for suite; do
         for real in float double; do
             echo "src-$degree$real-$suite $out/$degree/$real/$suite"

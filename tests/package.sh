@@ -9,7 +9,7 @@
 #     finish
 #
 # Sets root, build (with build/float, build/double) and out, an empty folder of the script's own; all
-# three are absolute. The script runs in root.
+# three are absolute. The script runs in root, and make takes $below for BUILD: its rules cannot have blanks.
 
 unset MAKEFLAGS # a CC=... meant for the host would be taken for every target
 name=$(basename "$0" .sh)
@@ -18,6 +18,7 @@ build=$(cd "$1" && pwd)
 cd "$(dirname "$0")/../.." || exit 1
 root=$PWD
 out=$build/consumed/$name
+below=${build#"$root"/}
 rm -rf "$out"
 mkdir -p "$out"
 passed=0

@@ -56,6 +56,7 @@ other_scripts() {
     echo "run sh $tests/run_test.sh $build/run_test"
     echo "library sh $tests/library.sh $build"
     echo "readme sh $tests/readme.sh $build"
+    echo "make sh $tests/make.sh $build/make"
     echo "errors sh $tests/errors.sh $build"
 }
 

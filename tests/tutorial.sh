@@ -55,19 +55,20 @@ awk -v out="$out" '
 git() { # clone ADDRESS FOLDER
     mkdir "$3" "$3/build" "$3/build/float" "$3/build/double" &&
         cp -Rp "$root/Makefile" "$root/README.md" "$root/include" "$root/src" "$root/port" "$root/tests" "$3" &&
-        cp -Rp "$build/tool" "$build/invcal" "$3/build" &&
+        cp -Rp "$build/words" "$build/tool" "$build/invcal" "$3/build" &&
         cp -Rp "$build/float/src" "$build/float/libinvcal.a" "$3/build/float" &&
         cp -Rp "$build/double/src" "$build/double/libinvcal.a" "$3/build/double"
 }
 # shellcheck disable=SC2086 # words
 cc() { command ${CC:-cc} $CFLAGS "$@"; }
+# shellcheck disable=SC2086
 compiles() { # NAME
     case $1 in
-    *.c) set -- "$1" "${CC:-cc}" -std=c99 ;;
-    *) set -- "$1" "$(command -v c++ || command -v clang++-19)" -std=c++11 ;;
+    *.c) compiler=${CC:-cc} std=c99 ;;
+    *) compiler=$(command -v c++ || command -v clang++-19) std=c++11 ;;
     esac
-    [ -n "$2" ] || { echo "$1 is not tried: there is no C++ compiler"; return 0; }
-    "$2" "$3" -Wall -Wextra -pedantic -Werror -I"$root/include" -I. -c "$1" -o "$1.o" \
+    [ -n "$compiler" ] || { echo "$1 is not tried: there is no C++ compiler"; return 0; }
+    $compiler -std=$std -Wall -Wextra -pedantic -Werror -I"$root/include" -I. -c "$1" -o "$1.o" \
         > "$out/$1.log" 2>&1 && echo 0 > "$out/$1.compiled" || echo 1 > "$out/$1.compiled"
 }
 

@@ -85,14 +85,37 @@ is_fast() {
 
 # Cross-compiled, as part of a project for a machine without an operating system.
 crossed() {
-    project crossed "add_subdirectory($root/port/cmake invcal)" \
+    project crossed "add_subdirectory(\"$root/port/cmake\" invcal)" \
         'add_executable(example example.c)' 'target_link_libraries(example PRIVATE invcal::invcal)'
     builds -DCMAKE_SYSTEM_NAME=Generic -DCMAKE_C_COMPILER=arm-none-eabi-gcc \
         -DCMAKE_C_FLAGS='-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16' \
         -DCMAKE_EXE_LINKER_FLAGS='--specs=rdimon.specs -Wl,--gc-sections'
 }
 
+# In one line, which names it; and not again when it has been corrected.
+refuses() { # OPTION
+    printf 'cmake_minimum_required(VERSION 3.16)\nproject(p LANGUAGES C)\n%s\nadd_subdirectory("%s" invcal)\n' \
+        "$2" "$root/port/cmake" > "$out/part/CMakeLists.txt"
+    # shellcheck disable=SC2086 # nothing, or one word
+    ! cmake -S "$3" -B "$out/part/build" $1 > "$out/said" 2>&1 &&
+        grep -q '^ *INVCAL_MAX_POSITION is no option of invcal here' "$out/said"
+}
+refuses_unknown() {
+    mkdir -p "$out/part"
+    for folder in port/cmake "$out/part"; do
+        rm -rf "$out/part/build"
+        refuses -DINVCAL_MAX_POSITION=64 '' "$folder" && refuses -DCMAKE_C_FLAGS=-DINVCAL_MAX_POSITION=64 '' "$folder" &&
+            cmake -S "$folder" -B "$out/part/build" -DINVCAL_MAX_POSITIONS=64 -DCMAKE_C_FLAGS=-DINVCAL_ALLAN_TAUS=10 || return
+    done
+    refuses '' 'add_compile_definitions(INVCAL_MAX_POSITION=64)' "$out/part"
+}
+keeps_others() { # another project's own variable
+    ! refuses '' 'set(INVCAL_MINE 1 CACHE STRING mine)' "$out/part" && cmake -S "$out/part" -B "$out/part/build"
+}
+
 check "it installs" installs
+check "an option that is unknown is refused by name" refuses_unknown
+check "a variable of another project is not" keeps_others
 check "it installs the tool, the same that make builds" tool_is_there
 check "what it installs is optimised" grep -q '^CMAKE_BUILD_TYPE:STRING=Release$' \
     "$out/library/CMakeCache.txt"

@@ -11,7 +11,7 @@ export PKG_CONFIG_LIBDIR="$prefix/lib/pkgconfig" # ignore other .pc files of thi
 
 # With DESTDIR, as a distribution does it; then moved to its prefix.
 installs() {
-    make -s install BUILD="$build" PREFIX="$prefix" DESTDIR="$stage" && [ ! -e "$prefix" ] &&
+    make -s install BUILD="$below" PREFIX="$prefix" DESTDIR="$stage" && [ ! -e "$prefix" ] &&
         mv "$stage$prefix" "$prefix"
 }
 
@@ -26,9 +26,9 @@ version() { # NAME
 }
 
 runs_example() { # NAME
-    # shellcheck disable=SC2046 # flags are words
-    cc -std=c99 -Wall -Wextra -Werror $(pkg-config --cflags "$1") "$example" \
-        $(pkg-config --libs "$1") -Wl,--gc-sections -o "$out/example" && prints_as_expected "$out/example"
+    flags=$(pkg-config --cflags --libs "$1") && eval "set -- $flags" &&
+        cc -std=c99 -Wall -Wextra -Werror "$example" "$@" -Wl,--gc-sections -o "$out/example" &&
+        prints_as_expected "$out/example"
 }
 
 links_what_is_called() {
@@ -39,41 +39,52 @@ links_what_is_called() {
 is_double() { # NAME 0|1
     printf '%s\n' '#include "invcal/invcal.h"' \
         'int main(void) { return sizeof(invcal_real) == sizeof(double); }' > "$out/real.c"
-    # shellcheck disable=SC2046 # flags are words
-    cc $(pkg-config --cflags "$1") "$out/real.c" -o "$out/real" || return
+    eval "cc $(pkg-config --cflags "$1")" '"$out/real.c" -o "$out/real"' || return
     "$out/real"
     [ $? -eq "$2" ]
 }
 
 has_choices() { # the flags for users contain the options of the libraries
-    make -s pkg-config BUILD="$out" PREFIX=/usr DEGREE=2 CFLAGS='-O2 -DINVCAL_MAX_POSITIONS=40' &&
+    make -s pkg-config BUILD="${out#"$root"/}" PREFIX=/usr DEGREE=2 CFLAGS='-O2 -DINVCAL_MAX_POSITIONS=40' &&
         grep -q '^Cflags: .*-DINVCAL_MAX_POSITIONS=40 -DINVCAL_THERMAL_DEGREE=2$' \
             "$out/invcal.pc" "$out/invcal-double.pc"
 }
 
-# As typed, whatever is special to sed, a shell or pkg-config. (A dollar would be installed, but pkgconf prints it bare.)
-installs_anywhere() {
-    strange="$out/a b'c&d\\e"
-    make -s install BUILD="$build" PREFIX="$strange" && "$strange/bin/invcal" --version > /dev/null || return
-    flags=$(PKG_CONFIG_LIBDIR="$strange/lib/pkgconfig" pkg-config --cflags --libs invcal) &&
-        eval "set -- $flags" && cc -std=c99 "$example" "$@" -o "$out/example" && prints_as_expected "$out/example"
+# In another folder than what has just been built, with other flags: so are the libraries, and the flags are theirs. A
+# program with other choices than its library's does not link.
+installs_choices() {
+    mkdir "$out/chosen" && cp -Rp "$build/float" "$build/double" "$build/tool" "$build/words" "$build/invcal" "$out/chosen" &&
+        make -s install BUILD="${out#"$root"/}/chosen" PREFIX="$prefix" "$@" \
+            CFLAGS="-O0 -D INVCAL_MAX_POSITIONS=33 '-DINVCAL_CONFIG_HEADER=\"my_choices.h\"' -I${out#"$root"/}" \
+            DEGREE=2
+}
+has_header() { # what a program sees
+    printf '%s\n' '#include "invcal/thermal.h"' \
+        '#if INVCAL_MAX_POSITIONS != 33 || INVCAL_MAX_MOVES != 7 || INVCAL_THERMAL_DEGREE != 2' '#error "not as chosen"' '#endif' > "$out/chosen.c"
+    eval "cc $(pkg-config --cflags "$1")" '-I"$out" -fsyntax-only "$out/chosen.c"' &&
+        eval "cc -std=c99 $(pkg-config --cflags "$1")" '-I"$out" "$example"' "$(pkg-config --libs "$1")" '-o "$out/example"' &&
+        prints_as_expected "$out/example"
 }
 
-# Other flags, an option among them, make the library again; an option that it does not have is named.
-remakes() {
-    make -s BUILD="$out/other" "$out/other/float/src/session.o" CFLAGS=-O0 &&
-        make -s BUILD="$out/other" "$out/other/float/src/session.o" CFLAGS='-O0 -DINVCAL_MAX_POSITIONS=40' &&
-        nm "$out/other/float/src/session.o" | grep -q _max_positions_40$
-}
-
-names_what_is_unknown() {
-    ! make -s BUILD="$out/other" all CFLAGS=-DINVCAL_MAX_POSITION=40 > "$out/said" 2>&1 &&
-        grep -q 'INVCAL_MAX_POSITION: invcal has no such option' "$out/said"
+# pkg-config leaves $ ( ) as they are, for make; so they are not for eval, and in a folder that needs it not tried.
+takes_prefix() { # NAME DESTDIR
+    odd=$out/odd/$1
+    make -s install BUILD="$below" PREFIX="$odd" DESTDIR="$2" || return
+    [ -z "$2" ] || { mkdir -p "$out/odd" && mv "$2$odd" "$odd"; } || return
+    flags=$(PKG_CONFIG_LIBDIR=$odd/lib/pkgconfig pkg-config --cflags --libs invcal-double) || return
+    case $1 in
+    *[\$\(]*)
+        # shellcheck disable=SC2086 # flags are words
+        cc -std=c99 "$example" $flags -o "$out/example"
+        ;;
+    *) eval 'cc -std=c99 "$example"' "$flags" '-o "$out/example"' ;;
+    esac && prints_as_expected "$out/example" && make -s uninstall BUILD="$below" PREFIX="$odd" &&
+        [ -z "$(find "$odd" -type f)" ]
 }
 
 uninstalls() { # all of it, and nothing else
     echo mine > "$prefix/include/invcal/mine.h"
-    make -s uninstall BUILD="$build" PREFIX="$prefix" || return
+    make -s uninstall BUILD="$below" PREFIX="$prefix" || return
     left=$(cd "$prefix" && find . -type f)
     [ "$left" = ./include/invcal/mine.h ] || { echo "left: $left"; return 1; }
 }
@@ -88,8 +99,21 @@ check "only what is called is linked" links_what_is_called
 check "invcal is in float" is_double invcal 0
 check "invcal-double is in double" is_double invcal-double 1
 check "the flags contain the options of the libraries" has_choices
-check "a prefix may contain anything" installs_anywhere
-check "other flags make the library again" remakes
-check "an unknown option is named" names_what_is_unknown
+# shellcheck disable=SC2016 # as they are
+for prefix_name in 'a b' "it's" 'a&b' 'a\b' 'a"b' 'a#b' 'a|b;c<d>e' 'a`b' 'a*?[b]{c}' '~a!' '@PREFIX@' 'a$HOME' 'a(b)' 'é'; do
+    case $prefix_name$out in *[\$\(]*[\ \'\&]*) continue ;; esac
+    check "PREFIX=.../$prefix_name" takes_prefix "$prefix_name" ''
+done
+check "DESTDIR may be anything, too" takes_prefix plain "$out/it's a \"\$HOME\" & \\(new)"
+refuses_variable() { # of pkg-config's
+    # shellcheck disable=SC2016
+    ! make -s pkg-config BUILD="$below" PREFIX='/usr/${x}' 2> "$out/refused" && grep -q '^PREFIX: contains' "$out/refused"
+}
+check "but for a variable of pkg-config" refuses_variable
 check "make uninstall removes all of it, and nothing else" uninstalls
+echo '#define INVCAL_MAX_MOVES 7' > "$out/my_choices.h"
+check "make install CFLAGS= compiles and installs what it says" installs_choices
+for package in invcal invcal-double; do
+    check "$package: its program sees the same, and links" has_header $package
+done
 finish

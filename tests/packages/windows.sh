@@ -10,7 +10,7 @@ mkdir "$out/here" "$out/there"
 ln -s "$build/invcal" "$out/here/invcal"
 
 compiles() {
-    make -s BUILD="$build" windows > "$out/said" 2>&1 && [ ! -s "$out/said" ] && cp "$build/invcal.exe" "$out/there/invcal"
+    make -s BUILD="$below" windows > "$out/said" 2>&1 && [ ! -s "$out/said" ] && cp "$build/invcal.exe" "$out/there/invcal"
 }
 
 # Not optimised, which takes half as long.

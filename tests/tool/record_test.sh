@@ -84,7 +84,7 @@ run calibrate "$work/few.csv" --positions --json-lines
 check "lines: a refusal is one line" refusal 1 'too few'
 run calibrate "$work/none.csv" --json-lines
 check "lines: an unreadable file is one line" refusal 3 unreadable
-check "lines: with the message" matches "$work/stdout" '"reason": "[^"]*none\.csv: cannot be read'
+check "lines: with the message" matches "$work/stdout" '"reason": ".*none\.csv: cannot be read'
 refuses "lines: a usage error is not one line of JSON" 2 'its value is missing' calibrate "$log" --json-lines --serial
 run calibrate "$log" --json-lines --out "$work/laid.json"
 check "lines: the file of --out is laid out for people" matches "$work/laid.json" '^  "invcal": "[0-9.]*",$'

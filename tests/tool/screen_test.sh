@@ -170,7 +170,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
         terminal 'echo $$ > "$work/pid"; exec invcal watch - < "$work/port"' &
         exec 3> "$work/port"
         head -n 11000 "$work/edges.csv" >&3
-        while ! grep -aq '15 positions' "$work/typed"; do sleep 0.1; done
+        eventually grep -aq '15 positions' "$work/typed"
         drawn=0 # until nothing more is drawn: KILL in the middle of a frame would leave half of it
         until [ "$drawn" -eq "$(wc -c < "$work/typed")" ]; do
             drawn=$(wc -c < "$work/typed")
@@ -193,13 +193,13 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     terminal 'echo $$ > "$work/pid"; tty > "$work/tty"; exec invcal watch - < "$work/port"' &
     exec 3> "$work/port"
     head -n 3000 "$work/edges.csv" >&3
-    while ! grep -aq '0:2[0-9]' "$work/typed"; do sleep 0.1; done
+    eventually grep -aq '0:2[0-9]' "$work/typed"
     stty -F "$(cat "$work/tty")" rows 10
     sed -n '3001,4000p' "$work/edges.csv" >&3
-    while ! grep -aq 'the window is too small' "$work/typed"; do sleep 0.1; done
+    eventually grep -aq 'the window is too small' "$work/typed"
     stty -F "$(cat "$work/tty")" rows 30
     sed -n '4001,5000p' "$work/edges.csv" >&3
-    while ! grep -aq '0:4[0-9]' "$work/typed"; do sleep 0.1; done
+    eventually grep -aq '0:4[0-9]' "$work/typed"
     exec 3>&-
     wait $!
     check "a window may become too small, and large again" matches "$work/typed" 'ENDED'

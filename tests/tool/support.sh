@@ -144,6 +144,14 @@ shows_command() { # FILE WORD ...
     [ "$(eval "printf '%s\n' $shown_command")" = "$(printf '%s\n' "$@")" ] || { echo "    $shown_command" >&2; return 1; }
 }
 
+eventually() { # COMMAND ...: waits until it succeeds, for a minute at most
+    tries=0
+    until "$@"; do
+        [ $((tries += 1)) -le 600 ] || return 1
+        sleep 0.1
+    done
+}
+
 same() { cmp -s "$1" "$2"; }
 matches() { grep -Eq -- "$2" "$1"; }
 lacks() { ! grep -Eq -- "$2" "$1"; }

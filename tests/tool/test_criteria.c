@@ -486,7 +486,7 @@ static void up_to_eight_positions_are_refused(void)
 
 static void sums_that_are_not_numbers_are_refused(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     const invcal_sums good = design_of(expected_icosahedron, 12);
 
     for (unsigned i = 0; i < INVCAL_PACKED_SIZE(INVCAL_PARAMETERS); i++) {

@@ -178,7 +178,7 @@ static void elements_too_small_to_matter_do_not(void)
 
 static void what_is_not_positive_definite_has_no_condition(void)
 {
-    static const double bad[] = {-1, 0, NOT_A_NUMBER, -INFINITE};
+    const double bad[] = {-1, 0, NOT_A_NUMBER, -INFINITE};
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         for (unsigned k = 0; k < N; k++) {

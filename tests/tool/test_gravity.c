@@ -44,9 +44,9 @@ static void a_metre_of_height_takes_3_micro(void)
 
 static void what_is_not_a_place_on_earth_has_no_gravity(void)
 {
-    static const double bad[][2] = {{90.01, 0},     {-90.01, 0},     {NOT_A_NUMBER, 0},
-                                    {INFINITE, 0},  {45, -501},      {45, 10001},
-                                    {45, INFINITE}, {45, -INFINITE}, {45, NOT_A_NUMBER}};
+    const double bad[][2] = {{90.01, 0},     {-90.01, 0},     {NOT_A_NUMBER, 0},
+                             {INFINITE, 0},  {45, -501},      {45, 10001},
+                             {45, INFINITE}, {45, -INFINITE}, {45, NOT_A_NUMBER}};
 
     for (unsigned i = 0; i < sizeof bad / sizeof *bad; i++) {
         TEST_ASSERT_TRUE(isnan(gravity_at(bad[i][0], bad[i][1])));

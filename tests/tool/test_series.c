@@ -432,7 +432,7 @@ static void angles_that_leave_a_coefficient_open_have_no_efficiency(void)
 
 static void no_information_has_no_efficiency(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     double nothing[PACKED] = {0};
 
     TEST_ASSERT_TRUE(series_efficiency(nothing) == 0);
@@ -502,7 +502,7 @@ static void one_position_too_many_is_refused(void)
 
 static void a_j_that_is_not_a_number_is_refused_and_may_be_given_again(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     random_source random = random_start(12);
     const program p = random_program(&random, 7);
     series s = series_of(&p.plan);

@@ -146,7 +146,8 @@ run apply "$work/thermal.json" "$work/at.csv"
 check "colder, too" warns 'up to 1.5 K outside'
 at 70.8
 accepts "within 1 % of the range beyond its edge there is no warning" apply "$work/thermal.json" "$work/at.csv"
-check "and corrected as at the edge" same "$work/edge.csv" "$(sed 's/,70\.8$//' "$work/stdout" > "$work/outside.csv"; echo "$work/outside.csv")"
+sed 's/,70\.8$//' "$work/stdout" > "$work/outside.csv"
+check "and corrected as at the edge" same "$work/edge.csv" "$work/outside.csv"
 at 71
 run apply "$work/thermal.json" "$work/at.csv"
 check "beyond that there is a warning" warns '1 of 1 readings are up to 1 K outside'

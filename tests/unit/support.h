@@ -91,7 +91,7 @@ void seal_bytes(uint8_t *bytes, uint32_t count);
 
 /* NAN and INFINITY are floats, and some compilers warn of their promotion in a table of doubles. */
 #define NOT_A_NUMBER ((double)NAN)
-#define INFINITE ((double)INFINITY)
+#define INFINITE ((double)INFINITY) /* its negative is no constant for tcc: not in what is static */
 
 /* TEST_SHORT is 1 on machines that run all of every test. On those that are emulated slowly it is
  * more: a loop over SOME(n) random members then visits one of TEST_SHORT, and at least one; */

@@ -359,7 +359,7 @@ static void an_unusable_noise_is_refused(void)
 
 static void an_unusable_nominal_is_refused(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         for (int k = 0; k < 12; k++) {

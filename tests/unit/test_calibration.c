@@ -93,8 +93,7 @@ static void nominal_puts_the_inverse_of_the_counts_on_the_diagonal(void)
 
 static void nominal_refuses_what_is_not_a_scale_and_leaves_the_output_alone(void)
 {
-    static const double bad[] = {0,     NOT_A_NUMBER, INFINITE, -INFINITE,
-                                 1e-11, 0.95e-10,     1.05e10,  1e11};
+    const double bad[] = {0, NOT_A_NUMBER, INFINITE, -INFINITE, 1e-11, 0.95e-10, 1.05e10, 1e11};
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         for (unsigned axis = 0; axis < 3; axis++) {
@@ -110,7 +109,7 @@ static void nominal_refuses_what_is_not_a_scale_and_leaves_the_output_alone(void
 
 static void nominal_refuses_a_zero_that_is_not_finite_or_absurd(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2e18, -2e18};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 2e18, -2e18};
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         const invcal_real counts[3] = {1, 1, 1};

@@ -285,7 +285,7 @@ static void semi_axes_and_offsets_beyond_their_limits_are_not_triads(void)
 /* Every element of the system and of its first right-hand side, for a set that can be solved. */
 static void sums_that_are_not_numbers_are_refused(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     const triad_truth none = {{0}};
     const invcal_calibration nominal = unit_nominal();
 

@@ -452,10 +452,9 @@ static void the_position_taken_last_is_never_asked_for_again(void)
 
 static void what_is_not_a_reading_is_skipped(void)
 {
-    static const double bad[][3] = {
-        {NOT_A_NUMBER, 0, 0},     {0, NOT_A_NUMBER, 1},
-        {0, 1, INFINITE},         {0, 0, 0},
-        {-INFINITE, INFINITE, 0}, {(double)INVCAL_REAL_MAX / 1e8, 0, 0}};
+    const double bad[][3] = {{NOT_A_NUMBER, 0, 0},     {0, NOT_A_NUMBER, 1},
+                             {0, 1, INFINITE},         {0, 0, 0},
+                             {-INFINITE, INFINITE, 0}, {(double)INVCAL_REAL_MAX / 1e8, 0, 0}};
     random_source random = random_start(5);
 
     for (unsigned count = 0; count < 24; count++) {
@@ -646,7 +645,7 @@ static void the_tilt_changes_between_two_fives(void)
 /* Whatever the numbers, no byte is written beyond the words, and they are terminated. */
 static void words_for_no_direction_do_no_harm(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 0, 1e30, -1e30, 0.5};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 0, 1e30, -1e30, 0.5};
 
     for (unsigned code = 0; code < 343; code++) {
         const invcal_real up[3] = {(invcal_real)bad[code % 7], (invcal_real)bad[code / 7 % 7],

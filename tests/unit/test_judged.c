@@ -827,7 +827,7 @@ static void eight_positions_or_fewer_and_too_many_are_refused(void)
 
 static void invalid_readings_are_refused(void)
 {
-    static const struct {
+    const struct {
         double value;
         invcal_status status;
     } bad[] = {{NOT_A_NUMBER, INVCAL_NOT_FINITE},

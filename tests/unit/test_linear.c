@@ -234,7 +234,7 @@ static void readings_that_cannot_be_of_this_field_are_refused(void)
 
 static void readings_that_are_not_numbers_are_refused(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     static const double up[3] = {0, 0, 1};
 
     for (unsigned i = 0; i < 9; i++) {

@@ -485,7 +485,7 @@ static void an_axis_is_up_within_a_tenth_of_a_degree(void)
 
 static void what_is_not_a_direction_is_along_one_axis_at_most(void)
 {
-    static const double values[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 0, 1, -1, 1e30};
+    const double values[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 0, 1, -1, 1e30};
     enum { VALUES = sizeof values / sizeof values[0] };
     const invcal_real zero[3] = {0, 0, 0};
     const invcal_real nan[3] = {(invcal_real)NAN, (invcal_real)NAN, (invcal_real)NAN};

@@ -324,7 +324,7 @@ static void bytes_after_a_record_are_ignored(void)
 
 static void a_number_that_is_not_finite_is_neither_encoded_nor_decoded(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
     static const uint8_t bits[][4] = {
         {0, 0, 0xC0, 0x7F}, {1, 0, 0x80, 0xFF}, {0, 0, 0x80, 0x7F}, {0, 0, 0x80, 0xFF}};
 

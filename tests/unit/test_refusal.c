@@ -471,7 +471,7 @@ static void clouds_and_cubes_are_refused(void)
 
 static void one_bad_number_in_any_position_is_refused_and_its_position_named(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 1e30, 1e4};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 1e30, 1e4};
     random_source random = random_start(7);
 
     for (unsigned position = 0; position < 18; position++) {

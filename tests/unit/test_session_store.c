@@ -370,7 +370,7 @@ static void every_rate_and_time_to_hold_comes_back(void)
 
 static void a_number_that_is_not_finite_is_refused(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
 
     for (unsigned k = 0; k < 3; k++) {
         for (unsigned i = 0; i < 13; i++) {

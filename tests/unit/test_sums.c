@@ -121,7 +121,7 @@ static void a_tenth_and_ten_times_the_field_are_readings(void)
 
 static void readings_that_are_not_numbers_are_refused(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
 
     for (unsigned i = 0; i < 9; i++) {
         double u[3] = {0.6, 0.6, 0.5};

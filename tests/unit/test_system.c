@@ -227,7 +227,7 @@ static void matrices_of_deficient_rank_are_refused(void)
 
 static void indefinite_zero_and_unreal_matrices_are_refused(void)
 {
-    static const double bad[] = {-1, 0, NOT_A_NUMBER, INFINITE, -INFINITE};
+    const double bad[] = {-1, 0, NOT_A_NUMBER, INFINITE, -INFINITE};
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         for (unsigned r = 0; r < N; r++) {

@@ -461,7 +461,7 @@ static invcal_real *real_of(invcal_thermal *t, unsigned i)
 
 static void a_number_that_is_not_finite_is_not_encoded(void)
 {
-    static const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 3.5e38};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 3.5e38};
     random_source random = random_start(4);
     const invcal_thermal_record good = random_record(&random);
 
