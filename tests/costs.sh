@@ -129,7 +129,7 @@ time_row "loads it" load_session
 time_row "saves a calibration" save
 time_row "loads that" load
 says $targets "16 positions, as many as an ATmega328P keeps, take {$(ms atmega1284p session_solve_16)} ms there"
-says $targets "judging takes {$(over m4f session_solve_3_wrong "$(raw m4f session_solve)")} times as"
+says $targets "judging takes {$(over m4f session_solve_3_wrong "$(raw m4f session_solve)")} times"
 
 moved() { # TITLE SUFFIX
     says $targets "| $1 | {$(figure m4f "save$2_read_bytes")} | {$(figure m4f "save$2_programmed_bytes")} | \
