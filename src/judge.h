@@ -34,7 +34,7 @@ invcal_status invcal_positions_check(const invcal_positions *positions);
  * Second, with the calibration c of the raw counts, and A of it: residuals without cancellation,
  * and the information on the nine parameters, each row weighted by its actual noise. sums become a
  * system: sigma^2 of the parameters is noise^2 times the diagonal of its inverse. Its last element:
- * the weighted squares of the residuals, in terms of noise of u. q begins anew, with the residuals.
+ * the weighted squares of the residuals, in terms of noise of u. q begins again, with the residuals.
  *
  * Returns as invcal_observe for the first that is not a reading; in the second INVCAL_NOT_ELLIPSOID
  * if a residual is absurd, or all are. */
@@ -48,7 +48,7 @@ static inline invcal_status invcal_positions_sum(const invcal_positions *positio
     return invcal_positions_pass(positions, positions->nominal, NULL, sums, NULL);
 }
 
-/* First pass, and its solution: sums become L^-1 and p, and q tells K and the condition of them.
+/* First pass, and its solution: sums become L^-1 and p, and q has their K and their condition.
  * Returns as the pass, then INVCAL_TOO_FEW, then as invcal_determine. */
 invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,
                                      invcal_quality *q);
