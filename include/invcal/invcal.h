@@ -381,7 +381,7 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
  * considers them all. About one in a hundred sets of 18 good positions is not called good.
  *
  * Returns as invcal_calibrate; INVCAL_BAD_COUNT for more than INVCAL_MAX_POSITIONS.
- * Cost: 140,000 instructions for 18 good positions. Stack: about 1,200 bytes. */
+ * Cost: 160,000 instructions for 18 good positions. Stack: about 1,200 bytes. */
 invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
                                       const invcal_calibration *nominal, invcal_real noise,
                                       invcal_calibration *out, invcal_quality *quality);
