@@ -48,7 +48,7 @@ static INVCAL_ONCE void sum_columns(const invcal_fit *fit, unsigned kind, unsign
                                     column columns[MORE])
 {
     const invcal_positions *p = &fit->positions;
-    invcal_real before[3];
+    invcal_real before[3] = {0, 0, 0};
     column v;
 
     for (unsigned k = 0; k < p->count; k++) {
