@@ -134,8 +134,8 @@ void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof
         }
         if (above <= LIKELY && above >= silent) {
             q->sigma_dof = (uint16_t)(q->dof + INVCAL_STATED);
-            squares += INVCAL_STATED * known;
-            dof += INVCAL_STATED;
+            squares += invcal_number(INVCAL_STATED) * known;
+            dof += invcal_number(INVCAL_STATED);
         }
     }
     if (!(above <= POSSIBLE)) {

@@ -247,6 +247,7 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
     for (unsigned k = 0; k <= INVCAL_GROUP; k++) {
         s.contests[k] = initial;
     }
+    invcal_zero_reals(s.group[0].v, INVCAL_PARAMETERS);
     s.group[0].out = 0;
     s.group[0].squares = fit->squares;
     search_groups(&s);

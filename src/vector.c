@@ -14,7 +14,7 @@ void invcal_zero_bytes(void *object, size_t size)
     }
 }
 
-void invcal_zero_reals(invcal_real *x, unsigned count)
+void(invcal_zero_reals)(invcal_real *x, unsigned count) /* not the macro */
 {
     volatile invcal_real *const at = x;
 

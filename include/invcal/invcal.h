@@ -80,8 +80,8 @@ extern "C" {
 
 /* Max positions in a session, and in a search for outliers: 12 to 64, in plain digits. Each takes
  * 12 bytes of the session (float). Default 24, on AVR 16. */
-#if defined(__AVR__) && !defined(INVCAL_MAX_POSITIONS)
-#define INVCAL_MAX_POSITIONS 16 /* for the 2 KB of RAM of an Arduino Uno */
+#if defined(__AVR__) && !defined(INVCAL_MAX_POSITIONS) /* for the 2 KB of RAM of an Arduino Uno */
+#define INVCAL_MAX_POSITIONS 16
 #endif
 #ifndef INVCAL_MAX_POSITIONS
 #define INVCAL_MAX_POSITIONS 24
@@ -131,11 +131,16 @@ typedef float invcal_real; /* double with INVCAL_DOUBLE */
  * a structure, and the linker names the option: invcal_session_init_double_0_max_positions_24
  * (tests/packages/choices.sh). */
 #define INVCAL_CHOSEN(name) INVCAL_CHOSEN_(name, INVCAL_DOUBLE)
-#define INVCAL_CHOSEN_(name, number) INVCAL_CHOSEN__(name, number) /* next step */
-#define INVCAL_CHOSEN__(name, number) name##_double_##number       /* last step */
+/* Steps of it. (No comment behind them: Arduino's preprocessor would paste it too.) */
+#define INVCAL_CHOSEN_(name, number) INVCAL_CHOSEN__(name, number)
+/* The last. */
+#define INVCAL_CHOSEN__(name, number) name##_double_##number
+/* The same with the number of positions. */
 #define INVCAL_POSITIONS_CHOSEN(name)                                                              \
     INVCAL_POSITIONS_CHOSEN_(INVCAL_CHOSEN(name), INVCAL_MAX_POSITIONS)
+/* Steps of it. */
 #define INVCAL_POSITIONS_CHOSEN_(name, positions) INVCAL_POSITIONS_CHOSEN__(name, positions)
+/* The last. */
 #define INVCAL_POSITIONS_CHOSEN__(name, positions) name##_max_positions_##positions
 #define invcal_apply INVCAL_CHOSEN(invcal_apply)
 #define invcal_nominal INVCAL_CHOSEN(invcal_nominal)

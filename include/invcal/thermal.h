@@ -40,8 +40,10 @@ extern "C" {
  * each. */
 #define INVCAL_THERMAL_CHOSEN(name)                                                                \
     INVCAL_THERMAL_CHOSEN_(INVCAL_POSITIONS_CHOSEN(name), INVCAL_THERMAL_DEGREE)
-#define INVCAL_THERMAL_CHOSEN_(name, degree) INVCAL_THERMAL_CHOSEN__(name, degree) /* next step */
-#define INVCAL_THERMAL_CHOSEN__(name, degree) name##_thermal_degree_##degree       /* last step */
+/* Steps of it. */
+#define INVCAL_THERMAL_CHOSEN_(name, degree) INVCAL_THERMAL_CHOSEN__(name, degree)
+/* The last. */
+#define INVCAL_THERMAL_CHOSEN__(name, degree) name##_thermal_degree_##degree
 #define invcal_thermal_at INVCAL_THERMAL_CHOSEN(invcal_thermal_at)
 #define invcal_thermal_calibrate INVCAL_THERMAL_CHOSEN(invcal_thermal_calibrate)
 #define invcal_thermal_start INVCAL_THERMAL_CHOSEN(invcal_thermal_start)
