@@ -8,14 +8,21 @@ void main(void)
     invcal_real a[3];
     invcal_real b[3];
     uint8_t bytes[64];
+    uint8_t copy[64];
+    invcal_calibration calibration;
 
     ANY(a);
     ANY(b);
+    ANY(bytes);
+    ANY(calibration);
     (void)invcal_is_finite(a[0]);
     (void)invcal_is_positive(a[0]);
     (void)invcal_are_finite(a);
     (void)invcal_is_unit(a);
     (void)invcal_dot3(a, b);
     (void)invcal_number(BETWEEN(0, 0x7FFFFFFF));
+    invcal_correct_inline(&calibration, a, b);
+    invcal_copy_bytes(copy, bytes, BETWEEN(0, sizeof bytes));
     invcal_zero_bytes(bytes, BETWEEN(0, sizeof bytes));
+    (invcal_zero_reals)(a, BETWEEN(0, 3));
 }
