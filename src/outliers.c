@@ -112,14 +112,15 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
 {
     const member *const before = &s->group[d - 1];
     member *const m = &s->group[d < INVCAL_GROUP ? d : 0]; /* of the third only v, for a moment */
-    invcal_real left = s->alone[k].unexplained;
     invcal_real share = 0;
 
     if ((before->out | s->fit->positions.left_out) >> k & 1u) {
         return 0;
     }
     const invcal_mask out = before->out | bit(k);
+    //@ assert \initialized(&s->alone[k]); // search_groups has weighed all
     recall_row(s, k, m->v);
+    invcal_real left = s->alone[k].unexplained;
     invcal_real rest = m->v[INVCAL_J];
     INVCAL_ROLL
     for (unsigned i = 1; i < d; i++) {
