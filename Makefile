@@ -34,7 +34,7 @@ SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 TOOL_SUITES := $(patsubst tests/tool/%.c,%,$(wildcard tests/tool/test_*.c))
 DATA    := $(wildcard tests/data/*_positions.csv)
 # Where a compiler does not write what an object depends on, such as tcc, each depends on every header.
-TRACK   := $(shell $(CC) -MMD -MP -MF /dev/null -E -x c /dev/null > /dev/null 2>&1 && echo -MMD -MP)
+TRACK   := $(shell $(CC) -MM -MP -x c /dev/null > /dev/null 2>&1 && echo -MMD -MP)
 HEADERS := $(if $(TRACK),,$(wildcard include/invcal/*.h src/*.h port/*.h port/host/*/*.h tests/*.h tests/*/*.h))
 # With ASSERT=1, programming errors abort (INVCAL_ASSERT).
 ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itests/unit)
