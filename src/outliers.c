@@ -118,7 +118,6 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
         return 0;
     }
     const invcal_mask out = before->out | bit(k);
-    //@ assert \initialized(&s->alone[k]); // search_groups has weighed all
     recall_row(s, k, m->v);
     invcal_real left = s->alone[k].unexplained;
     invcal_real rest = m->v[INVCAL_J];
@@ -241,6 +240,7 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
     const unsigned spare = invcal_fit_spare(fit, INVCAL_SPARE);
     search s;
 
+    invcal_zero(&s, sizeof s); /* nobody is out */
     s.fit = fit;
     s.size = spare < INVCAL_GROUP ? spare : INVCAL_GROUP;
     s.promising = fit->squares * (1 - PROMISING / invcal_number(fit->sums.count));
@@ -248,8 +248,6 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
     for (unsigned k = 0; k <= INVCAL_GROUP; k++) {
         s.contests[k] = initial;
     }
-    invcal_zero_reals(s.group[0].v, INVCAL_PARAMETERS);
-    s.group[0].out = 0;
     s.group[0].squares = fit->squares;
     search_groups(&s);
     clear_group(&s, found);

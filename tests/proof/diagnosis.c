@@ -6,7 +6,6 @@
 #include "arbitrary.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-partition-history 1 -eva-interprocedural-history
-// trusted: 1
 // config: -DINVCAL_FAST=1
 // config: -DINVCAL_MAX_POSITIONS=64
 

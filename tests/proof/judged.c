@@ -5,7 +5,6 @@
 #include "diagnosis.h"
 
 // eva: -eva-precision 0 -eva-slevel 10 -eva-split-return full
-// trusted: 1
 // config: -DINVCAL_FAST=1
 // config: -DINVCAL_MAX_POSITIONS=64
 // stubs: judge diagnosis
