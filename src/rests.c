@@ -228,8 +228,23 @@ static INVCAL_ONCE void drop(invcal_rests *s)
     s->span = 0;
 }
 
-/* Differences are to the first sample. The fast sum is for a first sample far from the rails, with
- * the quantum known. */
+#if INVCAL_FAST
+/* The fast sum is for a first sample far from the rails, with the quantum known. */
+static uint32_t fast_span(const invcal_rests *s, const int32_t raw[3])
+{
+    uint32_t span = s->quantum == 1 ? 2 * NEAR : 0;
+
+    for (unsigned a = 0; a < 3; a++) {
+        const uint32_t above = (uint32_t)raw[a] - (uint32_t)s->low - 1u;
+        if (above >= s->between || smaller(above, s->between - 1u - above) < NEAR) {
+            span = 0;
+        }
+    }
+    return span;
+}
+#endif
+
+/* Differences are to the first sample. */
 static INVCAL_ONCE void begin(invcal_rests *s, const int32_t raw[3])
 {
     if (s->stage == LEFT) {
@@ -238,16 +253,14 @@ static INVCAL_ONCE void begin(invcal_rests *s, const int32_t raw[3])
     s->missing = samples_of(s);
     s->square = 0;
     s->seen = 0;
-    s->span = INVCAL_FAST && s->quantum == 1 ? 2 * NEAR : 0;
+    s->span = 0;
     for (unsigned a = 0; a < 3; a++) {
         s->axis[a].first = raw[a];
         s->axis[a].sum = 0;
-        const uint32_t above = (uint32_t)raw[a] - (uint32_t)s->low - 1u;
-        if (INVCAL_FAST &&
-            (above >= s->between || smaller(above, s->between - 1u - above) < NEAR)) {
-            s->span = 0;
-        }
     }
+#if INVCAL_FAST
+    s->span = fast_span(s, raw);
+#endif
 }
 
 /* Any sample: the first of a block, one far from it or near a rail, or one that may reduce the
@@ -276,6 +289,7 @@ INVCAL_NOINLINE static void add_any(invcal_rests *s, const int32_t raw[3])
     s->seen = (uint8_t)seen;
 }
 
+#if INVCAL_FAST
 /* Adds a sample whose differences d are all small: -span/2 <= d < span/2, tested at once, since
  * d + span/2 has no bit from that of span upwards. Returns 0 if they are not. Modulo 2^32, as
  * unsigned arithmetic is everywhere. */
@@ -296,6 +310,7 @@ static int add_small(invcal_rests *s, const int32_t raw[3])
     s->square += x * x + y * y + z * z;
     return 1;
 }
+#endif
 
 /* The block's mean, from its first sample, and instead of the squares its variance, 1/2^20
  * counts^2, without n / (n - 1). Integers, so nothing cancels, and it is never below 0: Cauchy and
@@ -726,9 +741,13 @@ void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
 invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
 {
     INVCAL_ASSERT(rests && raw);
-    if (!INVCAL_FAST || !add_small(rests, raw)) {
+#if INVCAL_FAST
+    if (!add_small(rests, raw)) {
         add_any(rests, raw);
     }
+#else
+    add_any(rests, raw);
+#endif
     rests->missing--;
     return rests->missing > 0 ? INVCAL_NOTHING : decide(rests);
 }
