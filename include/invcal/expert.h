@@ -169,7 +169,7 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
 #define INVCAL_LOSS INVCAL_REAL(1.0)        /* as above */
 #define INVCAL_LOSS_SIGMA INVCAL_REAL(8.0)  /* as above */
 #define INVCAL_LOSS_LENGTH INVCAL_REAL(4.0) /* as above */
-#define INVCAL_LOSS_AGAIN INVCAL_REAL(4.0)  /* as above */
+#define INVCAL_LOSS_AGAIN INVCAL_REAL(6.0)  /* as above */
 
 /* ---- causes of a refusal --------------------------------------------------------------------- */
 
