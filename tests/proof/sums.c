@@ -27,6 +27,7 @@ void main(void)
 {
     rank_one(INVCAL_PARAMETERS + 1);
     rank_one(MOST + 1);
+    rank_one(INVCAL_PARAMETERS);
     invcal_sums sums;
     invcal_calibration nominal;
     invcal_real raw[3];
@@ -47,5 +48,7 @@ void main(void)
     ANY(h);
     invcal_products(raw, h);
     invcal_row_of(h);
+    (void)invcal_variance_inline(sums.sum, INVCAL_PARAMETERS, BETWEEN(0, INVCAL_PARAMETERS - 1));
     (void)invcal_leverage(sums.sum, h);
+    (void)invcal_variance(sums.sum, INVCAL_PARAMETERS, BETWEEN(0, INVCAL_PARAMETERS - 1));
 }
