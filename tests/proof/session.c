@@ -113,8 +113,7 @@ invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
 }
 
 invcal_status invcal_positions_pass(const invcal_positions *positions, const invcal_calibration *c,
-                                    const invcal_real a[3][3], invcal_sums *sums,
-                                    invcal_quality *q)
+                                    const invcal_real a[3][3], invcal_sums *sums, invcal_quality *q)
 {
     look_at(positions->raw, positions->count);
     (void)c->matrix[2][2];
