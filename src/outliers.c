@@ -211,10 +211,7 @@ static INVCAL_ONCE void clear_group(const search *s, invcal_group *found)
 {
     invcal_real chance = 1;
 
-    found->group = 0;
-    found->suspected = 0;
-    found->size = 0;
-    found->squares = 0;
+    invcal_zero(found, sizeof *found);
     found->chance = INVCAL_REAL_MAX;
     for (unsigned k = s->size; k > 0 && !found->group; k--) { /* at most INVCAL_GROUP times */
         const contest *const c = &s->contests[k];
@@ -236,17 +233,18 @@ static INVCAL_ONCE void clear_group(const search *s, invcal_group *found)
 
 void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
 {
-    const contest initial = {0, 0, fit->squares, fit->squares};
-    const unsigned spare = invcal_fit_spare(fit, INVCAL_SPARE);
     search s;
 
     invcal_zero(&s, sizeof s); /* nobody is out */
     s.fit = fit;
-    s.size = spare < INVCAL_GROUP ? spare : INVCAL_GROUP;
+    s.size = invcal_fit_spare(fit, INVCAL_SPARE);
+    if (s.size > INVCAL_GROUP) {
+        s.size = INVCAL_GROUP;
+    }
     s.promising = fit->squares * (1 - PROMISING / invcal_number(fit->sums.count));
     INVCAL_ROLL
     for (unsigned k = 0; k <= INVCAL_GROUP; k++) {
-        s.contests[k] = initial;
+        s.contests[k].squares = s.contests[k].rival_squares = fit->squares;
     }
     s.group[0].squares = fit->squares;
     search_groups(&s);

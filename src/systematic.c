@@ -48,9 +48,10 @@ static INVCAL_ONCE void sum_columns(const invcal_fit *fit, unsigned kind, unsign
                                     column columns[MORE])
 {
     const invcal_positions *p = &fit->positions;
-    invcal_real before[3] = {0, 0, 0};
+    invcal_real before[3];
     column v;
 
+    invcal_zero_reals(before, 3);
     for (unsigned k = 0; k < p->count; k++) {
         const unsigned passed = step ? k >= step : k;
         const unsigned all = step ? 1 : p->count - 1;
