@@ -12,32 +12,32 @@
 
 invcal_real invcal_trace(const invcal_real *a, unsigned n)
 {
-    invcal_real sum = 0;
+    invcal_real sum = *a;
 
-    unsigned r = 1;
-
-    do {
+    for (unsigned r = 2; r <= n; r++) {
+        a += r;
         sum += *a;
-        a += ++r;
-    } while (r <= n);
+    }
     return sum;
 }
 
 static INVCAL_ONCE invcal_real largest(const invcal_real *a, unsigned n)
 {
-    invcal_real most = 0;
+    invcal_real most = *a;
 
     INVCAL_UNROLL_ROWS
-    for (unsigned r = 2; r < n + 2; r++) {
-        most = *a > most ? *a : most;
+    for (unsigned r = 2; r <= n; r++) {
         a += r;
+        most = *a > most ? *a : most;
     }
     return most;
 }
 
 invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n)
 {
-    return largest(a, n);
+    const invcal_real most = largest(a, n);
+
+    return most > 0 ? most : 0;
 }
 
 /* L(r,c) = (A(r,c) - sum L(r,k) L(c,k)) / L(c,c), L(r,r) = sqrt(A(r,r) - sum L(r,k)^2). */

@@ -117,7 +117,8 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
 /* The sum of the diagonal. */
 invcal_real invcal_trace(const invcal_real *a, unsigned n);
 
-/* The largest element of the diagonal, at least 0; skips NaN. */
+/* The largest element of the diagonal, at least 0; skips NaN, or is 0 if the first
+ * is one. */
 invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
 
 /* A = L L' in place. The diagonal becomes 1 / L(r,r), so that no later step divides. Rows from n to
