@@ -46,35 +46,6 @@
 extern "C" {
 #endif
 
-/* ---- build options, in plain digits: see invcal.h -------------------------------------------- */
-
-/* Max averaging times; each takes 24 + 16 INVCAL_ALLAN_OVERLAP bytes of an axis. */
-#ifndef INVCAL_ALLAN_TAUS
-#define INVCAL_ALLAN_TAUS 16
-#endif
-
-/* How many times the windows of the longer ones overlap. */
-#ifndef INVCAL_ALLAN_OVERLAP
-#define INVCAL_ALLAN_OVERLAP 4
-#endif
-
-#if INVCAL_ALLAN_TAUS < 1 || INVCAL_ALLAN_TAUS > 31
-#error "INVCAL_ALLAN_TAUS must be from 1 to 31"
-#endif
-#if INVCAL_ALLAN_OVERLAP < 1 || INVCAL_ALLAN_OVERLAP > 16384 ||                                    \
-    (INVCAL_ALLAN_OVERLAP & (INVCAL_ALLAN_OVERLAP - 1)) != 0
-#error "INVCAL_ALLAN_OVERLAP must be a power of two from 1 to 16384"
-#endif
-
-/* Both are part of the names of the functions that every use begins with. */
-#define INVCAL_ALLAN_CHOSEN(name)                                                                  \
-    INVCAL_ALLAN_CHOSEN_(INVCAL_CHOSEN(name), INVCAL_ALLAN_TAUS, INVCAL_ALLAN_OVERLAP)
-#define INVCAL_ALLAN_CHOSEN_(name, taus, overlap) INVCAL_ALLAN_CHOSEN__(name, taus, overlap)
-#define INVCAL_ALLAN_CHOSEN__(name, taus, overlap)                                                 \
-    name##_allan_taus_##taus##_allan_overlap_##overlap
-#define invcal_allan_init INVCAL_ALLAN_CHOSEN(invcal_allan_init)
-#define invcal_allan_begin INVCAL_ALLAN_CHOSEN(invcal_allan_begin)
-
 /* ---- samples in, Allan deviations out -------------------------------------------------------- */
 
 #define INVCAL_ALLAN_LONGEST (UINT32_C(1) << 30) /* samples: differences then fit 63 bits */

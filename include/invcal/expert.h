@@ -16,15 +16,6 @@
 extern "C" {
 #endif
 
-#define invcal_calibrate_without INVCAL_POSITIONS_CHOSEN(invcal_calibrate_without)
-#define invcal_calibrate_robust INVCAL_POSITIONS_CHOSEN(invcal_calibrate_robust)
-#define invcal_calibrate_with_prior INVCAL_POSITIONS_CHOSEN(invcal_calibrate_with_prior)
-#define invcal_calibrate_six_faces INVCAL_POSITIONS_CHOSEN(invcal_calibrate_six_faces)
-#define invcal_background_init INVCAL_POSITIONS_CHOSEN(invcal_background_init)
-#define invcal_sums_init INVCAL_CHOSEN(invcal_sums_init)
-#define invcal_linear_init INVCAL_CHOSEN(invcal_linear_init)
-#define invcal_full_vector_init INVCAL_CHOSEN(invcal_full_vector_init)
-
 /* ---- one position, one equation -----------------------------------------------------------------
  *
  * Every equation reads J + h p = 0 with the row of the paper

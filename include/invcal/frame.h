@@ -32,8 +32,6 @@
 extern "C" {
 #endif
 
-#define invcal_frame_init INVCAL_CHOSEN(invcal_frame_init) /* see invcal.h */
-
 /* Sums over rests of known orientation. */
 typedef struct {
     invcal_real sum[3][3]; /* of c a' */

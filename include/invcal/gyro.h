@@ -49,48 +49,6 @@
 extern "C" {
 #endif
 
-/* Segments of all moves together, 64 to 1000, 14 bytes each. A quarter turn takes five or six, and
- * 24 are kept free for the current move. Default 192; on AVR 120, with 16 rests, so that the
- * solution fits into 8 KB of RAM. If memory is short, 100 segments and 14 rests hold twelve quarter
- * turns in 1.7 kB. */
-#if defined(__AVR__) && !defined(INVCAL_MAX_SEGMENTS)
-#define INVCAL_MAX_SEGMENTS 120
-#endif
-#if defined(__AVR__) && !defined(INVCAL_MAX_MOVES)
-#define INVCAL_MAX_MOVES 16
-#endif
-#ifndef INVCAL_MAX_SEGMENTS
-#define INVCAL_MAX_SEGMENTS 192
-#endif
-/* Rests kept, and so moves, 4 to 32, 10 bytes each. Default 32; on AVR 16. */
-#ifndef INVCAL_MAX_MOVES
-#define INVCAL_MAX_MOVES 32
-#endif
-#if INVCAL_MAX_SEGMENTS < 64 || INVCAL_MAX_SEGMENTS > 1000
-#error "INVCAL_MAX_SEGMENTS must be from 64 to 1000"
-#endif
-#if INVCAL_MAX_MOVES < 4 || INVCAL_MAX_MOVES > 32
-#error "INVCAL_MAX_MOVES must be from 4 to 32"
-#endif
-
-#define INVCAL_GYRO_CHOSEN(name)                                                                   \
-    INVCAL_GYRO_CHOSEN_(INVCAL_CHOSEN(name), INVCAL_MAX_SEGMENTS, INVCAL_MAX_MOVES)
-/* Steps of it. (No comment behind them: Arduino's preprocessor would paste it too.) */
-#define INVCAL_GYRO_CHOSEN_(name, s, m) INVCAL_GYRO_CHOSEN__(name, s, m)
-/* The last. */
-#define INVCAL_GYRO_CHOSEN__(name, s, m) name##_max_segments_##s##_max_moves_##m
-#define invcal_moves_init INVCAL_GYRO_CHOSEN(invcal_moves_init)
-#define invcal_imu_solve INVCAL_GYRO_CHOSEN(invcal_imu_solve)
-#define INVCAL_BOTH_CHOSEN(name)                                                                   \
-    INVCAL_POSITIONS_CHOSEN_(INVCAL_GYRO_CHOSEN(name), INVCAL_MAX_POSITIONS)
-#define invcal_imu_session_resume INVCAL_BOTH_CHOSEN(invcal_imu_session_resume)
-#define invcal_load_imu_session INVCAL_BOTH_CHOSEN(invcal_load_imu_session)
-#define invcal_imu_record_init INVCAL_CHOSEN(invcal_imu_record_init)
-#define invcal_imu_record_decode INVCAL_CHOSEN(invcal_imu_record_decode)
-#define invcal_load_imu INVCAL_CHOSEN(invcal_load_imu)
-#define invcal_turns_begin INVCAL_CHOSEN(invcal_turns_begin)
-#define invcal_turns_after INVCAL_GYRO_CHOSEN(invcal_turns_after)
-
 /* ---- moves ----------------------------------------------------------------------------------- */
 
 /* At most 20 degrees of a move. For an ideal gyroscope its rotation vector is v + kappa; for

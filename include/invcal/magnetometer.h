@@ -38,9 +38,6 @@
 extern "C" {
 #endif
 
-#define invcal_magnetometer_init INVCAL_CHOSEN(invcal_magnetometer_init) /* see invcal.h */
-#define invcal_dip_init INVCAL_CHOSEN(invcal_dip_init)
-
 #define INVCAL_CELLS 18u /* of direction: 6 faces and 12 edges of a cube, 0.7 sr each */
 
 /* Disturbances. Of two the larger value is reported. */

@@ -35,8 +35,6 @@ extern "C" {
 #define INVCAL_PLAN_PER_GROUP_MIN 5u /* positions in a group: one per coefficient of its series */
 #define INVCAL_PLAN_PER_GROUP_MAX 1000u /* max positions in a group */
 
-#define invcal_plan_position_at INVCAL_CHOSEN(invcal_plan_position_at) /* see invcal.h */
-
 /* A program: three groups, each a full turn. */
 typedef struct {
     unsigned per_group;                    /* N, from INVCAL_PLAN_PER_GROUP_MIN to .._MAX */

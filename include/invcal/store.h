@@ -21,13 +21,6 @@
 extern "C" {
 #endif
 
-#define invcal_load INVCAL_CHOSEN(invcal_load)
-#define invcal_load_v1 INVCAL_CHOSEN(invcal_load_v1)
-#define invcal_record_init INVCAL_CHOSEN(invcal_record_init)
-#define invcal_record_decode INVCAL_CHOSEN(invcal_record_decode)
-#define invcal_load_session INVCAL_POSITIONS_CHOSEN(invcal_load_session)
-#define invcal_session_resume INVCAL_POSITIONS_CHOSEN(invcal_session_resume)
-
 /* ---- the memory ---------------------------------------------------------------------------------
  *
  * NOR flash, or any memory that can behave like it. Erasing sets all bits of a slot, programming

@@ -28,30 +28,6 @@
 extern "C" {
 #endif
 
-/* Build option: the degree of the polynomials: 0 (constants), 1 (slopes) or 2 (parabolas). */
-#ifndef INVCAL_THERMAL_DEGREE
-#define INVCAL_THERMAL_DEGREE 1
-#endif
-#if INVCAL_THERMAL_DEGREE < 0 || INVCAL_THERMAL_DEGREE > 2
-#error "INVCAL_THERMAL_DEGREE must be 0, 1 or 2"
-#endif
-
-/* Both are part of the names: the degree, and the number of positions, since quality has a bit for
- * each. */
-#define INVCAL_THERMAL_CHOSEN(name)                                                                \
-    INVCAL_THERMAL_CHOSEN_(INVCAL_POSITIONS_CHOSEN(name), INVCAL_THERMAL_DEGREE)
-/* Steps of it. */
-#define INVCAL_THERMAL_CHOSEN_(name, degree) INVCAL_THERMAL_CHOSEN__(name, degree)
-/* The last. */
-#define INVCAL_THERMAL_CHOSEN__(name, degree) name##_thermal_degree_##degree
-#define invcal_thermal_at INVCAL_THERMAL_CHOSEN(invcal_thermal_at)
-#define invcal_thermal_calibrate INVCAL_THERMAL_CHOSEN(invcal_thermal_calibrate)
-#define invcal_thermal_start INVCAL_THERMAL_CHOSEN(invcal_thermal_start)
-#define invcal_thermal_fit INVCAL_THERMAL_CHOSEN(invcal_thermal_fit)
-#define invcal_thermal_judge INVCAL_THERMAL_CHOSEN(invcal_thermal_judge)
-#define invcal_thermal_record_decode INVCAL_THERMAL_CHOSEN(invcal_thermal_record_decode)
-#define invcal_thermal_record_decode_v1 INVCAL_THERMAL_CHOSEN(invcal_thermal_record_decode_v1)
-
 #define INVCAL_THERMAL_ROWS (INVCAL_THERMAL_DEGREE + 1) /* coefficients of a parameter */
 
 /* A calibration for every temperature: 104, 140, 176 bytes for degree 0, 1, 2 (float). */
