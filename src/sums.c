@@ -93,7 +93,7 @@ INVCAL_NOINLINE void invcal_rank_one(invcal_real *a, const invcal_real *v, unsig
 void invcal_sums_init(invcal_sums *sums)
 {
     INVCAL_ASSERT(sums);
-    invcal_zero_reals(sums->sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1));
+    invcal_zero_array(sums->sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1));
     sums->count = 0;
 }
 

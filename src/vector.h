@@ -74,13 +74,14 @@ float invcal_root(float x);
  * 160 and 310 bytes. */
 void invcal_zero_bytes(void *object, size_t size);
 void invcal_zero_reals(invcal_real *x, unsigned count);
-void invcal_copy_bytes(void *restrict to, const void *restrict from, size_t size);
+void invcal_copy_bytes(void *to, const void *from, size_t size);
 #if INVCAL_FAST || defined(__FRAMAC__)
 #define invcal_zero(object, size) ((void)memset(object, 0, size))
-#define invcal_zero_reals(x, count) ((void)memset(x, 0, (count) * sizeof *(x)))
+#define invcal_zero_array(x, count) ((void)memset(x, 0, (count) * sizeof *(x)))
 #define invcal_copy(to, from, size) ((void)memcpy(to, from, size))
 #else
 #define invcal_zero invcal_zero_bytes
+#define invcal_zero_array invcal_zero_reals
 #define invcal_copy invcal_copy_bytes
 #endif
 
