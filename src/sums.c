@@ -41,8 +41,8 @@ INVCAL_NOINLINE invcal_status invcal_read(const invcal_calibration *nominal,
 #endif
 
 #if INVCAL_FAST || !INVCAL_HAS_FPU
-static INVCAL_INLINE void rank_one(invcal_real *restrict a, const invcal_real *restrict v,
-                                   unsigned n, invcal_real weight)
+static INVCAL_ONCE void rank_one(invcal_real *restrict a, const invcal_real *restrict v, unsigned n,
+                                 invcal_real weight)
 {
     INVCAL_UNROLL_ROWS
     for (unsigned r = 0; r < n; r++) {

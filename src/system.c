@@ -16,7 +16,7 @@ invcal_real invcal_trace(const invcal_real *a, unsigned n)
 
     unsigned r = 1;
 
-    do {
+    do { /* at most n times */
         sum += *a;
         a += ++r;
     } while (r <= n);
