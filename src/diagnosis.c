@@ -97,6 +97,7 @@ static INVCAL_ONCE int is_ambiguous(const invcal_fit *fit, diagnosis *d, const i
     const unsigned n = fit->positions.count;
     invcal_test t;
 
+    /* at most 2/3 INVCAL_MAX_POSITIONS */
     for (unsigned step = 1; 3 * (n - step) >= n; step++) {
         if (3 * step >= n) { /* in the middle third */
             (void)test(fit, d, INVCAL_DRIFT, step, &t);
@@ -146,7 +147,7 @@ static INVCAL_NOINLINE invcal_mask choose(const invcal_fit *fit, const invcal_gr
         name(fit, d.kind, q);
     } else if (d.is_significant) {
         invcal_raise(q, INVCAL_ROUGH);
-    }
+    } /* cppcheck-suppress misra-c2012-15.7 ; nothing is wrong */
     return 0;
 }
 

@@ -61,7 +61,7 @@ invcal_real invcal_chance(const invcal_fit *fit, invcal_real after, invcal_real 
     invcal_real p = m == 3 ? 1 + twice : 1;
 
     /* z^(dof/2) as a product: of libm only sqrt and fabs are used */
-    while (dof-- > 0) {
+    while (dof-- > 0) { /* at most INVCAL_MAX_POSITIONS times */
         p *= half;
     }
     if (m != 2) {

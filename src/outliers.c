@@ -244,7 +244,8 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
     s.promising = fit->squares * (1 - PROMISING / invcal_number(fit->sums.count));
     INVCAL_ROLL
     for (unsigned k = 0; k <= INVCAL_GROUP; k++) {
-        s.contests[k].squares = s.contests[k].rival_squares = fit->squares;
+        s.contests[k].squares = fit->squares;
+        s.contests[k].rival_squares = fit->squares;
     }
     s.group[0].squares = fit->squares;
     search_groups(&s);

@@ -810,7 +810,7 @@ int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3])
     if (!is_readable(rests)) {
         return 0;
     }
-    const invcal_real count = (invcal_real)((int32_t)rests->blocks << rests->bits);
+    const invcal_real count = (invcal_real)((int32_t)((uint32_t)rests->blocks << rests->bits));
     INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
         const uint64_t total = rests->axis[a].rest.total;

@@ -26,7 +26,8 @@ float invcal_root(float x)
         }
         exponent += bits >> 23;
         uint32_t rest = (bits << 8 | sign) >> (7 - exponent % 2);
-        for (uint32_t bit = 2 * hidden; bit > 0; bit >>= 1) { /* 25 digits, the last one to round */
+        /* at most 25 digits, the last one to round */
+        for (uint32_t bit = 2 * hidden; bit > 0; bit >>= 1) {
             const uint32_t least = 2 * root + bit;
             if (rest >= least) {
                 rest -= least;

@@ -68,7 +68,7 @@ static INVCAL_NOINLINE void multiply(const invcal_real *m, unsigned step, invcal
 
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        v[i] = m[0] * x + m[step] * y + m[2 * step] * z;
+        v[i] = m[0] * x + m[step] * y + m[2 * (size_t)step] * z;
         m += 4 - step;
     }
 }
@@ -85,7 +85,7 @@ void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
     invcal_real det;
     unsigned step = 0;
 
-    do {
+    do { /* at most STEPS times */
         det = invcal_cofactors((const invcal_real(*)[3])from, (invcal_real(*)[3])c);
         INVCAL_ROLL
         for (unsigned i = 0; i < 9; i++) {

@@ -41,8 +41,8 @@ INVCAL_NOINLINE invcal_status invcal_read(const invcal_calibration *nominal,
 #endif
 
 #if INVCAL_FAST || !INVCAL_HAS_FPU
-static INVCAL_INLINE void rank_one(invcal_real *restrict a, const invcal_real *restrict v,
-                                   unsigned n, invcal_real weight)
+static INVCAL_ONCE void rank_one(invcal_real *restrict a, const invcal_real *restrict v, unsigned n,
+                                 invcal_real weight)
 {
     INVCAL_UNROLL_ROWS
     for (unsigned r = 0; r < n; r++) {
@@ -93,7 +93,7 @@ INVCAL_NOINLINE void invcal_rank_one(invcal_real *a, const invcal_real *v, unsig
 void invcal_sums_init(invcal_sums *sums)
 {
     INVCAL_ASSERT(sums);
-    invcal_zero_reals(sums->sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1));
+    invcal_zero_array(sums->sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1));
     sums->count = 0;
 }
 

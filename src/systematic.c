@@ -51,7 +51,7 @@ static INVCAL_ONCE void sum_columns(const invcal_fit *fit, unsigned kind, unsign
     invcal_real before[3];
     column v;
 
-    invcal_zero_reals(before, 3);
+    invcal_zero_array(before, 3);
     for (unsigned k = 0; k < p->count; k++) {
         const unsigned passed = step ? k >= step : k;
         const unsigned all = step ? 1 : p->count - 1;
@@ -114,7 +114,7 @@ void invcal_test_for(const invcal_fit *fit, unsigned kind, unsigned step, invcal
     invcal_real least = 1;
     unsigned rank = 0;
 
-    invcal_zero_reals(columns[0], MORE * (REST + 1));
+    invcal_zero_array(columns[0], MORE * (REST + 1));
     sum_columns(fit, kind, step, columns);
     INVCAL_ROLL
     for (unsigned a = 0; a < MORE; a++) {

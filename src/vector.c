@@ -14,7 +14,7 @@ void invcal_zero_bytes(void *object, size_t size)
     }
 }
 
-void(invcal_zero_reals)(invcal_real *x, unsigned count) /* not the macro */
+void invcal_zero_reals(invcal_real *x, unsigned count)
 {
     volatile invcal_real *const at = x;
 
@@ -23,7 +23,7 @@ void(invcal_zero_reals)(invcal_real *x, unsigned count) /* not the macro */
     }
 }
 
-void invcal_copy_bytes(void *restrict to, const void *restrict from, size_t size)
+void invcal_copy_bytes(void *to, const void *from, size_t size)
 {
     volatile uint8_t *at = (volatile uint8_t *)to;
     const uint8_t *source = (const uint8_t *)from;

@@ -23,7 +23,6 @@
 #if !INVCAL_FAST
 #define INVCAL_UNROLL INVCAL_ROLL
 #define INVCAL_UNROLL_ROWS INVCAL_ROLL
-#define INVCAL_INLINE
 #define INVCAL_OFTEN INVCAL_NOINLINE
 #else
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__)
@@ -33,7 +32,6 @@
 #define INVCAL_UNROLL
 #define INVCAL_UNROLL_ROWS
 #endif
-#define INVCAL_INLINE INVCAL_ONCE
 #define INVCAL_OFTEN INVCAL_ONCE
 #endif
 
@@ -74,13 +72,14 @@ float invcal_root(float x);
  * 160 and 310 bytes. */
 void invcal_zero_bytes(void *object, size_t size);
 void invcal_zero_reals(invcal_real *x, unsigned count);
-void invcal_copy_bytes(void *restrict to, const void *restrict from, size_t size);
+void invcal_copy_bytes(void *to, const void *from, size_t size);
 #if INVCAL_FAST || defined(__FRAMAC__)
 #define invcal_zero(object, size) ((void)memset(object, 0, size))
-#define invcal_zero_reals(x, count) ((void)memset(x, 0, (count) * sizeof *(x)))
+#define invcal_zero_array(x, count) ((void)memset(x, 0, (count) * sizeof *(x)))
 #define invcal_copy(to, from, size) ((void)memcpy(to, from, size))
 #else
 #define invcal_zero invcal_zero_bytes
+#define invcal_zero_array invcal_zero_reals
 #define invcal_copy invcal_copy_bytes
 #endif
 
@@ -110,7 +109,7 @@ static INVCAL_ONCE invcal_real invcal_dot_inline(const invcal_real *a, const inv
     invcal_real sum = 0;
 
     INVCAL_UNROLL_ROWS
-    do {
+    do { /* at most the triangle of all unknowns: see invcal_condition */
         sum += *a++ * *b++;
     } while (--n > 0);
     return sum;
@@ -123,8 +122,8 @@ invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n);
 
 /* a x b; out must be neither of them. Inline as above. */
 #if INVCAL_FAST
-static INVCAL_INLINE void invcal_cross(const invcal_real *a, const invcal_real *b,
-                                       invcal_real *restrict out)
+static INVCAL_ONCE void invcal_cross(const invcal_real *a, const invcal_real *b,
+                                     invcal_real *restrict out)
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
     out[1] = a[2] * b[0] - a[0] * b[2];

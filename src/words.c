@@ -33,7 +33,7 @@ INVCAL_NOINLINE static char *put(char *at, unsigned n, unsigned fives)
     static const char texts[] = "\0 up, tilt # deg, \0 and \0 rise\0 rises\0 up\0";
     const char *text = texts;
 
-    for (; n > 0; n--) {
+    for (; n > 0; n--) {          /* at most TEXTS - 1 times */
         while (*text++ != '\0') { /* at most 42 steps: the length of all */
         }
     }

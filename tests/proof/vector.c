@@ -24,5 +24,5 @@ void main(void)
     invcal_correct_inline(&calibration, a, b);
     invcal_copy_bytes(copy, bytes, BETWEEN(0, sizeof bytes));
     invcal_zero_bytes(bytes, BETWEEN(0, sizeof bytes));
-    (invcal_zero_reals)(a, BETWEEN(0, 3));
+    invcal_zero_reals(a, BETWEEN(0, 3));
 }
