@@ -12,7 +12,7 @@
 #     # ...          a comment
 #
 # In files of the package itself, under port/PACKAGE, @VERSION@, @MAJOR@, @MINOR@ and @PATCH@
-# become those of include/invcal/invcal.h, @ADDRESS@ what address.sh prints.
+# become those of include/invcal/config.h, @ADDRESS@ what address.sh prints.
 #
 # DEST may contain other files. DEST/.invcal-PACKAGE lists what was laid out, with checksums: the next time these files
 # are replaced, and those no longer in the package are removed. Nothing else is touched: it fails if a foreign file is in

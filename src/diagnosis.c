@@ -130,7 +130,7 @@ static INVCAL_ONCE void name(const invcal_fit *fit, unsigned kind, invcal_qualit
 }
 
 /* Returns the positions to leave out. */
-static INVCAL_NOINLINE invcal_mask choose(const invcal_fit *fit, const invcal_group *g,
+static INVCAL_NOINLINE invcal_set choose(const invcal_fit *fit, const invcal_group *g,
                                           invcal_quality *q)
 {
     diagnosis d;
@@ -151,10 +151,10 @@ static INVCAL_NOINLINE invcal_mask choose(const invcal_fit *fit, const invcal_gr
     return 0;
 }
 
-invcal_mask invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
+invcal_set invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
                             invcal_quality *q)
 {
-    invcal_mask out = 0;
+    invcal_set out = 0;
     invcal_group g;
     invcal_fit fit;
 

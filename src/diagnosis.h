@@ -16,7 +16,7 @@
  *            unchecked, and raises the verdict.
  *
  * Returns the further positions to leave out; 0: none. */
-invcal_mask invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
+invcal_set invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
                             invcal_quality *q);
 
 #endif

@@ -224,7 +224,7 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
                                        const invcal_calibration *nominal, invcal_real noise,
                                        invcal_calibration *out, invcal_quality *quality)
 {
-    const invcal_positions positions = {raw, count, left_out, nominal, noise};
+    const invcal_positions positions = {raw, count, (invcal_set)left_out, nominal, noise};
 
     INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
     return invcal_positions_calibrate(&positions, out, quality);

@@ -10,11 +10,20 @@
 #include "invcal/expert.h"
 #include "vector.h"
 
+/* An invcal_mask of positions in as few bits as the build needs, in which it computes. */
+#if INVCAL_MAX_POSITIONS <= 16
+typedef uint16_t invcal_set;
+#elif INVCAL_MAX_POSITIONS > 32
+typedef uint64_t invcal_set;
+#else
+typedef uint32_t invcal_set;
+#endif
+
 /* Positions, with nominal and noise. */
 typedef struct {
     const invcal_real *raw;
     unsigned count;
-    invcal_mask left_out; /* only of the first INVCAL_MAX_POSITIONS */
+    invcal_set left_out; /* only of the first INVCAL_MAX_POSITIONS */
     const invcal_calibration *nominal;
     invcal_real noise; /* stated, over field; 0: not known */
 } invcal_positions;

@@ -15,7 +15,7 @@
 #define VISITED INVCAL_REAL(0.0228) /* three times the square of the chord of 5 degrees */
 
 /* Has the direction of position i been visited before? near: a squared distance, counts. */
-static INVCAL_ONCE int is_visited(const invcal_positions *p, invcal_mask left_out, unsigned i,
+static INVCAL_ONCE int is_visited(const invcal_positions *p, invcal_set left_out, unsigned i,
                                   invcal_real near)
 {
     for (unsigned k = 0; k < i; k++) {
@@ -41,7 +41,7 @@ static INVCAL_ONCE void judge_directions(const invcal_positions *p, const invcal
     const invcal_real near = VISITED / invcal_dot(c->matrix[0], c->matrix[0], 9);
 
     for (unsigned i = 0; i < p->count; i++) {
-        if (!(q->left_out >> i & 1u) && is_visited(p, q->left_out, i, near) && q->dof > 0) {
+        if (!(q->left_out >> i & 1u) && is_visited(p, (invcal_set)q->left_out, i, near) && q->dof > 0) {
             q->dof--;
         }
     }
@@ -61,7 +61,7 @@ static INVCAL_ONCE invcal_status leave_out_groups(invcal_positions *p, invcal_ca
     for (;;) { /* at most INVCAL_MAX_POSITIONS times: each but the last leaves one out */
         const invcal_status status = invcal_positions_calibrate(p, c, q);
         const int is_solved = status == INVCAL_OK;
-        invcal_mask more = 0;
+        invcal_set more = 0;
         has_solution |= is_solved;
         if (is_solved ? !invcal_are_many(q->positions, p->count)
                       : !has_solution && status == INVCAL_NOT_ELLIPSOID) {

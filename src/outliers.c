@@ -25,8 +25,8 @@ enum { STATED = 1 }; /* residuals that the stated noise counts as */
 
 /* Groups of one size: the best and the second best, and the remaining sum of squares. */
 typedef struct {
-    invcal_mask best;
-    invcal_mask rival;
+    invcal_set best;
+    invcal_set rival;
     invcal_real squares;
     invcal_real rival_squares;
 } contest;
@@ -45,7 +45,7 @@ typedef struct {
 
 /* A member of a group, by what the nine and the member before it leave of its column. */
 typedef struct {
-    invcal_mask out;                      /* it and those before it */
+    invcal_set out;                      /* it and those before it */
     invcal_real squares;                  /* of the others */
     invcal_real reciprocal;               /* of c'c */
     invcal_real v[INVCAL_PARAMETERS + 1]; /* its product with column k is -h_k v; then c'r */
@@ -61,15 +61,15 @@ typedef struct {
     member group[INVCAL_GROUP]; /* nobody, the first, the second; the third needs no more than v */
 } search;
 
-static invcal_mask bit(unsigned i)
+static invcal_set bit(unsigned i)
 {
-    return (invcal_mask)((invcal_mask)1 << i);
+    return (invcal_set)((invcal_set)1 << i);
 }
 
 /* ---- the best group of each size ------------------------------------------------------------- */
 
 /* A triple may come up once for each of its pairs; it must not be its own rival. */
-static INVCAL_ONCE void enter(contest *c, invcal_mask out, invcal_real squares)
+static INVCAL_ONCE void enter(contest *c, invcal_set out, invcal_real squares)
 {
     if (out == c->best || !(squares < c->rival_squares)) {
         return;
@@ -117,7 +117,7 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
     if ((before->out | s->fit->positions.left_out) >> k & 1u) {
         return 0;
     }
-    const invcal_mask out = before->out | bit(k);
+    const invcal_set out = before->out | bit(k);
     recall_row(s, k, m->v);
     invcal_real left = s->alone[k].unexplained;
     invcal_real rest = m->v[INVCAL_J];

@@ -17,8 +17,8 @@ static inline int invcal_are_many(unsigned left, unsigned count)
 
 /* A group of them. */
 typedef struct {
-    invcal_mask group;     /* to be left out; 0: none is clear */
-    invcal_mask suspected; /* the two of the largest undecided contest, or 0 */
+    invcal_set group;     /* to be left out; 0: none is clear */
+    invcal_set suspected; /* the two of the largest undecided contest, or 0 */
     unsigned size;
     invcal_real squares; /* the rest of fit->squares */
     invcal_real chance;  /* of the group, or else of the suspected, by invcal_chance;

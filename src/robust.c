@@ -7,7 +7,7 @@
 #include "vector.h"
 
 /* In nominal units, in which no position is too wrong to be tested. Returns the suspected ones. */
-static INVCAL_NOINLINE invcal_mask leave_out_outliers(invcal_positions *positions)
+static INVCAL_NOINLINE invcal_set leave_out_outliers(invcal_positions *positions)
 {
     invcal_group g;
     invcal_fit fit;
@@ -35,7 +35,7 @@ invcal_status invcal_calibrate_robust(const invcal_real *raw, unsigned count,
     if (count > INVCAL_MAX_POSITIONS) {
         return INVCAL_BAD_COUNT;
     }
-    const invcal_mask suspected = leave_out_outliers(&positions);
+    const invcal_set suspected = leave_out_outliers(&positions);
     const invcal_status status = invcal_positions_calibrate(&positions, out, quality);
     if (status == INVCAL_OK) {
         quality->suspected = suspected;

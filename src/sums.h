@@ -31,7 +31,10 @@ static INVCAL_ONCE void invcal_row_inline(invcal_real h[INVCAL_PARAMETERS])
     h[INVCAL_GAMMA_ZY] = y * z;
 }
 #if INVCAL_FAST
-#define invcal_row_of invcal_row_inline
+static INVCAL_ONCE void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
+{
+    invcal_row_inline(h);
+}
 #else
 void invcal_row_of(invcal_real h[INVCAL_PARAMETERS]);
 #endif
@@ -59,7 +62,12 @@ static INVCAL_ONCE invcal_status invcal_read_inline(const invcal_calibration *no
     return invcal_are_finite(h) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
 }
 #if INVCAL_FAST
-#define invcal_read invcal_read_inline
+static INVCAL_ONCE invcal_status invcal_read(const invcal_calibration *nominal,
+                                             const invcal_real raw[3],
+                                             invcal_real h[INVCAL_PARAMETERS + 1])
+{
+    return invcal_read_inline(nominal, raw, h);
+}
 #else
 invcal_status invcal_read(const invcal_calibration *nominal, const invcal_real raw[3],
                           invcal_real h[INVCAL_PARAMETERS + 1]);

@@ -115,7 +115,10 @@ static INVCAL_ONCE invcal_real invcal_dot_inline(const invcal_real *a, const inv
     return sum;
 }
 #if INVCAL_FAST
-#define invcal_dot invcal_dot_inline
+static INVCAL_ONCE invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
+{
+    return invcal_dot_inline(a, b, n);
+}
 #else
 invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n);
 #endif
