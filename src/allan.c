@@ -78,24 +78,32 @@ static int is_usable(uint32_t m)
     return m >= 1 && m <= INVCAL_ALLAN_LONGEST && m >> stride_bits(m, 0) << stride_bits(m, 0) == m;
 }
 
-void invcal_allan_init(invcal_allan *allan)
+invcal_status invcal_allan_init(invcal_allan *allan, size_t size)
 {
     INVCAL_ASSERT(allan);
+    if (size != sizeof *allan) {
+        return INVCAL_OTHER_BUILD;
+    }
     invcal_zero(allan, sizeof *allan);
     for (; allan->taus < INVCAL_ALLAN_TAUS; allan->taus++) {
         allan->tau[allan->taus].m = UINT32_C(1) << allan->taus;
     }
+    return INVCAL_OK;
 }
 
-invcal_status invcal_allan_begin(invcal_allan *allan, const uint32_t *m, unsigned count)
+invcal_status invcal_allan_begin(invcal_allan *allan, size_t size, const uint32_t *m,
+                                 unsigned count)
 {
     INVCAL_ASSERT(allan && m);
+    if (size != sizeof *allan) {
+        return INVCAL_OTHER_BUILD;
+    }
     if (count < 1 || count > INVCAL_ALLAN_TAUS) {
-        return INVCAL_BAD_TAU;
+        return INVCAL_BAD_TIME;
     }
     for (unsigned k = 0; k < count; k++) {
         if (!is_usable(m[k]) || (k > 0 && m[k] <= m[k - 1])) {
-            return INVCAL_BAD_TAU;
+            return INVCAL_BAD_TIME;
         }
     }
     invcal_zero(allan, sizeof *allan);
@@ -176,7 +184,7 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
 {
     INVCAL_ASSERT(allan && out);
     if (index >= allan->taus) {
-        return INVCAL_BAD_TAU;
+        return INVCAL_BAD_TIME;
     }
     const invcal_allan_tau *tau = &allan->tau[index];
     if (tau->count == 0) {

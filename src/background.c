@@ -14,11 +14,14 @@
 #define INFORMATIVE (INVCAL_REAL(9.0) / 29)
 enum { DAYS = 88 }; /* after which a position is dropped */
 
-invcal_status invcal_background_init(invcal_background *background,
+invcal_status invcal_background_init(invcal_background *background, size_t size,
                                      const invcal_calibration *nominal, unsigned rate)
 {
     INVCAL_ASSERT(background && nominal);
-    const invcal_status status = invcal_session_begin(&background->session, nominal, rate);
+    const size_t of_session =
+        size == sizeof *background ? sizeof background->session : 0; /* 0: it refuses */
+    const invcal_status status =
+        invcal_session_begin(&background->session, of_session, nominal, rate);
     if (status == INVCAL_OK) {
         invcal_zero(background->age, sizeof background->age);
     }

@@ -24,7 +24,7 @@ static int are_moves(const invcal_moves *m)
     for (unsigned i = 0; i < m->count; i++) {
         const invcal_still *rest = &m->rest[i];
         const int is_good =
-            rest->move > 0 ? i > 0 : rest->move > -INVCAL_STATUS_COUNT && rest->move < 0;
+            rest->move > 0 ? i > 0 : rest->move > -INVCAL_STATUS_END && rest->move < 0;
         if (!is_good || rest->when < when) {
             return 0;
         }
@@ -45,7 +45,7 @@ static invcal_status resume_moves(invcal_moves *m)
         return INVCAL_BAD_RATE;
     }
     if (m->between >= (uint32_t)INT32_MAX - (uint32_t)m->low) {
-        return INVCAL_BAD_RAILS;
+        return INVCAL_BAD_LIMITS;
     }
     if (m->count > INVCAL_MAX_MOVES || m->first > INVCAL_MAX_SEGMENTS || !are_moves(m) ||
         !invcal_are_finite(m->bias)) {

@@ -39,9 +39,10 @@ static INVCAL_ONCE void judge_directions(const invcal_positions *p, const invcal
                                          invcal_quality *q)
 {
     const invcal_real near = VISITED / invcal_dot(c->matrix[0], c->matrix[0], 9);
+    const invcal_set left_out = (invcal_set)q->left_out;
 
     for (unsigned i = 0; i < p->count; i++) {
-        if (!(q->left_out >> i & 1u) && is_visited(p, (invcal_set)q->left_out, i, near) && q->dof > 0) {
+        if (!(left_out >> i & 1u) && is_visited(p, left_out, i, near) && q->dof > 0) {
             q->dof--;
         }
     }

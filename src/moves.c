@@ -327,10 +327,13 @@ void invcal_moves_restart(invcal_moves *m)
 
 /* ---- public functions ------------------------------------------------------------------------ */
 
-invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *nominal,
+invcal_status invcal_moves_init(invcal_moves *moves, size_t size, const invcal_calibration *nominal,
                                 invcal_real rate)
 {
     INVCAL_ASSERT(moves && nominal);
+    if (size != sizeof *moves) {
+        return INVCAL_OTHER_BUILD;
+    }
     const invcal_status status = invcal_nominal_check(nominal);
     if (status != INVCAL_OK) {
         return status;
@@ -350,7 +353,7 @@ invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(moves);
     if (low >= high) {
-        return INVCAL_BAD_RAILS;
+        return INVCAL_BAD_LIMITS;
     }
     moves->low = low;
     moves->between = (uint32_t)high - (uint32_t)low - 1;

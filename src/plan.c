@@ -19,7 +19,7 @@ static invcal_status check_per_group(unsigned per_group)
     if (per_group < INVCAL_PLAN_PER_GROUP_MIN) {
         return INVCAL_TOO_FEW;
     }
-    return per_group <= INVCAL_PLAN_PER_GROUP_MAX ? INVCAL_OK : INVCAL_BAD_PROGRAM;
+    return per_group <= INVCAL_PLAN_PER_GROUP_MAX ? INVCAL_OK : INVCAL_BAD_ANGLE;
 }
 
 invcal_status invcal_plan_check(const invcal_plan *plan)
@@ -27,7 +27,7 @@ invcal_status invcal_plan_check(const invcal_plan *plan)
     INVCAL_ASSERT(plan);
     for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
         if (!(INVCAL_FABS(plan->start[g]) <= TURN)) {
-            return INVCAL_BAD_PROGRAM;
+            return INVCAL_BAD_ANGLE;
         }
     }
     return check_per_group(plan->per_group);
@@ -67,7 +67,7 @@ invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
     }
     const unsigned n = plan->per_group;
     if (i >= INVCAL_PLAN_GROUPS * n) {
-        return INVCAL_BAD_PROGRAM;
+        return INVCAL_BAD_ANGLE;
     }
     const unsigned g = i < n ? 0 : i < 2 * n ? 1 : 2;
     const unsigned k = i - g * n;

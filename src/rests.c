@@ -75,7 +75,7 @@ enum {
 
 /* The last event of the rest, besides the reasons for REFUSED: READY; none; TAKEN by the newest
  * block. */
-enum { HELD = INVCAL_OK, SETTLING = INVCAL_STATUS_COUNT, LEFT = INVCAL_STATUS_COUNT + 1 };
+enum { HELD = INVCAL_OK, SETTLING = INVCAL_STATUS_END, LEFT = INVCAL_STATUS_END + 1 };
 
 /* Bits of flags, and of `seen`, which is the newest block's. */
 enum {
@@ -720,7 +720,7 @@ invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(rests);
     if (low >= high) {
-        return INVCAL_BAD_RAILS;
+        return INVCAL_BAD_LIMITS;
     }
     rests->low = low;
     rests->between = (uint32_t)high - (uint32_t)low - 1;

@@ -17,6 +17,7 @@
 #define CLOSE INVCAL_REAL(0.9396926) /* cosine of 20 degrees */
 enum { DOF = 3 };                    /* min degrees of freedom to trust sigma */
 enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
+enum { NOT_BEGUN = 0 };              /* session->rests.bits, which has at least one */
 
 /* The size before the means, and an identifier of layout, number type and byte order. */
 #define HEAD ((uint32_t)offsetof(invcal_session, mean))
@@ -24,26 +25,29 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 
 /* ---- settings -------------------------------------------------------------------------------- */
 
-/* Called before any other write to the session; writes only on success. */
+/* Called before any other write to the session. If it fails, the session is not begun. */
 INVCAL_NOINLINE static invcal_status begin_stream(invcal_session *session,
                                                   const invcal_calibration *nominal, unsigned rate)
 {
     invcal_status status = invcal_nominal_check(nominal);
+    session->rests.bits = NOT_BEGUN;
     if (status == INVCAL_OK) {
         status = invcal_rests_init(&session->rests, rate);
     }
-    if (status == INVCAL_OK) {
-        session->last = INVCAL_MOVING;
-        session->reason = INVCAL_OK;
-        session->good = NOT_ASKED;
-    }
+    session->last = INVCAL_MOVING;
+    session->reason = (uint8_t)status;
+    session->good = NOT_ASKED;
     return status;
 }
 
-invcal_status invcal_session_begin(invcal_session *session, const invcal_calibration *nominal,
-                                   unsigned rate)
+invcal_status invcal_session_begin(invcal_session *session, size_t size,
+                                   const invcal_calibration *nominal, unsigned rate)
 {
     INVCAL_ASSERT(session && nominal);
+    if (size != sizeof *session) { /* the reason is the first byte of any session */
+        session->reason = INVCAL_OTHER_BUILD;
+        return INVCAL_OTHER_BUILD;
+    }
     const invcal_status status = begin_stream(session, nominal, rate);
     if (status == INVCAL_OK) {
         session->layout = LAYOUT;
@@ -58,7 +62,8 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
     return status;
 }
 
-invcal_status invcal_session_init(invcal_session *session, invcal_real counts, unsigned rate)
+invcal_status invcal_session_init(invcal_session *session, size_t size, invcal_real counts,
+                                  unsigned rate)
 {
     const invcal_real k = 1 / counts;
     invcal_calibration nominal;
@@ -68,7 +73,7 @@ invcal_status invcal_session_init(invcal_session *session, invcal_real counts, u
     nominal.matrix[1][1] = k;
     nominal.matrix[2][2] = k;
 
-    return invcal_session_begin(session, &nominal, rate);
+    return invcal_session_begin(session, size, &nominal, rate);
 }
 
 invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high)
@@ -176,9 +181,21 @@ INVCAL_NOINLINE static invcal_event digest(invcal_session *session, invcal_event
     return (invcal_event)session->last;
 }
 
+/* The reason is why it was not begun. */
+static invcal_event refuse_all(invcal_session *session)
+{
+    if (session->reason == INVCAL_OK) {
+        session->reason = INVCAL_NOT_BEGUN;
+    }
+    return INVCAL_REFUSED;
+}
+
 invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3])
 {
     INVCAL_ASSERT(session && raw);
+    if (session->rests.bits == NOT_BEGUN) {
+        return refuse_all(session);
+    }
     const invcal_event event = invcal_rests_feed(&session->rests, raw);
     return event == INVCAL_NOTHING ? event : digest(session, event);
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Texts of statuses, parameters and verdicts. Each list is in the order of its enumeration in
- * invcal.h; the statuses of refused rests, from the middle of theirs, are a list of their own,
- * which a session links without the others.
+ * Texts of statuses, parameters and verdicts. Each list is in the order of its enumeration.
+ * Why a session refuses a sample is a list of its own, which it links without the others.
  */
 #include "status.h"
 
@@ -14,6 +13,19 @@ const char *invcal_text(const char *texts, unsigned n)
     return texts;
 }
 
+/* The statuses of a refusal: two rows. */
+enum {
+    REFUSED_RESTS = INVCAL_REST_SAME - INVCAL_REST_SHORT + 1,
+    REFUSALS = REFUSED_RESTS + INVCAL_BAD_RATE - INVCAL_NOT_BEGUN + 1
+};
+
+/* The place of a status in them; REFUSALS or more if it is none. */
+static unsigned place_of(unsigned status)
+{
+    return status < INVCAL_NOT_BEGUN ? status - INVCAL_REST_SHORT
+                                     : status - INVCAL_NOT_BEGUN + REFUSED_RESTS;
+}
+
 const char *invcal_refusal_text(invcal_status status)
 {
     static const char texts[] = "far from the field: wrong scale or offset\0"
@@ -22,23 +34,35 @@ const char *invcal_refusal_text(invcal_status status)
                                 "at the end of the sensor's range\0"
                                 "readings never change: is the sensor read?\0"
                                 "too short: samples were lost\0"
-                                "nothing new: the same place as before\0";
-    enum { REFUSALS = INVCAL_REST_SAME - INVCAL_OUT_OF_RANGE + 1 };
-    const unsigned n = (unsigned)status - INVCAL_OUT_OF_RANGE;
+                                "nothing new: the same place as before\0"
+                                "not begun\0"
+                                "other build options\0"
+                                "invalid nominal calibration\0"
+                                "invalid sample rate\0";
+    const unsigned place = status == INVCAL_OK ? REFUSALS : place_of((unsigned)status);
 
-    return invcal_text(texts, status == INVCAL_OK ? REFUSALS : n < REFUSALS ? n : 0);
+    return invcal_text(texts, place <= REFUSALS ? place + 1 : 0);
 }
 
 const char *invcal_status_text(invcal_status status)
 {
-    enum { REFUSALS = INVCAL_REST_SAME - INVCAL_OUT_OF_RANGE + 1 };
+    static const struct {
+        uint8_t first, last;
+    } rows[] = {{INVCAL_OK, INVCAL_OK},
+                {INVCAL_NOT_FINITE, INVCAL_NOT_FINITE},
+                {INVCAL_TOO_FEW, INVCAL_MOUNTING},
+                {INVCAL_MOVE_GAP, INVCAL_MOVE_APART},
+                {INVCAL_BAD_LIMITS, INVCAL_BAD_STORE},
+                {INVCAL_NO_RECORD, INVCAL_IO}};
     static const char texts[] = "done\0"
                                 "a reading is not a finite number\0"
                                 "too few positions\0"
                                 "the positions leave parameters undetermined\0"
                                 "the readings do not lie on an ellipsoid\0"
-                                "the nominal calibration is invalid\0"
-                                "the sample rate is out of range\0"
+                                "gyroscope and accelerometer differ: axes, signs or unit\0"
+                                "samples were lost in the move\0"
+                                "the move took more than 10 s\0"
+                                "the move contradicts the others\0"
                                 "low is not below high\0"
                                 "the noise is out of range\0"
                                 "the prior is invalid\0"
@@ -47,26 +71,27 @@ const char *invcal_status_text(invcal_status status)
                                 "the direction is not a unit vector\0"
                                 "the program has no such position\0"
                                 "the temperature is invalid\0"
-                                "the averaging times are invalid\0"
+                                "the time is out of range\0"
                                 "the memory's slot or granularity is invalid\0"
                                 "nothing is stored\0"
                                 "the stored bytes are damaged\0"
                                 "stored in an unknown format\0"
                                 "not enough space\0"
                                 "the memory cannot be read or written\0"
-                                "samples were lost in the move\0"
-                                "the move took more than 10 s\0"
-                                "the move contradicts the others\0"
-                                "gyroscope and accelerometer differ: axes, signs or unit\0"
                                 "unknown status";
     const unsigned n = (unsigned)status;
+    unsigned before = 0;
 
-    if (n >= INVCAL_OUT_OF_RANGE && n <= INVCAL_REST_SAME) {
+    if (n == INVCAL_OUT_OF_RANGE || place_of(n) < REFUSALS) {
         return invcal_refusal_text(status);
     }
-    return invcal_text(texts, n < INVCAL_OUT_OF_RANGE   ? n
-                              : n < INVCAL_STATUS_COUNT ? n - REFUSALS
-                                                        : INVCAL_STATUS_COUNT - REFUSALS);
+    for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        if (n >= rows[i].first && n <= rows[i].last) {
+            return invcal_text(texts, before + n - rows[i].first);
+        }
+        before += rows[i].last - (unsigned)rows[i].first + 1;
+    }
+    return invcal_text(texts, before);
 }
 
 const char *invcal_parameter_name(unsigned parameter)

@@ -26,7 +26,7 @@ invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
 {
     invcal_real x[INVCAL_PARAMETERS];
 
-    invcal_polynomials(&thermal->x[0][0], INVCAL_THERMAL_DEGREE, t, x);
+    invcal_polynomials(&thermal->x[0][0], INVCAL_THERMAL_ROWS - 1, t, x);
     return invcal_triad(x, triad);
 }
 

@@ -27,7 +27,7 @@
 enum {
     DEGREE = INVCAL_THERMAL_DEGREE,
     NINE = INVCAL_PARAMETERS,
-    UNKNOWNS = NINE * INVCAL_THERMAL_ROWS /* coefficient of t^a, parameter r: number 9 a + r */
+    UNKNOWNS = NINE * (DEGREE + 1) /* coefficient of t^a, parameter r: number 9 a + r */
 };
 
 /* The state of a fit. */
@@ -440,7 +440,9 @@ static invcal_status set_up(job *j, const invcal_thermal_positions *positions,
     j->base = base;
     j->noise = positions->noise;
     j->now = *base;
-    invcal_status status = degree <= DEGREE ? invcal_positions_check(&plain) : INVCAL_BAD_COUNT;
+    invcal_status status = degree <= DEGREE && base->degree <= DEGREE
+                               ? invcal_positions_check(&plain)
+                               : INVCAL_BAD_COUNT;
     if (status == INVCAL_OK) {
         status = find_range(positions->temperature, positions->count, &j->min, &j->max);
     }

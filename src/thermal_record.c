@@ -78,7 +78,7 @@ invcal_status invcal_thermal_check_length(const uint8_t *bytes, unsigned at)
     if (length <= at || length != at + REALS_AFTER + 4 * count_reals(bytes[at]) + INVCAL_CRC_SIZE) {
         return INVCAL_DAMAGED;
     }
-    return bytes[at] <= INVCAL_THERMAL_DEGREE ? INVCAL_OK : INVCAL_OTHER_VERSION;
+    return bytes[at] < INVCAL_THERMAL_ROWS ? INVCAL_OK : INVCAL_OTHER_VERSION;
 }
 
 invcal_status invcal_thermal_read(const uint8_t *tail, invcal_thermal_record *r)
@@ -134,7 +134,7 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
     invcal_thermal_record r;
 
     INVCAL_ASSERT(record && bytes);
-    const invcal_status status = t->degree <= INVCAL_THERMAL_DEGREE
+    const invcal_status status = t->degree < INVCAL_THERMAL_ROWS
                                      ? invcal_record_encode(&record->record, bytes + RECORD_AT)
                                      : INVCAL_BAD_COUNT;
     if (status != INVCAL_OK) {

@@ -8,7 +8,7 @@
 #include "invcal/thermal.h"
 
 /* Does the stated length fit the degree at `at`? INVCAL_DAMAGED if not;
- * INVCAL_OTHER_VERSION for a degree above that of the build. */
+ * INVCAL_OTHER_VERSION for a degree above 2. */
 invcal_status invcal_thermal_check_length(const uint8_t *bytes, unsigned at);
 
 /* Reads the part after the record within. INVCAL_NOT_FINITE. */

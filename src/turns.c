@@ -104,7 +104,7 @@ invcal_status invcal_tour(unsigned i, invcal_turn *out)
 
     INVCAL_ASSERT(out);
     if (i >= INVCAL_TOUR_FULL) {
-        return INVCAL_BAD_PROGRAM;
+        return INVCAL_BAD_ANGLE;
     }
     const unsigned was = tour[i];
     const unsigned is = tour[i + 1];
@@ -213,7 +213,7 @@ static invcal_status check(const invcal_turn *turn)
     if (!invcal_is_unit(turn->axis)) {
         return INVCAL_BAD_DIRECTION;
     }
-    return INVCAL_FABS(turn->degrees) <= MOST_DEGREES ? INVCAL_OK : INVCAL_BAD_PROGRAM;
+    return INVCAL_FABS(turn->degrees) <= MOST_DEGREES ? INVCAL_OK : INVCAL_BAD_ANGLE;
 }
 
 static void add_rows(invcal_real *sum, unsigned n, const turn_rows *rows)

@@ -53,7 +53,7 @@ int main(void)
 {
     static invcal_session session;
 
-    return invcal_session_init(&session, 16384, 100) != INVCAL_OK ||
+    return invcal_session_init(&session, sizeof session, 16384, 100) != INVCAL_OK ||
            invcal_save_session(&board_progress, &session) != INVCAL_OK;
 }
 END

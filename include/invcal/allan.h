@@ -4,7 +4,7 @@
  * measure a position.
  *
  *     static invcal_allan allan;                                one axis at rest, for hours
- *     invcal_allan_init(&allan);
+ *     invcal_allan_init(&allan, sizeof allan);
  *     for every sample:
  *         invcal_allan_push(&allan, raw);
  *     if (invcal_allan_noise(&allan, 100, &noise) == INVCAL_OK &&            100 a second
@@ -67,17 +67,23 @@ typedef struct {
     uint8_t is_apart;                        /* invcal_allan_apart */
 } invcal_allan;
 
-/* Begins a stream with octaves as averaging times: 1, 2, 4 ... samples. */
-void invcal_allan_init(invcal_allan *allan);
+/* Begins a stream with octaves as averaging times: 1, 2, 4 ... samples.
+ *
+ * size  sizeof *allan.
+ *
+ * Returns INVCAL_OK; INVCAL_OTHER_BUILD. */
+INVCAL_NODISCARD invcal_status invcal_allan_init(invcal_allan *allan, size_t size);
 
 /* Begins a stream with averaging times of your own.
  *
+ * size   sizeof *allan.
  * m      in samples, ascending, 1 ... INVCAL_ALLAN_LONGEST. One above INVCAL_ALLAN_OVERLAP must be
  *        a multiple of its 2^t: INVCAL_ALLAN_OVERLAP / 2 to INVCAL_ALLAN_OVERLAP of them.
  * count  how many, 1 ... INVCAL_ALLAN_TAUS.
  *
- * Returns INVCAL_OK; INVCAL_BAD_TAU for any other list. */
-invcal_status invcal_allan_begin(invcal_allan *allan, const uint32_t *m, unsigned count);
+ * Returns INVCAL_OK; INVCAL_OTHER_BUILD; INVCAL_BAD_TIME for any other list. */
+INVCAL_NODISCARD invcal_status invcal_allan_begin(invcal_allan *allan, size_t size,
+                                                  const uint32_t *m, unsigned count);
 
 /* Uses adjacent windows (NIST SP 1065, 5.2.2), to compare with published figures; overlapping ones
  * give more degrees of freedom. Call it before the first sample. Costs a 32-bit division for each
@@ -115,7 +121,7 @@ typedef struct {
  * Within 3 % of the exact figure for edf > 10, 10 % below. For flicker noise it is 1.2 times
  * smaller, for a random walk 1.5 times. Gaps cost differences, and so edf.
  *
- * Returns INVCAL_OK; INVCAL_BAD_TAU if there is no such index; INVCAL_TOO_FEW if fewer than two
+ * Returns INVCAL_OK; INVCAL_BAD_TIME if there is no such index; INVCAL_TOO_FEW if fewer than two
  * windows are full; INVCAL_NO_SPACE if the squares do not fit 128 bits. */
 invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal_allan_point *out);
 

@@ -535,7 +535,7 @@ invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate);
 /* Sets the counts at which the sensor clips (-32768, 32767), from now on. Without it only the
  * ends of int32 count as clipped.
  *
- * Returns INVCAL_OK; INVCAL_BAD_RAILS unless low < high. */
+ * Returns INVCAL_OK; INVCAL_BAD_LIMITS unless low < high. */
 invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high);
 
 /* Sets how long a rest must be measured from now on, trimmed ends not included; a shorter one is
@@ -590,11 +590,12 @@ typedef struct {
     uint8_t age[INVCAL_MAX_POSITIONS]; /* days */
 } invcal_background;
 
-/* Begins: as invcal_session_begin. Use the functions of invcal.h to set up, read and solve the
+/* Begins: as invcal_session_begin; size is sizeof *background. Use the functions of invcal.h to set up, read and solve the
  * session inside. After a reset, invcal_load_session (store.h) resumes it in a background of zeros,
  * in which all its positions count as new; if it fails, begin. */
-invcal_status invcal_background_init(invcal_background *background,
-                                     const invcal_calibration *nominal, unsigned rate);
+INVCAL_NODISCARD invcal_status invcal_background_init(invcal_background *background, size_t size,
+                                                      const invcal_calibration *nominal,
+                                                      unsigned rate);
 
 /* Feeds one sample: as invcal_session_feed, but refuses a position that adds little. At the end of
  * a rest it compares the positions kept. Cost: of that, 26,000 instructions. */

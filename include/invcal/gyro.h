@@ -13,8 +13,8 @@
  *     if (invcal_load_imu(&result, &record) == INVCAL_OK)
  *         calibrated: apply record.accelerometer and record.gyro
  *     else if (invcal_load_imu_session(&progress, &both) != INVCAL_OK)     nothing to resume: begin
- *         invcal_session_init(&both.session, 16384, 100);     counts per g, samples per second
- *         invcal_moves_init(&both.moves, &gyro, 400);         rad/s per count, samples per second
+ *         invcal_session_init(&both.session, sizeof both.session, 16384, 100);    counts per g, Hz
+ *         invcal_moves_init(&both.moves, sizeof both.moves, &gyro, 400);    rad/s per count, Hz
  *     for every sample of the gyroscope:
  *         invcal_moves_feed(&both.moves, raw);
  *     for every sample of the accelerometer:
@@ -37,8 +37,7 @@
  * sample while a memory is written, since the device is in motion then: let the sensor's FIFO or an
  * interrupt buffer one second. Otherwise call invcal_moves_gap, and make the move again.
  *
- * invcal.h states the rules and units; mathematics_imu.md derives this. A program and a library
- * with different build options do not link.
+ * invcal.h states the rules and units; mathematics_imu.md derives this.
  */
 #ifndef INVCAL_GYRO_H
 #define INVCAL_GYRO_H
@@ -97,19 +96,21 @@ typedef struct {
 
 /* Begins.
  *
+ * size     sizeof *moves.
  * nominal  data sheet: rad/s per count; offset as far as known, else 0: within 7 degrees/s, if
  *          the first rest is TAKEN without being READY. Its axes must be those of the accelerometer
  *          (invcal_imu_mounting).
  * rate     samples per second, 8 ... 8000. Its error becomes a scale error.
  *
- * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. */
-invcal_status invcal_moves_init(invcal_moves *moves, const invcal_calibration *nominal,
-                                invcal_real rate);
+ * Returns INVCAL_OK; INVCAL_OTHER_BUILD, INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. */
+INVCAL_NODISCARD invcal_status invcal_moves_init(invcal_moves *moves, size_t size,
+                                                 const invcal_calibration *nominal,
+                                                 invcal_real rate);
 
 /* Sets the counts at which the gyroscope clips: a move that reaches one of them is refused from now
  * on.
  *
- * Returns INVCAL_OK; INVCAL_BAD_RAILS unless low < high. */
+ * Returns INVCAL_OK; INVCAL_BAD_LIMITS unless low < high. */
 invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high);
 
 /* Feeds one sample, moving or not, raw counts. Cost: 290 instructions. Stack: about 110 bytes. */
@@ -265,7 +266,7 @@ uint32_t invcal_imu_session_size(const invcal_imu_session *both);
  * Returns INVCAL_OK;
  *   INVCAL_OTHER_VERSION  they were kept by a different build;
  *   INVCAL_DAMAGED        the moves are inconsistent;
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    values that no moves have;
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_LIMITS    values that no moves have;
  *   as invcal_session_resume. */
 invcal_status invcal_imu_session_resume(invcal_imu_session *both, uint32_t size);
 
@@ -424,7 +425,7 @@ invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3],
  * quarter turn, and a full turn about z, which halve sigma of the scales. The axis is always
  * horizontal.
  *
- * Returns INVCAL_OK; INVCAL_BAD_PROGRAM if there is no turn i. */
+ * Returns INVCAL_OK; INVCAL_BAD_ANGLE if there is no turn i. */
 invcal_status invcal_tour(unsigned i, invcal_turn *out);
 
 /* Finds the turn that adds most: of the shortest turns to 26 directions (faces, edges and corners
@@ -436,7 +437,7 @@ void invcal_turns_next(const invcal_turns *turns, invcal_turn *out);
 
 /* Adds a turn and the rest after it. turn->up is ignored.
  *
- * Returns INVCAL_OK; INVCAL_BAD_DIRECTION for the axis; INVCAL_BAD_PROGRAM for degrees.
+ * Returns INVCAL_OK; INVCAL_BAD_DIRECTION for the axis; INVCAL_BAD_ANGLE for degrees.
  * Cost: 4,300 instructions. Stack: about 450 bytes. */
 invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn);
 

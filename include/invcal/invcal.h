@@ -225,7 +225,7 @@ invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
 
 /* ---- a session: the whole procedure -------------------------------------------------------------
  *
- *     invcal_session_init(&session, 16384, 100);
+ *     invcal_session_init(&session, sizeof session, 16384, 100);
  *     for every sample:
  *         switch (invcal_session_feed(&session, raw))
  *             READY   the position is good; where to turn next: invcal_session_next_words
@@ -248,7 +248,8 @@ typedef enum {
     INVCAL_TAKEN,    /* the device has left the position, and its mean is in the table. Usually
                         preceded by READY; not if the rest was accepted only once motion ended it */
     INVCAL_REFUSED   /* a rest, but not a position: invcal_session_why. Once per rest, and again if
-                        the reason changes, or as it ends */
+                        the reason changes, or as it ends. For every sample, if the session was not
+                        begun */
 } invcal_event;
 
 /* Internal: an axis of the rest detector. Means are in 1/1024 counts. */
@@ -302,14 +303,14 @@ typedef struct {
  * uses it from the next position on. */
 typedef struct {
     /* saved: store.h */
-    uint32_t layout;            /* identifies the build's layout of this structure */
+    uint8_t reason;             /* of INVCAL_REFUSED, an invcal_status. First, in every build */
+    uint8_t count;              /* of the means */
+    uint8_t last;               /* the last event that was not INVCAL_NOTHING */
+    uint8_t good;               /* internal: is_good, if already computed */
+    uint32_t layout;            /* internal: identifies the build */
     uint32_t hold;              /* milliseconds, as stated; 0: as short as possible */
     int32_t low, high;          /* rails */
     uint32_t rate;              /* samples per second */
-    uint8_t count;              /* of the means */
-    uint8_t last;               /* the last event that was not INVCAL_NOTHING */
-    uint8_t reason;             /* of INVCAL_REFUSED, an invcal_status */
-    uint8_t good;               /* internal: is_good, if already computed */
     invcal_real noise;          /* stated, over field; 0: not known */
     invcal_calibration nominal; /* what it began with */
     invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
@@ -323,24 +324,28 @@ typedef struct {
 
 /* Begins a session for a sensor with zero at 0 and the same scale on all axes.
  *
+ * size    sizeof *session.
  * counts  raw counts per field: 16384 for a sensor of +-2 g and 16 bits.
  * rate    samples per second, 8 ... 8000; an error of 10 % does no harm.
  *
- * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. */
-invcal_status invcal_session_init(invcal_session *session, invcal_real counts, unsigned rate);
+ * Returns INVCAL_OK; else every sample is refused, for this reason: INVCAL_OTHER_BUILD,
+ * INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. */
+INVCAL_NODISCARD invcal_status invcal_session_init(invcal_session *session, size_t size,
+                                                   invcal_real counts, unsigned rate);
 
 /* Begins a session for any other sensor.
  *
  * nominal  data sheet (invcal_nominal), or an earlier calibration to be renewed.
  *
  * Returns as invcal_session_init. */
-invcal_status invcal_session_begin(invcal_session *session, const invcal_calibration *nominal,
-                                   unsigned rate);
+INVCAL_NODISCARD invcal_status invcal_session_begin(invcal_session *session, size_t size,
+                                                    const invcal_calibration *nominal,
+                                                    unsigned rate);
 
 /* Sets the counts at which the sensor clips, low < high (-32768 and 32767 for 16 bits): rests that
  * reach them are refused from now on. Without it only the ends of int32 count as clipped.
  *
- * Returns INVCAL_OK; INVCAL_BAD_RAILS. */
+ * Returns INVCAL_OK; INVCAL_BAD_LIMITS. */
 invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high);
 
 /* States the noise: the standard deviation of a position mean on each axis, over field, above 0 and
@@ -374,11 +379,12 @@ unsigned invcal_session_progress(const invcal_session *session);
 /* The last event other than INVCAL_NOTHING, for polling. */
 invcal_event invcal_session_last(const invcal_session *session);
 
-/* Why the last rest was refused; INVCAL_OK before the first. */
+/* Why the last rest was refused; INVCAL_OK before the first. If the session was not begun, or not
+ * successfully: why. */
 invcal_status invcal_session_reason(const invcal_session *session);
 
 /* The same as a sentence, as from invcal_status_text, "" before the first. Links only the sentences
- * about rests. */
+ * that it needs. */
 const char *invcal_session_why(const invcal_session *session);
 
 /* Which orientation to take next: of 26 directions - the faces, edges and corners of a cube - the

@@ -54,15 +54,15 @@ typedef struct {
  *
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW      fewer than 5 positions in a group: its five coefficients are open;
- *   INVCAL_BAD_PROGRAM  more than INVCAL_PLAN_PER_GROUP_MAX, or a start angle that is NaN or
+ *   INVCAL_BAD_ANGLE  more than INVCAL_PLAN_PER_GROUP_MAX, or a start angle that is NaN or
  *                       outside -360 ... 360. */
 invcal_status invcal_plan_check(const invcal_plan *plan);
 
 /* Position i of a program, i from 0 to 3 N - 1: Table 1 and eta(alpha, beta).
  * Multiples of 90 degrees give components that are exactly 0 and 1.
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW or INVCAL_BAD_PROGRAM by invcal_plan_check;
- * INVCAL_BAD_PROGRAM if there is no position i.
+ * Returns INVCAL_OK; INVCAL_TOO_FEW or INVCAL_BAD_ANGLE by invcal_plan_check;
+ * INVCAL_BAD_ANGLE if there is no position i.
  * Error of a component: 3e-7 (float), 1e-15 (double). Stack: about 120 bytes. */
 invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
                                       invcal_plan_position *out);
@@ -75,7 +75,7 @@ invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
  * give +z, -x, -y. (From N = 901 on a quarter of a step is below the 0.1 degrees of
  * invcal_axis_up: all six count.)
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_PROGRAM for an N outside its range. */
+ * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_ANGLE for an N outside its range. */
 invcal_status invcal_plan_starts(unsigned per_group, invcal_real start[INVCAL_PLAN_GROUPS]);
 
 /* The six directions of the axes as bits: 1 << INVCAL_AXIS_PLUS_X and so on. */

@@ -57,7 +57,7 @@ typedef struct {
  *     at start:      if (invcal_load(&result, &calibration) != INVCAL_OK)
  *                        calibrate, then invcal_save(&result, &calibration, &quality)
  *     to calibrate:  if (invcal_load_session(&progress, &session) != INVCAL_OK)
- *                        invcal_session_init(&session, 16384, 100);
+ *                        invcal_session_init(&session, sizeof session, 16384, 100);
  *                    after INVCAL_TAKEN: invcal_save_session(&progress, &session)
  *
  * A store holds one object: these are two stores. Their slots have at least
@@ -287,7 +287,7 @@ uint32_t invcal_session_size(const invcal_session *session);
  * Returns INVCAL_OK;
  *   INVCAL_OTHER_VERSION  they were saved by a different build;
  *   INVCAL_DAMAGED        their number does not match the table;
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_RATE, INVCAL_BAD_RAILS    no session has that.
+ *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_RATE, INVCAL_BAD_LIMITS    no session has that.
  * The means are not checked: solving refuses bad ones. */
 invcal_status invcal_session_resume(invcal_session *session, uint32_t size);
 

@@ -5,7 +5,7 @@
  *     invcal_thermal_calibrate   positions at several temperatures in, a calibration out
  *     invcal_thermal_at          the calibration at a temperature, to apply to samples
  *
- * Offsets, scales and angles are polynomials of degree INVCAL_THERMAL_DEGREE of temperature, over a
+ * Offsets, scales and angles are polynomials of degree 0, 1 or 2 of temperature, over a
  * reference and a span, so that t stays within about -1 ... 1:
  *
  *     t = (T - reference) / span,   X(T) = x0 + x1 t + x2 t^2,   X = (delta, dk, gamma)
@@ -28,14 +28,14 @@
 extern "C" {
 #endif
 
-#define INVCAL_THERMAL_ROWS (INVCAL_THERMAL_DEGREE + 1) /* coefficients of a parameter */
+#define INVCAL_THERMAL_ROWS 3u /* coefficients of a parameter, those above the degree 0 */
 
-/* A calibration for every temperature: 104, 140, 176 bytes for degree 0, 1, 2 (float). */
+/* A calibration for every temperature: 176 bytes (float). */
 typedef struct {
     invcal_real reference, span; /* t = (T - reference) / span */
     invcal_real min, max;        /* temperatures seen: the polynomials hold only between them */
     invcal_calibration nominal;  /* the base of x */
-    /* delta, dk, gamma: the coefficients of t^k, k = 0 ... INVCAL_THERMAL_DEGREE */
+    /* delta, dk, gamma: the coefficients of t^k, k = 0 ... 2 */
     invcal_real x[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS];
     uint8_t degree;   /* of x */
     uint8_t fitted;   /* degree fitted to the positions; below `degree` only if slopes were kept
@@ -158,7 +158,7 @@ typedef struct {
  * degree  highest degree to fit.
  *
  * Returns as invcal_thermal_calibrate; INVCAL_BAD_TEMPERATURE also for one more than two spans from
- * the reference, INVCAL_BAD_COUNT for a degree above INVCAL_THERMAL_DEGREE, INVCAL_BAD_NOISE for a
+ * the reference, INVCAL_BAD_COUNT for a degree, of the base too, above INVCAL_THERMAL_DEGREE, INVCAL_BAD_NOISE for a
  * prior without it, INVCAL_BAD_PRIOR for one that is negative or not finite. */
 invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
                                  const invcal_thermal_prior *prior, const invcal_thermal *base,
@@ -197,8 +197,8 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
  * A device that does not know its temperature finds a plain record at byte 4. In version 1, of
  * 0.1.0, the record has 184 bytes, and matrices are in the unit of the field. */
 #define INVCAL_THERMAL_RECORD_BYTES(degree) (212u + 36u * ((degree) + 1u))
-/* The largest that this build writes and reads. */
-#define INVCAL_THERMAL_RECORD_SIZE INVCAL_THERMAL_RECORD_BYTES(INVCAL_THERMAL_DEGREE)
+/* The largest. */
+#define INVCAL_THERMAL_RECORD_SIZE INVCAL_THERMAL_RECORD_BYTES(INVCAL_THERMAL_ROWS - 1u)
 /* The same for version 1. */
 #define INVCAL_THERMAL_RECORD_SIZE_V1                                                              \
     (INVCAL_THERMAL_RECORD_SIZE + INVCAL_RECORD_SIZE_V1 - INVCAL_RECORD_SIZE)
@@ -220,7 +220,7 @@ invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
  *
  * Returns INVCAL_OK; on failure the bytes are overwritten: as invcal_record_encode,
  * INVCAL_NOT_FINITE, INVCAL_BAD_NOMINAL, INVCAL_NOT_ELLIPSOID, INVCAL_BAD_COUNT for a degree above
- * that of the build, and INVCAL_DAMAGED for what no fit gives, or a record of another
+ * 2, and INVCAL_DAMAGED for what no fit gives, or a record of another
  * calibration. Stack: about 660 bytes. */
 invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
                                            uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE]);
@@ -230,7 +230,7 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
  * size  number of bytes; those after the record are ignored.
  *
  * Returns INVCAL_OK; INVCAL_OTHER_VERSION for sound bytes of another kind or version, or of a
- * degree above that of the build; as invcal_thermal_record_encode otherwise. Stack: as above. */
+ * degree above 2; as invcal_thermal_record_encode otherwise. Stack: as above. */
 invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
                                            invcal_thermal_record *out);
 

@@ -37,7 +37,7 @@ uint8_t *EXPORT(record_buffer)(void)
 
 int EXPORT(begin)(double counts, unsigned rate)
 {
-    return (int)invcal_session_init(&session, counts, rate);
+    return (int)invcal_session_init(&session, sizeof session, counts, rate);
 }
 
 int EXPORT(feed)(int32_t x, int32_t y, int32_t z)

@@ -325,7 +325,7 @@ static uint32_t feed(unsigned rate)
     int32_t sample[3];
     uint32_t total = 0;
 
-    if (invcal_session_begin(&session, &nominal, rate) != INVCAL_OK) {
+    if (invcal_session_begin(&session, sizeof session, &nominal, rate) != INVCAL_OK) {
         board_exit(1);
     }
     for (unsigned i = 0; i < 5 * rate; i++) {
@@ -347,7 +347,7 @@ static uint32_t solve_session(unsigned positions, unsigned wrong)
     invcal_quality quality;
     unsigned left_out = 0;
 
-    (void)invcal_session_begin(&session, &nominal, RATE);
+    (void)invcal_session_begin(&session, sizeof session, &nominal, RATE);
     for (unsigned i = 0; i < positions; i++) {
         for (unsigned k = 0; k < RATE * SECONDS; k++) {
             next_sample(sample);
@@ -460,7 +460,7 @@ static void bench_background(void)
     int32_t sample[3];
     uint32_t most = 0;
 
-    (void)invcal_background_init(&background, &nominal, RATE);
+    (void)invcal_background_init(&background, sizeof background, &nominal, RATE);
     background.session.count = INVCAL_MAX_POSITIONS - 1;
     for (unsigned i = 0; i + 1 < INVCAL_MAX_POSITIONS; i++) {
         memcpy(background.session.mean[i], raw[i % POSITIONS], sizeof raw[0]);
@@ -488,7 +488,7 @@ static void bench_allan(void)
     uint32_t total = 0;
     enum { SAMPLES = 2048 };
 
-    invcal_allan_init(&allan);
+    invcal_allan_init(&allan, sizeof allan);
     for (unsigned i = 0; i < SAMPLES; i++) {
         next_sample(sample);
         begin();
@@ -568,7 +568,7 @@ static void bench_gyro(void)
     static invcal_imu imu;
     invcal_calibration gyro = nominal;
 
-    (void)invcal_moves_init(&moves, &gyro, 400);
+    (void)invcal_moves_init(&moves, sizeof moves, &gyro, 400);
     uint32_t count = 0;
     for (unsigned i = 0; i < BLOCK; i++) {
         begin();
@@ -587,7 +587,7 @@ static void bench_gyro(void)
         count = one > count ? one : count;
     }
     report("gyro_follow", count);
-    (void)invcal_moves_init(&moves, &gyro, 400);
+    (void)invcal_moves_init(&moves, sizeof moves, &gyro, 400);
     make_moves();
     begin();
     const invcal_status status =

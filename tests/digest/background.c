@@ -49,7 +49,7 @@ void part_background(void)
 
     (void)invcal_nominal(zero, counts, &nominal);
     digest_set("begin");
-    digest_bits("status", invcal_background_init(&background, &nominal, RATE));
+    digest_bits("status", invcal_background_init(&background, sizeof background, &nominal, RATE));
     for (unsigned place = 0; place < PLACES; place++) {
         digest_numbered("place", place);
         put_down();

@@ -181,7 +181,7 @@ static void begin_session(void)
 
     digest_set("begin");
     digest_bits("nominal", invcal_nominal(zero, counts, &nominal));
-    digest_bits("session", invcal_session_begin(&session, &nominal, RATE));
+    digest_bits("session", invcal_session_begin(&session, sizeof session, &nominal, RATE));
     digest_bits("rails", invcal_session_rails(&session, -32768, 32767));
     invcal_session_hold(&session, 700);
     memory_power(UINT32_MAX);
@@ -264,7 +264,7 @@ static void store_results(const invcal_calibration *calibration, const invcal_qu
 static void texts(void)
 {
     digest_set("texts");
-    for (unsigned i = 0; i <= INVCAL_STATUS_COUNT; i++) {
+    for (unsigned i = 0; i <= INVCAL_STATUS_END; i++) {
         digest_text("status", invcal_status_text((invcal_status)i));
     }
     for (unsigned i = 0; i <= INVCAL_WEAK + 1; i++) {

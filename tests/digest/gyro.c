@@ -113,9 +113,9 @@ static void tour(void)
 
     digest_set("begin");
     (void)invcal_nominal(none, g, &nominal);
-    digest_bits("session", invcal_session_begin(&both.session, &nominal, RATE));
+    digest_bits("session", invcal_session_begin(&both.session, sizeof both.session, &nominal, RATE));
     (void)invcal_nominal(none, degrees, &nominal);
-    digest_bits("moves", invcal_moves_init(&both.moves, &nominal, RATE));
+    digest_bits("moves", invcal_moves_init(&both.moves, sizeof both.moves, &nominal, RATE));
     digest_bits("rails", invcal_moves_rails(&both.moves, -32768, 32767));
     rest(up);
     for (unsigned i = 0; i < INVCAL_TOUR; i++) {

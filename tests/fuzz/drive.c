@@ -38,7 +38,7 @@ static void look_at_session(const drive_state *d)
     REQUIRE(session->noise >= 0 && session->noise < 1);
     REQUIRE(invcal_session_last(session) <= INVCAL_REFUSED);
     REQUIRE(invcal_session_last(session) != INVCAL_NOTHING);
-    REQUIRE(invcal_session_reason(session) < INVCAL_STATUS_COUNT);
+    REQUIRE(invcal_session_reason(session) < INVCAL_STATUS_END);
     REQUIRE(invcal_session_progress(session) <= 100);
     REQUIRE(strcmp(invcal_session_why(session), "unknown status") != 0);
     for (unsigned i = 0; i < session->count; i++) {

@@ -164,7 +164,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         nominal.matrix[a][a] = take_real(&s, INVCAL_REAL(1e-4));
     }
     mark(&moves, sizeof moves);
-    if (invcal_moves_init(&moves, &nominal, take_real(&s, 100)) != INVCAL_OK) {
+    if (invcal_moves_init(&moves, sizeof moves, &nominal, take_real(&s, 100)) != INVCAL_OK) {
         require_mark(&moves, sizeof moves);
         return 0;
     }

@@ -140,8 +140,8 @@ static void look_at_both(const uint8_t *bytes, uint32_t size)
     int32_t raw[3];
 
     memset(&both, 0, sizeof both);
-    REQUIRE(invcal_moves_init(&both.moves, &gyro, 50) == INVCAL_OK);
-    REQUIRE(invcal_session_init(&both.session, 100, 50) == INVCAL_OK);
+    REQUIRE(invcal_moves_init(&both.moves, sizeof both.moves, &gyro, 50) == INVCAL_OK);
+    REQUIRE(invcal_session_init(&both.session, sizeof both.session, 100, 50) == INVCAL_OK);
     both.session.count = 2;
     both.session.mean[0][0] = both.session.mean[1][1] = 100;
     const uint32_t layout = both.moves.layout; /* or almost nothing would be accepted */
@@ -175,7 +175,7 @@ static void look_at_session(const uint8_t *bytes, uint32_t size)
 
     mark(&session, sizeof session);
     memcpy(&session, bytes, size < INVCAL_SESSION_SIZE ? size : INVCAL_SESSION_SIZE);
-    REQUIRE(invcal_session_init(&begun, 1, 50) == INVCAL_OK);
+    REQUIRE(invcal_session_init(&begun, sizeof begun, 1, 50) == INVCAL_OK);
     session.layout = begun.layout; /* or almost nothing would get in */
     const uint32_t length = size < INVCAL_SESSION_SIZE && session.count <= INVCAL_MAX_POSITIONS
                                 ? invcal_session_size(&session)
@@ -421,7 +421,7 @@ static invcal_status save_session(flash *f, const invcal_store *store, content *
     invcal_session session;
 
     memset(wish, 0, sizeof *wish);
-    REQUIRE(invcal_session_init(&session, 1000, 50) == INVCAL_OK);
+    REQUIRE(invcal_session_init(&session, sizeof session, 1000, 50) == INVCAL_OK);
     session.mean[0][0] = 1000;
     session.mean[0][1] = 20;
     session.mean[0][2] = (invcal_real)take_byte(f->s);

@@ -27,11 +27,11 @@ static int begin(invcal_background *b, source *s, unsigned unusual)
 
     mark(b, sizeof *b);
     if (unusual & BACKGROUND) {
-        status = invcal_background_init(b, &c.nominal, rate);
+        status = invcal_background_init(b, sizeof *b, &c.nominal, rate);
     } else if (unusual & COUNTS) {
-        status = invcal_session_init(&b->session, take_real(s, 1000), rate);
+        status = invcal_session_init(&b->session, sizeof b->session, take_real(s, 1000), rate);
     } else {
-        status = invcal_session_begin(&b->session, &c.nominal, rate);
+        status = invcal_session_begin(&b->session, sizeof b->session, &c.nominal, rate);
     }
     if (status != INVCAL_OK) {
         require_mark(b, sizeof *b);

@@ -537,7 +537,7 @@ static unsigned begin_allan(invcal_allan *allan, source *s)
     const unsigned count = take_byte(s) % (INVCAL_ALLAN_TAUS + 2);
 
     if (take_byte(s) % 2 == 0) {
-        invcal_allan_init(allan);
+        invcal_allan_init(allan, sizeof *allan);
         return INVCAL_ALLAN_TAUS;
     }
     for (unsigned i = 0; i < count; i++) {
@@ -546,7 +546,7 @@ static unsigned begin_allan(invcal_allan *allan, source *s)
             step > 250 ? take_u32(s) : (i > 0 ? m[i - 1] : 0) + (step & 15u) * (1u << (step >> 4));
     }
     mark(allan, sizeof *allan);
-    if (invcal_allan_begin(allan, m, count) != INVCAL_OK) {
+    if (invcal_allan_begin(allan, sizeof *allan, m, count) != INVCAL_OK) {
         require_mark(allan, sizeof *allan);
         return 0;
     }

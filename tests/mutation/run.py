@@ -221,7 +221,7 @@ def enough(possible):
 def main():
     build, sample, seed = sys.argv[1], int(sys.argv[2]), sys.argv[3]
     files = sys.argv[4:] or sorted(glob.glob("src/*.[ch]"))
-    header = read("include/invcal/invcal.h").split("INVCAL_STATUS_COUNT")[0]
+    header = read("include/invcal/invcal.h").split("INVCAL_STATUS_END")[0]
     statuses = set(re.findall(r"^    (INVCAL_\w+)", header.rsplit("typedef enum {")[-1], re.M))
     everything = [m for f in files for m in mutants.mutants_of(f, statuses, seed)]
     chosen = sorted(everything, key=lambda m: m.key)[:sample]

@@ -12,14 +12,14 @@ static void begin(void)
     uint32_t m[INVCAL_ALLAN_TAUS];
     invcal_allan allan;
 
-    invcal_allan_init(&allan);
+    invcal_allan_init(&allan, sizeof allan);
     check_allan(&allan);
     ANY(m);
-    (void)invcal_allan_begin(&allan, m, UINT32_BETWEEN(0, UINT32_MAX));
-    invcal_allan_init(&allan);
+    (void)invcal_allan_begin(&allan, sizeof allan, m, UINT32_BETWEEN(0, UINT32_MAX));
+    invcal_allan_init(&allan, sizeof allan);
     for (unsigned k = 0; k < INVCAL_ALLAN_TAUS; k++) { /* what is_usable accepts */
         m[k] = UINT32_BETWEEN(1, INVCAL_ALLAN_LONGEST);
-        (void)invcal_allan_begin(&allan, m, k + 1);
+        (void)invcal_allan_begin(&allan, sizeof allan, m, k + 1);
     }
     check_allan(&allan);
 }

@@ -23,7 +23,7 @@ static void look_at(const invcal_positions *positions)
 invcal_status invcal_positions_calibrate(const invcal_positions *positions, invcal_calibration *out,
                                          invcal_quality *quality)
 {
-    const invcal_status status = (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_COUNT - 1);
+    const invcal_status status = (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 
     look_at(positions);
     if (status == INVCAL_OK) {

@@ -76,7 +76,7 @@ void main(void)
 
     ANY(nominal);
     ANY(raw);
-    if (invcal_background_init(&b, &nominal, BETWEEN(0, UINT_MAX)) == INVCAL_OK) {
+    if (invcal_background_init(&b, sizeof b, &nominal, BETWEEN(0, UINT_MAX)) == INVCAL_OK) {
         check_background();
     }
     for (unsigned count = 0; count < INVCAL_MAX_POSITIONS; count++) {

@@ -16,7 +16,7 @@ invcal_status invcal_positions_calibrate(const invcal_positions *positions, invc
     }
     ANY(*out);
     ANY(*quality);
-    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_COUNT - 1);
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 }
 
 void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],

@@ -37,7 +37,7 @@ static invcal_status any_fit(invcal_cell_fit *fit)
     read_tables(&fit->tables);
     ANY(fit->p);
     ANY(fit->triad);
-    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_COUNT - 1);
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 }
 
 invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst)

@@ -16,7 +16,7 @@ invcal_status invcal_fit_solve(invcal_fit *fit)
     look_at(&fit->positions);
     ANY(fit->squares);
     ANY(fit->sums);
-    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_COUNT - 1);
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 }
 
 void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)

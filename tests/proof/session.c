@@ -16,7 +16,7 @@ static invcal_session session;
 
 static invcal_status any_status(void)
 {
-    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_COUNT - 1);
+    return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 }
 
 static invcal_event any_event(invcal_rests *rests)
@@ -163,11 +163,11 @@ static void any_begin(void)
 
     ANY(nominal);
     ANY(counts);
-    if (invcal_session_init(&begun, counts, BETWEEN(0, UINT_MAX)) == INVCAL_OK) {
+    if (invcal_session_init(&begun, sizeof begun, counts, BETWEEN(0, UINT_MAX)) == INVCAL_OK) {
         session = begun;
         check_session();
     }
-    if (invcal_session_begin(&begun, &nominal, BETWEEN(0, UINT_MAX)) == INVCAL_OK) {
+    if (invcal_session_begin(&begun, sizeof begun, &nominal, BETWEEN(0, UINT_MAX)) == INVCAL_OK) {
         session = begun;
         check_session();
     }

@@ -39,11 +39,11 @@ static void begin(double zero, double acceleration, double rate)
         c.offset[i] = (invcal_real)zero;
         c.matrix[i][i] = (invcal_real)acceleration;
     }
-    (void)invcal_session_begin(&session, &c, 100);
+    (void)invcal_session_begin(&session, sizeof session, &c, 100);
     for (int i = 0; i < 3; i++) {
         c.matrix[i][i] = (invcal_real)rate;
     }
-    (void)invcal_moves_init(&moves, &c, 100);
+    (void)invcal_moves_init(&moves, sizeof moves, &c, 100);
 }
 
 /* ---- with stated rests -------------------------------------------------------------------------- */

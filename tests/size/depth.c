@@ -93,7 +93,7 @@ int main(void)
 #ifdef __AVR__
     __asm volatile("cli"); /* the interrupts of the board have a stack use of their own */
 #endif
-    if (invcal_session_init(&session, 1024, 50) != INVCAL_OK) {
+    if (invcal_session_init(&session, sizeof session, 1024, 50) != INVCAL_OK) {
         return 1;
     }
     for (unsigned i = 0; i < 18; i++) {

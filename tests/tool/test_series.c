@@ -493,8 +493,8 @@ static void one_position_too_many_is_refused(void)
             add(&s, random_normal(&random));
         }
         const series before = s;
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, series_add(&s, 0));
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, series_add(&s, 1));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, series_add(&s, 0));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, series_add(&s, 1));
         TEST_ASSERT_EQUAL_MEMORY(&before, &s, sizeof before);
         TEST_ASSERT_EQUAL_UINT(p.count, s.next);
     }
@@ -544,12 +544,12 @@ static void an_unusable_plan_is_refused_by_the_series(void)
         invcal_status expected;
     } bad[] = {{0, 0, INVCAL_TOO_FEW},
                {4, 0, INVCAL_TOO_FEW},
-               {INVCAL_PLAN_PER_GROUP_MAX + 1, 0, INVCAL_BAD_PROGRAM},
-               {UINT_MAX, 0, INVCAL_BAD_PROGRAM},
-               {6, 361, INVCAL_BAD_PROGRAM},
-               {6, -361, INVCAL_BAD_PROGRAM},
-               {6, NOT_A_NUMBER, INVCAL_BAD_PROGRAM},
-               {6, INFINITE, INVCAL_BAD_PROGRAM}};
+               {INVCAL_PLAN_PER_GROUP_MAX + 1, 0, INVCAL_BAD_ANGLE},
+               {UINT_MAX, 0, INVCAL_BAD_ANGLE},
+               {6, 361, INVCAL_BAD_ANGLE},
+               {6, -361, INVCAL_BAD_ANGLE},
+               {6, NOT_A_NUMBER, INVCAL_BAD_ANGLE},
+               {6, INFINITE, INVCAL_BAD_ANGLE}};
 
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         for (unsigned g = 0; g < 3; g++) {
@@ -581,7 +581,7 @@ static void a_group_that_does_not_exist_is_refused(void)
     memset(a, 7, sizeof a);
     memcpy(before, a, sizeof a);
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, series_information(&plan, bad[i], a));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, series_information(&plan, bad[i], a));
         TEST_ASSERT_EQUAL_MEMORY(before, a, sizeof a);
     }
 }

@@ -97,7 +97,7 @@ static inline void world_begin(world *w, double rate, uint32_t seed)
     for (int i = 0; i < 3; i++) {
         nominal.matrix[i][i] = (invcal_real)(1 / COUNTS);
     }
-    (void)invcal_moves_init(&w->moves, &nominal, (invcal_real)rate);
+    (void)invcal_moves_init(&w->moves, sizeof w->moves, &nominal, (invcal_real)rate);
     w->rests.bits = 4;
     world_unit(w->c);
 }

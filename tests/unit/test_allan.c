@@ -158,7 +158,7 @@ static invcal_allan begun(const uint32_t *m, unsigned count)
     static invcal_allan a;
 
     memset(&a, 0xA5, sizeof a);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_begin(&a, m, count));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_begin(&a, sizeof a, m, count));
     return a;
 }
 
@@ -167,7 +167,7 @@ static invcal_allan octaves(void)
     static invcal_allan a;
 
     memset(&a, 0xA5, sizeof a);
-    invcal_allan_init(&a);
+    invcal_allan_init(&a, sizeof a);
     return a;
 }
 
@@ -283,22 +283,22 @@ static void unusable_lists_are_refused(void)
         unsigned count;
         invcal_status expected;
     } list[] = {{{1, 2, 3}, 3, INVCAL_OK},
-                {{1, 2, 3}, 0, INVCAL_BAD_TAU},
-                {{1, 2, 3}, TAUS + 1, INVCAL_BAD_TAU},
-                {{0, 2, 3}, 3, INVCAL_BAD_TAU},
-                {{1, 3, 3}, 3, INVCAL_BAD_TAU},
-                {{3, 2, 4}, 3, INVCAL_BAD_TAU},
-                {{1, OVERLAP + 1, 3 * OVERLAP}, 3, INVCAL_BAD_TAU},
-                {{1, 2, 4 * OVERLAP - 2}, 3, INVCAL_BAD_TAU},
+                {{1, 2, 3}, 0, INVCAL_BAD_TIME},
+                {{1, 2, 3}, TAUS + 1, INVCAL_BAD_TIME},
+                {{0, 2, 3}, 3, INVCAL_BAD_TIME},
+                {{1, 3, 3}, 3, INVCAL_BAD_TIME},
+                {{3, 2, 4}, 3, INVCAL_BAD_TIME},
+                {{1, OVERLAP + 1, 3 * OVERLAP}, 3, INVCAL_BAD_TIME},
+                {{1, 2, 4 * OVERLAP - 2}, 3, INVCAL_BAD_TIME},
                 {{1, 2, INVCAL_ALLAN_LONGEST}, 3, INVCAL_OK},
-                {{1, 2, INVCAL_ALLAN_LONGEST + 4}, 3, INVCAL_BAD_TAU},
-                {{1, 2, 2 * INVCAL_ALLAN_LONGEST}, 3, INVCAL_BAD_TAU},
-                {{1, 2, UINT32_MAX}, 3, INVCAL_BAD_TAU}};
+                {{1, 2, INVCAL_ALLAN_LONGEST + 4}, 3, INVCAL_BAD_TIME},
+                {{1, 2, 2 * INVCAL_ALLAN_LONGEST}, 3, INVCAL_BAD_TIME},
+                {{1, 2, UINT32_MAX}, 3, INVCAL_BAD_TIME}};
     invcal_allan a;
 
     for (unsigned i = 0; i < sizeof list / sizeof *list; i++) {
         a.samples = 77;
-        TEST_ASSERT_EQUAL_INT(list[i].expected, invcal_allan_begin(&a, list[i].m, list[i].count));
+        TEST_ASSERT_EQUAL_INT(list[i].expected, invcal_allan_begin(&a, sizeof a, list[i].m, list[i].count));
         TEST_ASSERT_EQUAL_UINT32(list[i].expected == INVCAL_OK ? 0 : 77, a.samples);
     }
 }
@@ -310,8 +310,8 @@ static void what_is_not_known_yet_is_not_shown(void)
     invcal_noise noise = {.misfit = 77};
 
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_get(&a, 0, &p));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TAU, invcal_allan_get(&a, TAUS, &p));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TAU, invcal_allan_get(&a, UINT_MAX, &p));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TIME, invcal_allan_get(&a, TAUS, &p));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TIME, invcal_allan_get(&a, UINT_MAX, &p));
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_noise(&a, 1, &noise));
     feed(&a, always_full, 1000);
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_noise(&a, 1, &noise));

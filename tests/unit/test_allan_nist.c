@@ -37,7 +37,7 @@ static void feed(int is_apart)
 {
     uint32_t n = 1234567890;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_begin(&a, taus, 3));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_begin(&a, sizeof a, taus, 3));
     if (is_apart) {
         invcal_allan_apart(&a);
     }

@@ -52,8 +52,8 @@ static void begin(uint32_t seed)
         gyro.matrix[i][i] = (invcal_real)(1 / COUNTS);
     }
     memset(&both, FILL, sizeof both);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&both.session, COUNTS_PER_G, RATE));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&both.moves, &gyro, RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&both.session, sizeof both.session, COUNTS_PER_G, RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&both.moves, sizeof both.moves, &gyro, RATE));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&both.session, -32768, 32767));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&both.moves, -5000000, 5000000));
 }
@@ -384,16 +384,16 @@ static void contents_that_moves_cannot_have_are_refused(void)
     }
     c.moves.low = 1;
     c.moves.between = INT32_MAX - 1; /* one beyond */
-    comes_back_as(INVCAL_BAD_RAILS, &c);
+    comes_back_as(INVCAL_BAD_LIMITS, &c);
     c.moves.low = INT32_MAX;
     c.moves.between = 0;
-    comes_back_as(INVCAL_BAD_RAILS, &c);
+    comes_back_as(INVCAL_BAD_LIMITS, &c);
     c.moves.low = 1;
     c.moves.between = INT32_MAX - 2;
     comes_back_as(INVCAL_OK, &c);
     c.moves.low = INT32_MIN;
     c.moves.between = UINT32_MAX;
-    comes_back_as(INVCAL_BAD_RAILS, &c);
+    comes_back_as(INVCAL_BAD_LIMITS, &c);
     c.moves.low = INT32_MIN;
     c.moves.between = UINT32_MAX - 1; /* all there are */
     comes_back_as(INVCAL_OK, &c);
@@ -420,7 +420,7 @@ static void contents_that_moves_cannot_have_are_refused(void)
     c.moves.rest[0].move = 1;
     c.moves.first++;
     comes_back_as(INVCAL_DAMAGED, &c);
-    c.moves.rest[0].move = -INVCAL_STATUS_COUNT;
+    c.moves.rest[0].move = -INVCAL_STATUS_END;
     comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.rest[0].move = -INVCAL_MOUNTING;
     comes_back_as(INVCAL_OK, &c);

@@ -74,7 +74,7 @@ static void a_move_keeps_its_angle_and_rests_their_bias(void)
 static invcal_status reason_of(unsigned rest)
 {
     world_end(&w);
-    return rest < w.moves.count ? invcal_moves_reason(&w.moves, rest) : INVCAL_STATUS_COUNT;
+    return rest < w.moves.count ? invcal_moves_reason(&w.moves, rest) : INVCAL_STATUS_END;
 }
 
 static void lost_samples_spoil_only_one_move(void)
@@ -164,17 +164,17 @@ static void nonsense_is_refused_or_does_no_harm(void)
 
     begin();
     untouched = w.moves;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, 7));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, (invcal_real)NAN));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 7));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, (invcal_real)NAN));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE,
-                          invcal_moves_init(&w.moves, &nominal, (invcal_real)INFINITY));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, &nominal, 8001));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_moves_rails(&w.moves, 5, 5));
+                          invcal_moves_init(&w.moves, sizeof w.moves, &nominal, (invcal_real)INFINITY));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 8001));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_moves_rails(&w.moves, 5, 5));
     nominal.matrix[0][0] = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_moves_init(&w.moves, &nominal, 100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 100));
     TEST_ASSERT_EQUAL_MEMORY(&untouched, &w.moves, sizeof untouched);
     nominal = unit_nominal();
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, &nominal, 100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 100));
     world_rest(&w, 1.5);
     for (int i = 0; i < 300; i++) {
         invcal_moves_feed(&w.moves, ends);
@@ -272,7 +272,7 @@ static void a_segment_counts_no_more_than_it_can(void)
 
     begin();
     const invcal_calibration gyro = w.moves.nominal;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, &gyro, 8000));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &gyro, 8000));
     rest_by_hand();
     leave_by_hand(); /* five blocks of these belong to the move */
     turn_on(0, 0, 0, 32767);
@@ -324,7 +324,7 @@ static void begin_at(int rate)
     for (int i = 0; i < 3; i++) {
         nominal.matrix[i][i] = INVCAL_REAL(1.0) / 262144;
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, &nominal, (invcal_real)rate));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, (invcal_real)rate));
     w.rests.bits = 3;
 }
 
@@ -1017,8 +1017,8 @@ static void the_session_says_where_rests_are(void)
     begin();
     world_draw(&w, 0.02, 0.02);
     const invcal_calibration gyro = w.moves.nominal;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, &gyro, FAST));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&session, 16384, FAST / 4));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &gyro, FAST));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&session, sizeof session, 16384, FAST / 4));
     int taken = turn_and_rest(&session, none, &random);
     for (int k = 0; k < 13; k++) {
         taken += turn_and_rest(&session, turns[k / 5], &random);

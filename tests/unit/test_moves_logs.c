@@ -37,7 +37,7 @@ static invcal_status load(const double mean[][3], unsigned means, const invcal_s
         nominal.offset[i] = (invcal_real)zero;
         nominal.matrix[i][i] = (invcal_real)rate;
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, &nominal, 100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 100));
     TEST_ASSERT_TRUE(bytes <= sizeof w.moves.segment && rests <= INVCAL_MAX_MOVES);
     memcpy(w.moves.segment, segment, bytes);
     memcpy(w.moves.rest, rest, rests * sizeof *rest);

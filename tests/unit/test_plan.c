@@ -299,9 +299,9 @@ static void a_position_beyond_the_program_is_refused(void)
         const unsigned n = per_group[k];
         const invcal_plan plan = plan_of(n, 1, 2, 3);
         TEST_ASSERT_EQUAL_UINT(n, position_at(&plan, 3 * n - 1).index);
-        assert_refused(INVCAL_BAD_PROGRAM, &plan, 3 * n);
-        assert_refused(INVCAL_BAD_PROGRAM, &plan, 3 * n + 1);
-        assert_refused(INVCAL_BAD_PROGRAM, &plan, UINT_MAX);
+        assert_refused(INVCAL_BAD_ANGLE, &plan, 3 * n);
+        assert_refused(INVCAL_BAD_ANGLE, &plan, 3 * n + 1);
+        assert_refused(INVCAL_BAD_ANGLE, &plan, UINT_MAX);
     }
 }
 
@@ -322,7 +322,7 @@ static void absurd_numbers_of_positions_are_refused_with_a_reason(void)
 
     for (unsigned k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
         const unsigned n = numbers[k];
-        const invcal_status expected = n < 5 ? INVCAL_TOO_FEW : INVCAL_BAD_PROGRAM;
+        const invcal_status expected = n < 5 ? INVCAL_TOO_FEW : INVCAL_BAD_ANGLE;
         const invcal_plan plan = plan_of(n, 0, 0, 0);
         invcal_real start[3] = {7, 8, 9};
         TEST_ASSERT_EQUAL_INT(expected, invcal_plan_check(&plan));
@@ -345,9 +345,9 @@ static void starts_that_are_not_angles_are_refused(void)
         for (unsigned group = 0; group < 3; group++) {
             invcal_plan plan = plan_of(6, 30, 30, 120);
             plan.start[group] = (invcal_real)bad[i];
-            TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_plan_check(&plan));
+            TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_plan_check(&plan));
             for (unsigned k = 0; k < 18; k++) {
-                assert_refused(INVCAL_BAD_PROGRAM, &plan, k);
+                assert_refused(INVCAL_BAD_ANGLE, &plan, k);
             }
         }
     }

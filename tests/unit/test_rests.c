@@ -43,7 +43,7 @@ typedef struct {
     unsigned rests;
     window truth[RESTS];
     /* what was found */
-    unsigned taken, ready, refused[INVCAL_STATUS_COUNT];
+    unsigned taken, ready, refused[INVCAL_STATUS_END];
     unsigned ready_before; /* since the position before */
     int is_held;           /* READY, and since then neither taken nor refused */
     unsigned seen[INVCAL_REFUSED + 1];
@@ -793,7 +793,7 @@ static unsigned all_refused(void)
 {
     unsigned n = 0;
 
-    for (unsigned i = 0; i < INVCAL_STATUS_COUNT; i++) {
+    for (unsigned i = 0; i < INVCAL_STATUS_END; i++) {
         n += b.refused[i];
     }
     return n;
@@ -1599,10 +1599,10 @@ static void init_refuses_rates_and_rails_out_of_range(void)
     TEST_ASSERT_EQUAL_UINT(0, invcal_rests_progress(&detector));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_reason(&detector));
     memcpy(&before, &detector, sizeof before);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_rests_rails(&detector, 9, 9));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_rests_rails(&detector, 9, -9));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_rests_rails(&detector, 0, 0));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_rests_rails(&detector, INT32_MAX, INT32_MIN));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_rests_rails(&detector, 9, 9));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_rests_rails(&detector, 9, -9));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_rests_rails(&detector, 0, 0));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_rests_rails(&detector, INT32_MAX, INT32_MIN));
     TEST_ASSERT_TRUE(memcmp(&before, &detector, sizeof detector) == 0);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&detector, INT32_MIN, INT32_MAX));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&detector, 0, 1));

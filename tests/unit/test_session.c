@@ -43,7 +43,7 @@ typedef struct {
     random_source random;
     /* its events */
     unsigned seen[EVENTS];
-    unsigned refused[INVCAL_STATUS_COUNT];
+    unsigned refused[INVCAL_STATUS_END];
     unsigned progress;
     uint64_t checksum;
 } bench;
@@ -76,7 +76,7 @@ static void begin(double size, uint32_t seed)
     b.up[0] = 0.36; /* not a position of any test */
     b.up[1] = 0.48;
     b.up[2] = -0.8;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(b.s, &sheet, (unsigned)RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(b.s, sizeof *b.s, &sheet, (unsigned)RATE));
 }
 
 static void begin_background(double size, uint32_t seed)
@@ -85,7 +85,7 @@ static void begin_background(double size, uint32_t seed)
 
     begin(size, seed);
     b.is_background = 1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_background_init(&b.background, &sheet, (unsigned)RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_background_init(&b.background, sizeof b.background, &sheet, (unsigned)RATE));
 }
 
 /* Any event agrees with what the session reports. */
@@ -853,22 +853,22 @@ static void unusable_settings_are_refused_by_name_and_nothing_is_written(void)
     memset(&session, 0x5A, sizeof session);
     before = session;
     bad.matrix[1][1] = 0;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_session_begin(&session, &bad, 100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_session_begin(&session, sizeof session, &bad, 100));
     bad.matrix[1][1] = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_session_begin(&session, &bad, 100));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_session_begin(&session, &good, 7));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_session_begin(&session, &good, 8001));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_session_init(&session, 0, 100));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_session_init(&session, (invcal_real)NAN, 100));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_session_init(&session, 16384, 0));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_session_begin(&session, sizeof session, &bad, 100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_session_begin(&session, sizeof session, &good, 7));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_session_begin(&session, sizeof session, &good, 8001));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_session_init(&session, sizeof session, 0, 100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_session_init(&session, sizeof session, (invcal_real)NAN, 100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_session_init(&session, sizeof session, 16384, 0));
     TEST_ASSERT_EQUAL_MEMORY(&before, &session, sizeof session);
     memset(&b.background, 0x5A, sizeof b.background);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_background_init(&b.background, &good, 7));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_background_init(&b.background, sizeof b.background, &good, 7));
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &b.background, sizeof b.background);
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&session, 16384, 100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&session, sizeof session, 16384, 100));
     before = session;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RAILS, invcal_session_rails(&session, 5, 5));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_session_rails(&session, 5, 5));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_session_noise(&session, 0));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_session_noise(&session, 1));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_session_noise(&session, (invcal_real)NAN));
@@ -883,7 +883,7 @@ static void to_begin_again_forgets_everything(void)
     visit_plan(0, 3);
     invcal_session_hold(b.s, 5000);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)0.001));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(b.s, &sheet, (unsigned)RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(b.s, sizeof *b.s, &sheet, (unsigned)RATE));
     memcpy(b.s->mean, fresh.mean, sizeof fresh.mean); /* none of them counts */
     TEST_ASSERT_EQUAL_MEMORY(&fresh, b.s, sizeof fresh);
 }

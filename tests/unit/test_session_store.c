@@ -60,7 +60,7 @@ static invcal_session begin(const scene *s)
 {
     invcal_session session;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&session, &s->nominal, RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&session, sizeof session, &s->nominal, RATE));
     if (s->kind == TUNED) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&session, (invcal_real)0.0011));
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
@@ -228,7 +228,7 @@ static invcal_session golden_session(void)
     static const double mean[2][3] = {{102.5, -200.5, 51.5}, {101.25, -196.5, 50.5}};
     invcal_session s;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&s, &nominal, 125));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&s, sizeof s, &nominal, 125));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&s, -32768, 32767));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&s, INVCAL_REAL(0.0009765625)));
     invcal_session_hold(&s, 2500);
@@ -357,7 +357,7 @@ static void every_rate_and_time_to_hold_comes_back(void)
         for (unsigned k = 0; k < 9; k++) {
             uint8_t bytes[SIZE];
             invcal_session session;
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&session, &s.nominal, rate[i]));
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&session, sizeof session, &s.nominal, rate[i]));
             invcal_session_hold(&session, milliseconds[k]);
             invcal_session back = resume(bytes, keep(&session, bytes));
             TEST_ASSERT_EQUAL_UINT32(milliseconds[k], back.hold);
@@ -404,7 +404,7 @@ static void contents_that_a_session_cannot_have_are_refused(void)
     assert_refused(INVCAL_BAD_NOISE, &s, size);
     s = good;
     s.low = s.high;
-    assert_refused(INVCAL_BAD_RAILS, &s, size);
+    assert_refused(INVCAL_BAD_LIMITS, &s, size);
     s = good;
     s.nominal.matrix[1][1] = s.nominal.matrix[1][2] = 0;
     assert_refused(INVCAL_BAD_NOMINAL, &s, size);

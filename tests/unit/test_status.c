@@ -15,7 +15,7 @@ void tearDown(void)
 
 static void every_status_has_a_text_of_its_own(void)
 {
-    for (int a = 0; a < INVCAL_STATUS_COUNT; a++) {
+    for (int a = 0; a < INVCAL_STATUS_END; a++) {
         const char *text = invcal_status_text((invcal_status)a);
         TEST_ASSERT_TRUE(strlen(text) > 3);
         TEST_ASSERT_TRUE(strcmp(text, "unknown status") != 0);
@@ -41,7 +41,7 @@ static void a_text_belongs_to_its_status(void)
 
 static void an_unknown_status_has_a_text_too(void)
 {
-    TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text(INVCAL_STATUS_COUNT));
+    TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text(INVCAL_STATUS_END));
     TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text((invcal_status)-1));
     TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)-1));
     TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)6));
@@ -53,7 +53,7 @@ static void any_other_refusal_is_a_reading_far_from_the_field(void)
     const char *far_away = invcal_refusal_text(INVCAL_OUT_OF_RANGE);
 
     TEST_ASSERT_EQUAL_STRING(far_away, invcal_refusal_text(INVCAL_NOT_FINITE));
-    TEST_ASSERT_EQUAL_STRING(far_away, invcal_refusal_text(INVCAL_STATUS_COUNT));
+    TEST_ASSERT_EQUAL_STRING(far_away, invcal_refusal_text(INVCAL_STATUS_END));
     TEST_ASSERT_TRUE(strcmp(far_away, invcal_refusal_text(INVCAL_REST_SAME)) != 0);
     TEST_ASSERT_EQUAL_STRING("", invcal_refusal_text(INVCAL_OK));
 }

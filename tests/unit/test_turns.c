@@ -421,8 +421,8 @@ static void the_tour_takes_each_edge_once_about_horizontal_axes(void)
     for (unsigned a = 0; a < 3; a++) {
         TEST_ASSERT_EQUAL_INT(1, full[a]);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_tour(INVCAL_TOUR_FULL, &turn));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_tour(UINT_MAX, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_tour(INVCAL_TOUR_FULL, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_tour(UINT_MAX, &turn));
 }
 
 static void the_shortest_turn_is_that_of_closed_form(void)
@@ -512,10 +512,10 @@ static void bad_arguments_are_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turns_sigma(&t, &turn, sigma, &open));
     turn.axis[2] = 1;
     turn.degrees = INVCAL_REAL(720.1);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_turns_add(&t, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_turns_add(&t, &turn));
     turn.degrees = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_turns_add(&t, &turn));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PROGRAM, invcal_turns_sigma(&t, &turn, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_turns_add(&t, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_turns_sigma(&t, &turn, sigma, &open));
     TEST_ASSERT_EQUAL_MEMORY(&before, &t, sizeof t);
     TEST_ASSERT_TRUE(open == 7 && sigma[0] > 6);
     turn.degrees = -720;

@@ -24,7 +24,7 @@ static invcal_session session;
 
 static invcal_status begin_session(void)
 {
-    const invcal_status status = invcal_session_init(&session, IMU_COUNTS, IMU_RATE);
+    const invcal_status status = invcal_session_init(&session, sizeof session, IMU_COUNTS, IMU_RATE);
 
     if (status == INVCAL_OK) {
         (void)invcal_session_rails(&session, IMU_LOW, IMU_HIGH);

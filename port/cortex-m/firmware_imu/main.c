@@ -108,10 +108,10 @@ static invcal_status begin_session(void)
 {
     const invcal_calibration gyro = {
         {0, 0, 0}, {{IMU_GYRO_UNIT, 0, 0}, {0, IMU_GYRO_UNIT, 0}, {0, 0, IMU_GYRO_UNIT}}};
-    invcal_status status = invcal_session_init(&both.session, IMU_COUNTS, IMU_RATE);
+    invcal_status status = invcal_session_init(&both.session, sizeof both.session, IMU_COUNTS, IMU_RATE);
 
     if (status == INVCAL_OK) {
-        status = invcal_moves_init(&both.moves, &gyro, IMU_GYRO_RATE);
+        status = invcal_moves_init(&both.moves, sizeof both.moves, &gyro, IMU_GYRO_RATE);
     }
     if (status == INVCAL_OK) {
         (void)invcal_session_rails(&both.session, IMU_LOW, IMU_HIGH);

@@ -70,8 +70,8 @@ static int begin_streams(const allan_settings *settings, double rate)
     }
     for (unsigned i = 0; i < 3; i++) {
         if (settings->taus == 0) {
-            invcal_allan_init(&stream[i]);
-        } else if (invcal_allan_begin(&stream[i], m, settings->taus) != INVCAL_OK) {
+            invcal_allan_init(&stream[i], sizeof stream[i]);
+        } else if (invcal_allan_begin(&stream[i], sizeof stream[i], m, settings->taus) != INVCAL_OK) {
             return message_usage("allan", "--tau: must ascend, at most %u times",
                                  (unsigned)INVCAL_ALLAN_TAUS);
         }

@@ -116,7 +116,7 @@ invcal_status series_information(const invcal_plan *plan, unsigned group,
         return status;
     }
     if (!(group >= 1 && group <= INVCAL_PLAN_GROUPS)) {
-        return INVCAL_BAD_PROGRAM;
+        return INVCAL_BAD_ANGLE;
     }
     for (unsigned i = 0; i < INVCAL_PACKED_SIZE(SERIES_TERMS); i++) {
         information[i] = 0;

@@ -577,7 +577,7 @@ static invcal_status make_moves(gyro_fit *g, replay *r, long lag, const double b
             g->rate_unit > 0 ? g->rate_unit * unit : ldexp(RATE_RANGE_DEFAULT, -COUNT_BITS);
     }
     moves.count = 0;
-    const invcal_status status = invcal_moves_init(&moves, &nominal, log->rate);
+    const invcal_status status = invcal_moves_init(&moves, sizeof moves, &nominal, log->rate);
     if (status != INVCAL_OK) {
         return status;
     }

@@ -56,7 +56,7 @@ static void show_next()
 
 static void begin_session()
 {
-    if (invcal_session_init(&session, SENSOR_COUNTS, SENSOR_RATE) != INVCAL_OK) {
+    if (invcal_session_init(&session, sizeof session, SENSOR_COUNTS, SENSOR_RATE) != INVCAL_OK) {
         stop(F("scale or rate of the sensor is out of range"));
     }
     invcal_session_rails(&session, SENSOR_LOW, SENSOR_HIGH);

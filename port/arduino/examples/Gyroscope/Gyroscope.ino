@@ -80,8 +80,8 @@ static void begin_session()
     const float unit = (float)(M_PI / 180) / IMU_GYRO_COUNTS;
     const invcal_calibration gyro = {{0, 0, 0}, {{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}}};
 
-    if (invcal_session_init(&both.session, IMU_COUNTS, IMU_RATE) != INVCAL_OK ||
-        invcal_moves_init(&both.moves, &gyro, IMU_RATE) != INVCAL_OK) {
+    if (invcal_session_init(&both.session, sizeof both.session, IMU_COUNTS, IMU_RATE) != INVCAL_OK ||
+        invcal_moves_init(&both.moves, sizeof both.moves, &gyro, IMU_RATE) != INVCAL_OK) {
         stop(F("scale or rate of the sensor is out of range"));
     }
     invcal_session_rails(&both.session, IMU_LOW, IMU_HIGH);

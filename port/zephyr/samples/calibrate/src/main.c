@@ -121,7 +121,7 @@ static void print_next(void)
 
 static invcal_status begin_session(void)
 {
-    invcal_status status = invcal_session_init(&session, COUNTS, RATE);
+    invcal_status status = invcal_session_init(&session, sizeof session, COUNTS, RATE);
 
     if (status == INVCAL_OK) { /* of the mean of a position, over g: 3 mm/s^2 */
         status = invcal_session_noise(&session, INVCAL_REAL(0.0003));
