@@ -16,20 +16,19 @@ invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 }
 #endif
 
-void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
-                  invcal_real calibrated[3])
+#if !INVCAL_FAST
+void invcal_correct(const invcal_calibration *c, const invcal_real raw[3], invcal_real out[3])
 {
-    invcal_correct_inline(calibration, raw, calibrated);
+    invcal_correct_inline(c, raw, out);
 }
+#endif
 
-void invcal_apply_counts(const invcal_calibration *calibration, const int32_t raw[3],
-                         invcal_real calibrated[3])
+void invcal_apply(const invcal_calibration *calibration, invcal_real x, invcal_real y,
+                  invcal_real z, invcal_real calibrated[3])
 {
-    INVCAL_UNROLL
-    for (unsigned i = 0; i < 3; i++) {
-        calibrated[i] = (invcal_real)raw[i];
-    }
-    invcal_apply(calibration, calibrated, calibrated);
+    const invcal_real raw[3] = {x, y, z};
+
+    invcal_correct(calibration, raw, calibrated);
 }
 
 invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field)

@@ -15,7 +15,7 @@
 enum { DAYS = 88 }; /* after which a position is dropped */
 
 invcal_status invcal_background_init(invcal_background *background, size_t size,
-                                     const invcal_calibration *nominal, unsigned rate)
+                                     const invcal_calibration *nominal, invcal_real rate)
 {
     INVCAL_ASSERT(background && nominal);
     const size_t of_session =
@@ -74,12 +74,12 @@ INVCAL_NOINLINE static invcal_event sift(invcal_background *b)
     return INVCAL_TAKEN;
 }
 
-invcal_event invcal_background_feed(invcal_background *background, const int32_t raw[3])
+invcal_event invcal_background_feed(invcal_background *background, int32_t x, int32_t y, int32_t z)
 {
     invcal_session *session = &background->session;
 
-    INVCAL_ASSERT(background && raw);
-    const invcal_event event = invcal_session_feed(session, raw);
+    INVCAL_ASSERT(background);
+    const invcal_event event = invcal_session_feed(session, x, y, z);
     if (event != INVCAL_TAKEN) {
         return event;
     }

@@ -144,7 +144,7 @@ static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
     const unsigned start = m->rest[w->begin].when;
     const unsigned end = m->rest[m->count - 1u].when;
 
-    invcal_apply(&w->out->accelerometer, &w->raw[3 * (size_t)(rest - w->begin)], h);
+    invcal_correct(&w->out->accelerometer, &w->raw[3 * (size_t)(rest - w->begin)], h);
     h[3] = invcal_number(at->when - start) / invcal_number(end - start);
     h[4] = 1;
     h[BIAS] = -w->bias[rest][axis];
@@ -360,7 +360,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
     for (unsigned i = 0; i < m->count; i++) {
         const unsigned segments = m->rest[i].move > 0 ? (unsigned)m->rest[i].move : 0;
         if (i >= w->begin) {
-            invcal_apply(&w->out->accelerometer, raw, up[1]);
+            invcal_correct(&w->out->accelerometer, raw, up[1]);
             const invcal_real length = INVCAL_SQRT(invcal_dot3(up[1], up[1]));
             scale_by(up[1], 1 / length);
             if (!(length >= INVCAL_REAL(0.1) && length <= 10)) {

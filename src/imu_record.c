@@ -115,7 +115,7 @@ invcal_status invcal_imu_record_decode(const uint8_t *bytes, uint32_t size, invc
 
 /* ---- in a memory ----------------------------------------------------------------------------- */
 
-invcal_status invcal_save_imu(const invcal_store *store, const invcal_imu *imu)
+invcal_status invcal_imu_save(const invcal_imu *imu, const invcal_store *store)
 {
     uint8_t bytes[INVCAL_IMU_RECORD_SIZE];
     invcal_imu_record r;
@@ -126,7 +126,7 @@ invcal_status invcal_save_imu(const invcal_store *store, const invcal_imu *imu)
     return status == INVCAL_OK ? invcal_store_save(store, bytes, sizeof bytes) : status;
 }
 
-invcal_status invcal_load_imu(const invcal_store *store, invcal_imu_record *out)
+invcal_status invcal_imu_load(invcal_imu_record *out, const invcal_store *store)
 {
     uint8_t bytes[INVCAL_IMU_RECORD_SIZE];
     uint32_t size = 0;

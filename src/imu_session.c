@@ -10,7 +10,7 @@
 #include <stddef.h>
 
 #include "rotation.h"
-#include "solve.h"
+#include "session.h"
 
 /* The bytes of the moves to keep; the session follows. */
 #define OF_MOVES ((uint32_t)(offsetof(invcal_imu_session, session) - INVCAL_IMU_SESSION_FROM))
@@ -34,25 +34,62 @@ static int are_moves(const invcal_moves *m)
     return when <= m->blocks && segments == m->first;
 }
 
-static invcal_status resume_moves(invcal_moves *m)
-{
-    const invcal_status status = invcal_nominal_check(&m->nominal);
+/* What a session of both sensors was begun with. */
+typedef struct {
+    invcal_calibration nominal; /* of the gyroscope, and so the next three */
+    invcal_real rate;
+    int32_t low;
+    uint32_t between;
+    uint8_t session[INVCAL_SESSION_HEAD];
+} settings;
 
-    if (status != INVCAL_OK) {
-        return status;
+static void remember(const invcal_imu_session *both, settings *begun)
+{
+    begun->nominal = both->moves.nominal;
+    begun->rate = both->moves.rate;
+    begun->low = both->moves.low;
+    begun->between = both->moves.between;
+    invcal_copy(begun->session, &both->session, sizeof begun->session);
+}
+
+static int is_begun(const invcal_imu_session *both)
+{
+    return both->moves.rate > 0 && invcal_session_is_begun(&both->session);
+}
+
+static invcal_status check_moves(const invcal_moves *m, const settings *begun, uint32_t size)
+{
+    if (size < OF_MOVES || m->layout != INVCAL_MOVES_LAYOUT ||
+        !invcal_is_same((const uint8_t *)&m->nominal, (const uint8_t *)&begun->nominal,
+                        sizeof m->nominal) ||
+        !invcal_is_same((const uint8_t *)&m->rate, (const uint8_t *)&begun->rate, sizeof m->rate)) {
+        return INVCAL_OTHER_SETTINGS;
     }
-    if (!(m->rate >= INVCAL_LEAST_RATE && m->rate <= INVCAL_MOST_RATE)) {
-        return INVCAL_BAD_RATE;
+    return m->count > INVCAL_MAX_MOVES || m->first > INVCAL_MAX_SEGMENTS || !are_moves(m) ||
+                   !invcal_are_finite(m->bias)
+               ? INVCAL_DAMAGED
+               : INVCAL_OK;
+}
+
+/* As invcal_session_take, of both: all is taken over, or nothing. */
+static invcal_status take(invcal_imu_session *both, const settings *begun, invcal_status status,
+                          uint32_t size)
+{
+    invcal_moves *m = &both->moves;
+
+    if (status == INVCAL_OK) {
+        status = check_moves(m, begun, size);
     }
-    if (m->between >= (uint32_t)INT32_MAX - (uint32_t)m->low) {
-        return INVCAL_BAD_LIMITS;
+    status = invcal_session_take(&both->session, begun->session, status, size - OF_MOVES);
+    if (status == INVCAL_OK) {
+        invcal_moves_restart(m);
+    } else {
+        const invcal_status again = invcal_moves_init(m, sizeof *m, &begun->nominal, begun->rate);
+        INVCAL_ASSERT(again == INVCAL_OK); /* as before */
     }
-    if (m->count > INVCAL_MAX_MOVES || m->first > INVCAL_MAX_SEGMENTS || !are_moves(m) ||
-        !invcal_are_finite(m->bias)) {
-        return INVCAL_DAMAGED;
-    }
-    invcal_moves_restart(m);
-    return INVCAL_OK;
+    m->low = begun->low;
+    m->between = begun->between;
+    return status;
 }
 
 uint32_t invcal_imu_session_size(const invcal_imu_session *both)
@@ -61,29 +98,44 @@ uint32_t invcal_imu_session_size(const invcal_imu_session *both)
     return OF_MOVES + invcal_session_size(&both->session);
 }
 
-invcal_status invcal_imu_session_resume(invcal_imu_session *both, uint32_t size)
+invcal_status invcal_imu_session_resume(invcal_imu_session *both, const uint8_t *bytes,
+                                        uint32_t size)
 {
-    INVCAL_ASSERT(both);
-    if (size < OF_MOVES || both->moves.layout != INVCAL_MOVES_LAYOUT) {
-        return INVCAL_OTHER_VERSION;
+    settings begun;
+
+    INVCAL_ASSERT(both && bytes);
+    if (!is_begun(both)) {
+        return INVCAL_NOT_BEGUN;
     }
-    const invcal_status status = resume_moves(&both->moves);
-    return status == INVCAL_OK ? invcal_session_resume(&both->session, size - OF_MOVES) : status;
+    if (size > INVCAL_IMU_SESSION_SIZE) {
+        return INVCAL_NO_SPACE;
+    }
+    remember(both, &begun);
+    invcal_copy((uint8_t *)both + INVCAL_IMU_SESSION_FROM, bytes, size);
+    return take(both, &begun, INVCAL_OK, size);
 }
 
 /* ---- in a memory ----------------------------------------------------------------------------- */
 
-invcal_status invcal_save_imu_session(const invcal_store *store, const invcal_imu_session *both)
+invcal_status invcal_imu_session_save(const invcal_imu_session *both, const invcal_store *store)
 {
-    return invcal_store_save(store, (const uint8_t *)both + INVCAL_IMU_SESSION_FROM,
-                             invcal_imu_session_size(both));
+    INVCAL_ASSERT(both && store);
+    return is_begun(both) ? invcal_store_save(store, (const uint8_t *)both + INVCAL_IMU_SESSION_FROM,
+                                              invcal_imu_session_size(both))
+                          : INVCAL_NOT_BEGUN;
 }
 
-invcal_status invcal_load_imu_session(const invcal_store *store, invcal_imu_session *both)
+invcal_status invcal_imu_session_load(invcal_imu_session *both, const invcal_store *store)
 {
     uint32_t size = 0;
+    settings begun;
 
+    INVCAL_ASSERT(both && store);
+    if (!is_begun(both)) {
+        return INVCAL_NOT_BEGUN;
+    }
+    remember(both, &begun);
     const invcal_status status = invcal_store_load(store, (uint8_t *)both + INVCAL_IMU_SESSION_FROM,
                                                    INVCAL_IMU_SESSION_SIZE, &size);
-    return status == INVCAL_OK ? invcal_imu_session_resume(both, size) : status;
+    return take(both, &begun, status, size);
 }

@@ -294,12 +294,14 @@ static int widen_box(invcal_magnetometer *m, const invcal_real v[INVCAL_PARAMETE
     return 1;
 }
 
-invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const invcal_real raw[3])
+invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, invcal_real x,
+                                      invcal_real y, invcal_real z)
 {
     invcal_magnetometer *const m = magnetometer;
+    const invcal_real raw[3] = {x, y, z};
     invcal_real h[INVCAL_PARAMETERS];
 
-    INVCAL_ASSERT(m && raw);
+    INVCAL_ASSERT(m);
     if (m->samples == 0 && invcal_are_finite(raw)) {
         memcpy(m->work.offset, raw, sizeof m->work.offset); /* so that the readings are small */
     }

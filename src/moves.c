@@ -361,12 +361,13 @@ invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high)
 }
 
 /* A sample is the rate since the sample before: right end point rule. */
-void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3])
+void invcal_moves_feed(invcal_moves *moves, int32_t x, int32_t y, int32_t z)
 {
+    const int32_t raw[3] = {x, y, z};
     invcal_real th[3];
 
-    INVCAL_ASSERT(moves && raw);
-    invcal_correct_counts(&moves->nominal, raw, th);
+    INVCAL_ASSERT(moves);
+    invcal_apply(&moves->nominal, (invcal_real)x, (invcal_real)y, (invcal_real)z, th);
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
         th[i] = (th[i] - moves->bias[i]) / moves->rate;

@@ -122,8 +122,8 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
 /* ---- in a memory ----------------------------------------------------------------------------- */
 
 /* The bytes of a record from invcal_record_init, without making one. */
-invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
-                          const invcal_quality *quality)
+invcal_status invcal_save(const invcal_calibration *calibration, const invcal_quality *quality,
+                          const invcal_store *store)
 {
     uint8_t bytes[INVCAL_RECORD_SIZE];
 
@@ -139,7 +139,7 @@ invcal_status invcal_save(const invcal_store *store, const invcal_calibration *c
     return status == INVCAL_OK ? invcal_store_save(store, bytes, sizeof bytes) : status;
 }
 
-invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration)
+invcal_status invcal_load(invcal_calibration *calibration, const invcal_store *store)
 {
     uint8_t bytes[INVCAL_RECORD_SIZE];
     invcal_record r;

@@ -696,12 +696,13 @@ static invcal_real as_real(uint64_t x)
 
 /* ---- public functions ------------------------------------------------------------------------ */
 
-invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate)
+invcal_status invcal_rests_init(invcal_rests *rests, invcal_real samples_per_second)
 {
     INVCAL_ASSERT(rests);
-    if (rate < INVCAL_RATE_MIN || rate > INVCAL_RATE_MAX) {
+    if (!(samples_per_second >= INVCAL_RATE_MIN && samples_per_second <= INVCAL_RATE_MAX)) {
         return INVCAL_BAD_RATE;
     }
+    const uint32_t rate = (uint32_t)samples_per_second;
     invcal_zero(rests, sizeof *rests);
     rests->bits = BITS_MIN;
     while (11u << rests->bits < rate) { /* at most 8 steps: a block is 1/11 to 2/11 s */

@@ -10,6 +10,7 @@
 #include "guidance.h"
 #include "invcal/store.h"
 #include "judge.h"
+#include "session.h"
 #include "solve.h"
 #include "status.h"
 #include "vector.h"
@@ -17,53 +18,37 @@
 #define CLOSE INVCAL_REAL(0.9396926) /* cosine of 20 degrees */
 enum { DOF = 3 };                    /* min degrees of freedom to trust sigma */
 enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
-enum { NOT_BEGUN = 0 };              /* session->rests.bits, which has at least one */
 
-/* The size before the means, and an identifier of layout, number type and byte order. */
-#define HEAD ((uint32_t)offsetof(invcal_session, mean))
-#define LAYOUT (UINT32_C(0x5E040000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
+/* An identifier of layout, number type and byte order. */
+#define HEAD INVCAL_SESSION_HEAD
+#define LAYOUT (UINT32_C(0x5E050000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
 
 /* ---- settings -------------------------------------------------------------------------------- */
 
-/* Called before any other write to the session. If it fails, the session is not begun. */
-INVCAL_NOINLINE static invcal_status begin_stream(invcal_session *session,
-                                                  const invcal_calibration *nominal, unsigned rate)
-{
-    invcal_status status = invcal_nominal_check(nominal);
-    session->rests.bits = NOT_BEGUN;
-    if (status == INVCAL_OK) {
-        status = invcal_rests_init(&session->rests, rate);
-    }
-    session->last = INVCAL_MOVING;
-    session->reason = (uint8_t)status;
-    session->good = NOT_ASKED;
-    return status;
-}
-
 invcal_status invcal_session_begin(invcal_session *session, size_t size,
-                                   const invcal_calibration *nominal, unsigned rate)
+                                   const invcal_calibration *nominal, invcal_real rate)
 {
     INVCAL_ASSERT(session && nominal);
     if (size != sizeof *session) { /* the reason is the first byte of any session */
         session->reason = INVCAL_OTHER_BUILD;
         return INVCAL_OTHER_BUILD;
     }
-    const invcal_status status = begin_stream(session, nominal, rate);
+    invcal_zero(session, offsetof(invcal_session, mean));
+    session->last = INVCAL_MOVING;
+    session->layout = LAYOUT;
+    session->rate = rate;
+    session->nominal = *nominal;
+    session->rests.bits = 0; /* not begun */
+    invcal_status status = invcal_nominal_check(nominal);
     if (status == INVCAL_OK) {
-        session->layout = LAYOUT;
-        session->hold = 0;
-        session->low = INT32_MIN;
-        session->high = INT32_MAX;
-        session->rate = rate;
-        session->count = 0;
-        invcal_copy(&session->nominal, nominal, sizeof *nominal);
-        session->noise = 0;
+        status = invcal_rests_init(&session->rests, rate);
     }
+    session->reason = (uint8_t)status;
     return status;
 }
 
 invcal_status invcal_session_init(invcal_session *session, size_t size, invcal_real counts,
-                                  unsigned rate)
+                                  invcal_real rate)
 {
     const invcal_real k = 1 / counts;
     invcal_calibration nominal;
@@ -79,12 +64,7 @@ invcal_status invcal_session_init(invcal_session *session, size_t size, invcal_r
 invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(session);
-    const invcal_status status = invcal_rests_rails(&session->rests, low, high);
-    if (status == INVCAL_OK) {
-        session->low = low;
-        session->high = high;
-    }
-    return status;
+    return invcal_rests_rails(&session->rests, low, high);
 }
 
 invcal_status invcal_session_noise(invcal_session *session, invcal_real noise)
@@ -101,7 +81,6 @@ invcal_status invcal_session_noise(invcal_session *session, invcal_real noise)
 void invcal_session_hold(invcal_session *session, uint32_t milliseconds)
 {
     INVCAL_ASSERT(session);
-    session->hold = milliseconds;
     invcal_rests_hold(&session->rests, milliseconds);
 }
 
@@ -109,30 +88,58 @@ void invcal_session_hold(invcal_session *session, uint32_t milliseconds)
 
 uint32_t invcal_session_size(const invcal_session *session)
 {
-    INVCAL_ASSERT(session && session->count <= INVCAL_MAX_POSITIONS);
+    INVCAL_ASSERT(session);
     return HEAD + (uint32_t)sizeof session->mean[0] * session->count;
 }
 
-invcal_status invcal_session_resume(invcal_session *session, uint32_t size)
+int invcal_is_same(const uint8_t *a, const uint8_t *b, size_t size)
 {
-    INVCAL_ASSERT(session);
-    if (size < HEAD || session->layout != LAYOUT) {
-        return INVCAL_OTHER_VERSION;
+    size_t i = 0;
+
+    while (i < size && a[i] == b[i]) { /* at most HEAD times */
+        i++;
     }
-    if (session->count > INVCAL_MAX_POSITIONS || size != invcal_session_size(session)) {
-        return INVCAL_DAMAGED;
-    }
-    if (!(session->noise >= 0 && session->noise < 1)) {
-        return INVCAL_BAD_NOISE;
-    }
-    invcal_status status = begin_stream(session, &session->nominal, (unsigned)session->rate);
+    return i == size;
+}
+
+/* What must be the same is in a row: layout, rate, nominal. */
+invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
+                                  invcal_status status, uint32_t size)
+{
+    const size_t same = offsetof(invcal_session, layout);
+    const uint8_t *loaded = (const uint8_t *)session;
+    uint8_t count = 0;
+
     if (status == INVCAL_OK) {
-        status = invcal_rests_rails(&session->rests, session->low, session->high);
+        if (size < HEAD || !invcal_is_same(&loaded[same], &begun[same],
+                                           offsetof(invcal_session, noise) - same)) {
+            status = INVCAL_OTHER_SETTINGS;
+        } else if (session->count > INVCAL_MAX_POSITIONS || size != invcal_session_size(session)) {
+            status = INVCAL_DAMAGED;
+        } else {
+            count = session->count;
+        }
     }
-    if (status == INVCAL_OK) {
-        invcal_rests_hold(&session->rests, session->hold);
-    }
+    invcal_copy(session, begun, HEAD);
+    session->count = count;
+    session->good = NOT_ASKED;
     return status;
+}
+
+invcal_status invcal_session_resume(invcal_session *session, const uint8_t *bytes, uint32_t size)
+{
+    uint8_t begun[HEAD];
+
+    INVCAL_ASSERT(session && bytes);
+    if (!invcal_session_is_begun(session)) {
+        return INVCAL_NOT_BEGUN;
+    }
+    if (size > INVCAL_SESSION_SIZE) {
+        return INVCAL_NO_SPACE;
+    }
+    invcal_copy(begun, session, HEAD);
+    invcal_copy(session, bytes, size);
+    return invcal_session_take(session, begun, INVCAL_OK, size);
 }
 
 /* ---- samples --------------------------------------------------------------------------------- */
@@ -190,10 +197,12 @@ static invcal_event refuse_all(invcal_session *session)
     return INVCAL_REFUSED;
 }
 
-invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3])
+invcal_event invcal_session_feed(invcal_session *session, int32_t x, int32_t y, int32_t z)
 {
-    INVCAL_ASSERT(session && raw);
-    if (session->rests.bits == NOT_BEGUN) {
+    const int32_t raw[3] = {x, y, z};
+
+    INVCAL_ASSERT(session);
+    if (!invcal_session_is_begun(session)) {
         return refuse_all(session);
     }
     const invcal_event event = invcal_rests_feed(&session->rests, raw);

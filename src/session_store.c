@@ -3,18 +3,29 @@
  * A session in a memory. Not in session.c, so that a device without such a memory does not link
  * store.c.
  */
-#include "invcal/store.h"
+#include "session.h"
+#include "vector.h"
 
-invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session)
+invcal_status invcal_session_save(const invcal_session *session, const invcal_store *store)
 {
-    return invcal_store_save(store, (const uint8_t *)session, invcal_session_size(session));
+    INVCAL_ASSERT(session && store);
+    return invcal_session_is_begun(session)
+               ? invcal_store_save(store, (const uint8_t *)session, invcal_session_size(session))
+               : INVCAL_NOT_BEGUN;
 }
 
-invcal_status invcal_load_session(const invcal_store *store, invcal_session *session)
+/* Straight into the session: the table is the largest part of it. */
+invcal_status invcal_session_load(invcal_session *session, const invcal_store *store)
 {
+    uint8_t begun[INVCAL_SESSION_HEAD];
     uint32_t size = 0;
 
+    INVCAL_ASSERT(session && store);
+    if (!invcal_session_is_begun(session)) {
+        return INVCAL_NOT_BEGUN;
+    }
+    invcal_copy(begun, session, sizeof begun);
     const invcal_status status =
         invcal_store_load(store, (uint8_t *)session, INVCAL_SESSION_SIZE, &size);
-    return status == INVCAL_OK ? invcal_session_resume(session, size) : status;
+    return invcal_session_take(session, begun, status, size);
 }

@@ -76,6 +76,7 @@ const char *invcal_status_text(invcal_status status)
                                 "nothing is stored\0"
                                 "the stored bytes are damaged\0"
                                 "stored in an unknown format\0"
+                                "stored with other settings\0"
                                 "not enough space\0"
                                 "the memory cannot be read or written\0"
                                 "unknown status";

@@ -95,7 +95,7 @@ static invcal_status gather(job *j, unsigned n)
     j->q.positions = 0;
     for (unsigned i = 0; i < p->count; i++) {
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
-        invcal_apply(&j->now.nominal, &p->raw[3 * (size_t)i], u);
+        invcal_correct(&j->now.nominal, &p->raw[3 * (size_t)i], u);
         invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
         if (status == INVCAL_OK) {
             status = invcal_observe(&triad, u, &row);

@@ -301,7 +301,7 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
         for (unsigned i = 0; i < SIZE; i++) { /* with 9 unknowns the surplus is never read */
             turns->sum[i] = w.noise_square * w.pass.sum[i];
         }
-        invcal_apply(accelerometer, &w.raw[3 * (size_t)last], turns->up);
+        invcal_correct(accelerometer, &w.raw[3 * (size_t)last], turns->up);
         scale(turns->up, 1 / INVCAL_SQRT(invcal_dot3(turns->up, turns->up)));
     }
     return status;

@@ -153,7 +153,7 @@ static inline int invcal_is_unit(const invcal_real v[3])
     return INVCAL_FABS(invcal_dot3(v, v) - 1) <= INVCAL_REAL(2e-4);
 }
 
-/* invcal_apply. */
+/* calibrated = matrix (raw - offset). */
 static INVCAL_ONCE void invcal_correct_inline(const invcal_calibration *c, const invcal_real raw[3],
                                               invcal_real out[3])
 {
@@ -168,17 +168,13 @@ static INVCAL_ONCE void invcal_correct_inline(const invcal_calibration *c, const
 }
 /* Inline for frequent callers if speed matters. */
 #if INVCAL_FAST
-#define invcal_correct invcal_correct_inline
-static inline void invcal_correct_counts(const invcal_calibration *c, const int32_t raw[3],
-                                         invcal_real out[3])
+static INVCAL_ONCE void invcal_correct(const invcal_calibration *c, const invcal_real raw[3],
+                                       invcal_real out[3])
 {
-    const invcal_real counts[3] = {(invcal_real)raw[0], (invcal_real)raw[1], (invcal_real)raw[2]};
-
-    invcal_correct(c, counts, out);
+    invcal_correct_inline(c, raw, out);
 }
 #else
-#define invcal_correct invcal_apply
-#define invcal_correct_counts invcal_apply_counts
+void invcal_correct(const invcal_calibration *c, const invcal_real raw[3], invcal_real out[3]);
 #endif
 
 #endif

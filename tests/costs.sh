@@ -154,7 +154,7 @@ page=port/manual/gyroscope_firmware.md
 says $page "| session and moves in RAM | {$(figure m4f sizeof.invcal_imu_session)} |"
 says $page "| the result in RAM, its record in RAM, in a slot | {$(figure m4f sizeof.invcal_imu)}, \
 {$(figure m4f sizeof.invcal_imu_record)}, "
-says $page "| {$(figure m4f invcal_imu_solve)}, {$(figure m4f invcal_save_imu)} |"
+says $page "| {$(figure m4f invcal_imu_solve)}, {$(figure m4f invcal_imu_save)} |"
 says $page "gyroscope costs {$(about m4f gyro_feed)} instructions on a Cortex-M4F"
 says $page "a solution of 23 moves {$(over m4f imu_solve 1000000)} million"
 says $page "it takes {$(over atmega1284p imu_solve 16000000)} s"
@@ -195,8 +195,8 @@ invcal_session_feed feed_1000_Hz feed_100_Hz
 invcal_session_next next_orientation
 invcal_session_solve session_solve session_solve_3_wrong
 invcal_background_feed background_rest
-invcal_save_session save_session
-invcal_load_session load_session
+invcal_session_save save_session
+invcal_session_load load_session
 invcal_save save
 invcal_load load
 invcal_full_vector_add full_vector_add

@@ -114,7 +114,7 @@ plant libc src/calibrate.c 's/(invcal_real)dof;/tanf((float)dof);/' \
     'library: .*FAIL: tanf' unit library
 plant example README.md 's/invcal_session_why(&session)/invcal_session_because(\&session)/' \
     'it compiles: FAIL' unit readme
-plant output README.md 's/invcal_save_session(&board_progress, &session)/(void)0/; s/counts(&calibration, board/counts(\&session.nominal, board/' \
+plant output README.md 's/invcal_session_save(&session, &board_progress)/(void)0/; s/counts(&calibration, board/counts(\&session.nominal, board/' \
     'gets calibrated readings.*: FAIL' unit readme
 plant answer port/manual/errors.md 's/`INVCAL_REST_GAP`/`INVCAL_REST_HOLE`/' \
     'errors: .*: FAIL' unit errors

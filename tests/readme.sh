@@ -54,7 +54,7 @@ int main(void)
     static invcal_session session;
 
     return invcal_session_init(&session, sizeof session, 16384, 100) != INVCAL_OK ||
-           invcal_save_session(&board_progress, &session) != INVCAL_OK;
+           invcal_session_save(&session, &board_progress) != INVCAL_OK;
 }
 END
     # shellcheck disable=SC2086 # flags

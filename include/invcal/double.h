@@ -20,7 +20,6 @@
 #define invcal_allan_noise invcald_allan_noise
 #define invcal_allan_push invcald_allan_push
 #define invcal_apply invcald_apply
-#define invcal_apply_counts invcald_apply_counts
 #define invcal_axis_up invcald_axis_up
 #define invcal_back_substitute invcald_back_substitute
 #define invcal_background_age invcald_background_age
@@ -49,12 +48,16 @@
 #define invcal_full_vector_init invcald_full_vector_init
 #define invcal_full_vector_solve invcald_full_vector_solve
 #define invcal_improves invcald_improves
+#define invcal_imu_load invcald_imu_load
 #define invcal_imu_mounting invcald_imu_mounting
 #define invcal_imu_parameter_name invcald_imu_parameter_name
 #define invcal_imu_record_decode invcald_imu_record_decode
 #define invcal_imu_record_encode invcald_imu_record_encode
 #define invcal_imu_record_init invcald_imu_record_init
+#define invcal_imu_save invcald_imu_save
+#define invcal_imu_session_load invcald_imu_session_load
 #define invcal_imu_session_resume invcald_imu_session_resume
+#define invcal_imu_session_save invcald_imu_session_save
 #define invcal_imu_session_size invcald_imu_session_size
 #define invcal_imu_solve invcald_imu_solve
 #define invcal_invert invcald_invert
@@ -65,9 +68,6 @@
 #define invcal_linear_init invcald_linear_init
 #define invcal_linear_solve invcald_linear_solve
 #define invcal_load invcald_load
-#define invcal_load_imu invcald_load_imu
-#define invcal_load_imu_session invcald_load_imu_session
-#define invcal_load_session invcald_load_session
 #define invcal_load_v1 invcald_load_v1
 #define invcal_magnetometer_cell invcald_magnetometer_cell
 #define invcal_magnetometer_feed invcald_magnetometer_feed
@@ -106,9 +106,6 @@
 #define invcal_rests_rails invcald_rests_rails
 #define invcal_rests_reason invcald_rests_reason
 #define invcal_save invcald_save
-#define invcal_save_imu invcald_save_imu
-#define invcal_save_imu_session invcald_save_imu_session
-#define invcal_save_session invcald_save_session
 #define invcal_scale invcald_scale
 #define invcal_session_begin invcald_session_begin
 #define invcal_session_feed invcald_session_feed
@@ -119,6 +116,7 @@
 #define invcal_session_is_at invcald_session_is_at
 #define invcal_session_is_good invcald_session_is_good
 #define invcal_session_last invcald_session_last
+#define invcal_session_load invcald_session_load
 #define invcal_session_meets invcald_session_meets
 #define invcal_session_next invcald_session_next
 #define invcal_session_next_words invcald_session_next_words
@@ -128,6 +126,7 @@
 #define invcal_session_reaches invcald_session_reaches
 #define invcal_session_reason invcald_session_reason
 #define invcal_session_resume invcald_session_resume
+#define invcal_session_save invcald_session_save
 #define invcal_session_size invcald_session_size
 #define invcal_session_solve invcald_session_solve
 #define invcal_session_why invcald_session_why
@@ -185,6 +184,7 @@
 #define invcal_compose invcald_compose
 #define invcal_condition invcald_condition
 #define invcal_copy_bytes invcald_copy_bytes
+#define invcal_correct invcald_correct
 #define invcal_crc32 invcald_crc32
 #define invcal_cross invcald_cross
 #define invcal_determine invcald_determine
@@ -199,6 +199,7 @@
 #define invcal_imu_settings_check invcald_imu_settings_check
 #define invcal_imu_sum invcald_imu_sum
 #define invcal_inverse3 invcald_inverse3
+#define invcal_is_same invcald_is_same
 #define invcal_judge_noise invcald_judge_noise
 #define invcal_judge_parameters invcald_judge_parameters
 #define invcal_make_symmetric invcald_make_symmetric
@@ -223,6 +224,7 @@
 #define invcal_root invcald_root
 #define invcal_row_of invcald_row_of
 #define invcal_seal invcald_seal
+#define invcal_session_take invcald_session_take
 #define invcal_sum_readings invcald_sum_readings
 #define invcal_test_for invcald_test_for
 #define invcal_text invcald_text

@@ -530,7 +530,7 @@ typedef struct {
  * rate  samples per second, INVCAL_RATE_MIN ... INVCAL_RATE_MAX; an error of 10 % does no harm.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RATE for any other. */
-invcal_status invcal_rests_init(invcal_rests *rests, unsigned rate);
+invcal_status invcal_rests_init(invcal_rests *rests, invcal_real rate);
 
 /* Sets the counts at which the sensor clips (-32768, 32767), from now on. Without it only the
  * ends of int32 count as clipped.
@@ -591,15 +591,15 @@ typedef struct {
 } invcal_background;
 
 /* Begins: as invcal_session_begin; size is sizeof *background. Use the functions of invcal.h to set up, read and solve the
- * session inside. After a reset, invcal_load_session (store.h) resumes it in a background of zeros,
+ * session inside. After a reset, invcal_session_load (store.h) resumes it in a background of zeros,
  * in which all its positions count as new; if it fails, begin. */
 INVCAL_NODISCARD invcal_status invcal_background_init(invcal_background *background, size_t size,
                                                       const invcal_calibration *nominal,
-                                                      unsigned rate);
+                                                      invcal_real rate);
 
 /* Feeds one sample: as invcal_session_feed, but refuses a position that adds little. At the end of
  * a rest it compares the positions kept. Cost: of that, 26,000 instructions. */
-invcal_event invcal_background_feed(invcal_background *background, const int32_t raw[3]);
+invcal_event invcal_background_feed(invcal_background *background, int32_t x, int32_t y, int32_t z);
 
 /* Call it once a day: positions become a day older. */
 void invcal_background_age(invcal_background *background);

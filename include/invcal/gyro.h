@@ -10,23 +10,23 @@
  *     static invcal_imu_session both;     3.7 kB; or a separate session and moves
  *     invcal_imu_record record;
  *     invcal_imu imu;
- *     if (invcal_load_imu(&result, &record) == INVCAL_OK)
+ *     if (invcal_imu_load(&result, &record) == INVCAL_OK)
  *         calibrated: apply record.accelerometer and record.gyro
- *     else if (invcal_load_imu_session(&progress, &both) != INVCAL_OK)     nothing to resume: begin
+ *     else if (invcal_imu_session_load(&progress, &both) != INVCAL_OK)     nothing to resume: begin
  *         invcal_session_init(&both.session, sizeof both.session, 16384, 100);    counts per g, Hz
  *         invcal_moves_init(&both.moves, sizeof both.moves, &gyro, 400);    rad/s per count, Hz
  *     for every sample of the gyroscope:
- *         invcal_moves_feed(&both.moves, raw);
+ *         invcal_moves_feed(&both.moves, x, y, z);
  *     for every sample of the accelerometer:
- *         event = invcal_session_feed(&both.session, raw);
+ *         event = invcal_session_feed(&both.session, x, y, z);
  *         invcal_moves_follow(&both.moves, &both.session.rests, event);
  *         if (event == INVCAL_TAKEN)
- *             invcal_save_imu_session(&progress, &both);
+ *             invcal_imu_session_save(&progress, &both);
  *             if (both.moves.count > 12 &&
  *                 invcal_imu_solve(both.session.mean[0], both.session.count,
  *                                  &both.session.nominal, &both.moves, NULL, &imu) == INVCAL_OK &&
  *                 imu.verdict == INVCAL_GOOD)
- *                 invcal_save_imu(&result, &imu);
+ *                 invcal_imu_save(&result, &imu);
  *
  * invcal_tour gives twelve such turns, invcal_turns_next the one that would add most, and
  * invcal_turns_sigma how accurately turns, made or planned, determine all 18.
@@ -114,7 +114,7 @@ INVCAL_NODISCARD invcal_status invcal_moves_init(invcal_moves *moves, size_t siz
 invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high);
 
 /* Feeds one sample, moving or not, raw counts. Cost: 290 instructions. Stack: about 110 bytes. */
-void invcal_moves_feed(invcal_moves *moves, const int32_t raw[3]);
+void invcal_moves_feed(invcal_moves *moves, int32_t x, int32_t y, int32_t z);
 
 /* Reports lost samples: the current move is refused, rests are kept. A move lasts until the rest
  * after it is TAKEN: samples lost in that rest cost it, too. */
@@ -258,29 +258,27 @@ typedef struct {
 /* How many bytes to keep now, if you do not use an invcal_store. */
 uint32_t invcal_imu_session_size(const invcal_imu_session *both);
 
-/* Resumes both after their bytes have been put back, with new streams of samples. If it fails,
- * initialize both.
+/* Resumes both from these bytes, with new streams of samples. Both were begun before.
  *
- * size  how many bytes were put back.
- *
- * Returns INVCAL_OK;
- *   INVCAL_OTHER_VERSION  they were kept by a different build;
- *   INVCAL_DAMAGED        the moves are inconsistent;
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE, INVCAL_BAD_LIMITS    values that no moves have;
- *   as invcal_session_resume. */
-invcal_status invcal_imu_session_resume(invcal_imu_session *both, uint32_t size);
+ * Returns INVCAL_OK; else both are as they were begun:
+ *   INVCAL_NOT_BEGUN;
+ *   INVCAL_OTHER_SETTINGS  they were kept with another nominal calibration or rate, or by a
+ *                          different build;
+ *   INVCAL_DAMAGED         the moves are inconsistent, or as invcal_session_resume;
+ *   INVCAL_NO_SPACE        more than INVCAL_IMU_SESSION_SIZE. */
+invcal_status invcal_imu_session_resume(invcal_imu_session *both, const uint8_t *bytes,
+                                        uint32_t size);
 
 /* Saves both.
  *
- * Returns and stack: as invcal_store_save. */
-invcal_status invcal_save_imu_session(const invcal_store *store, const invcal_imu_session *both);
+ * Returns and stack: as invcal_store_save; INVCAL_NOT_BEGUN. */
+invcal_status invcal_imu_session_save(const invcal_imu_session *both, const invcal_store *store);
 
-/* Loads and resumes both, with new streams of samples and the settings they were begun with: see
- * invcal_load_session. If it fails, both may be overwritten: initialize both.
+/* Loads and resumes both, with new streams of samples. Both were begun before.
  *
- * Returns as invcal_store_load, then as invcal_imu_session_resume. INVCAL_OTHER_VERSION: the store
- * holds something else, or both as saved by a different build. Stack: as these. */
-invcal_status invcal_load_imu_session(const invcal_store *store, invcal_imu_session *both);
+ * Returns as invcal_store_load, then as invcal_imu_session_resume. INVCAL_OTHER_SETTINGS: also if
+ * the store holds something else. Stack: as these. */
+invcal_status invcal_imu_session_load(invcal_imu_session *both, const invcal_store *store);
 
 /* ---- what survives a reset: the result ----------------------------------------------------------
  *
@@ -351,14 +349,14 @@ invcal_status invcal_imu_record_decode(const uint8_t *bytes, uint32_t size, invc
  * Returns INVCAL_OK; as invcal_store_save; as invcal_imu_record_encode, for values that no solution
  * has.
  * Stack: about 1,300 bytes, without the callbacks. */
-invcal_status invcal_save_imu(const invcal_store *store, const invcal_imu *imu);
+invcal_status invcal_imu_save(const invcal_imu *imu, const invcal_store *store);
 
 /* Loads it.
  *
  * Returns INVCAL_OK; as invcal_store_load; as invcal_imu_record_decode. INVCAL_NO_SPACE,
  * INVCAL_OTHER_VERSION or INVCAL_DAMAGED, which it is for most other contents: the store holds
  * something else. Stack: about 1,000 bytes, without the callbacks. */
-invcal_status invcal_load_imu(const invcal_store *store, invcal_imu_record *out);
+INVCAL_NODISCARD invcal_status invcal_imu_load(invcal_imu_record *out, const invcal_store *store);
 
 /* The name of a parameter: "gyro_xx" (scale), "gyro_xy" ... "gyro_zz", then the names of
  * invcal_parameter_name. Outside 0 ... 17: "?". */

@@ -84,16 +84,13 @@ invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts
 
 /* Applies a calibration: calibrated = matrix (raw - offset).
  *
- * raw         one sample or mean, raw counts.
- * calibrated  the field; may be the same array as raw.
+ * x, y, z     one sample or mean, raw counts: numbers of any type, so that no array of another type
+ *             can be misread.
+ * calibrated  the field.
  *
  * Checks nothing: a NaN in gives a NaN out. Cost: 43 instructions. */
-void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3],
-                  invcal_real calibrated[3]);
-
-/* The same for an integer sample. */
-void invcal_apply_counts(const invcal_calibration *calibration, const int32_t raw[3],
-                         invcal_real calibrated[3]);
+void invcal_apply(const invcal_calibration *calibration, invcal_real x, invcal_real y,
+                  invcal_real z, invcal_real calibrated[3]);
 
 /* Converts a calibration to a unit: field is the length of the field in that unit, 9.80665 for
  * m/s^2. After that, only apply it: it can no longer be a nominal.
@@ -227,7 +224,7 @@ invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
  *
  *     invcal_session_init(&session, sizeof session, 16384, 100);
  *     for every sample:
- *         switch (invcal_session_feed(&session, raw))
+ *         switch (invcal_session_feed(&session, x, y, z))
  *             READY   the position is good; where to turn next: invcal_session_next_words
  *             TAKEN   the position is in the table; store.h: save the session
  *             REFUSED why: invcal_session_why
@@ -308,11 +305,9 @@ typedef struct {
     uint8_t last;               /* the last event that was not INVCAL_NOTHING */
     uint8_t good;               /* internal: is_good, if already computed */
     uint32_t layout;            /* internal: identifies the build */
-    uint32_t hold;              /* milliseconds, as stated; 0: as short as possible */
-    int32_t low, high;          /* rails */
-    uint32_t rate;              /* samples per second */
-    invcal_real noise;          /* stated, over field; 0: not known */
+    invcal_real rate;           /* samples per second */
     invcal_calibration nominal; /* what it began with */
+    invcal_real noise;          /* stated, over field; 0: not known */
     invcal_real mean[INVCAL_MAX_POSITIONS][3]; /* raw counts, in the order they were taken */
     /* not saved */
     invcal_rests rests; /* the detector */
@@ -331,7 +326,7 @@ typedef struct {
  * Returns INVCAL_OK; else every sample is refused, for this reason: INVCAL_OTHER_BUILD,
  * INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE. */
 INVCAL_NODISCARD invcal_status invcal_session_init(invcal_session *session, size_t size,
-                                                   invcal_real counts, unsigned rate);
+                                                   invcal_real counts, invcal_real rate);
 
 /* Begins a session for any other sensor.
  *
@@ -340,7 +335,7 @@ INVCAL_NODISCARD invcal_status invcal_session_init(invcal_session *session, size
  * Returns as invcal_session_init. */
 INVCAL_NODISCARD invcal_status invcal_session_begin(invcal_session *session, size_t size,
                                                     const invcal_calibration *nominal,
-                                                    unsigned rate);
+                                                    invcal_real rate);
 
 /* Sets the counts at which the sensor clips, low < high (-32768 and 32767 for 16 bits): rests that
  * reach them are refused from now on. Without it only the ends of int32 count as clipped.
@@ -358,13 +353,14 @@ invcal_status invcal_session_noise(invcal_session *session, invcal_real noise);
  * an hour. If you measured the noise with allan.h, pass its dwell. */
 void invcal_session_hold(invcal_session *session, uint32_t milliseconds);
 
-/* Feeds one sample, raw counts, any value.
+/* Feeds one sample, raw counts, any value: three numbers, so that an array of another type, as
+ * int16_t[3], is an error of the compiler.
  *
  * Positions beyond INVCAL_MAX_POSITIONS replace the oldest.
  *
  * Returns what happened. Never solves, so its cost is bounded.
  * Cost: 140 instructions on average at 1 kHz, 180 instructions at 100 Hz. Stack: about 140 bytes. */
-invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3]);
+invcal_event invcal_session_feed(invcal_session *session, int32_t x, int32_t y, int32_t z);
 
 /* Call it where samples were lost. A rest goes on if the next samples agree with it. */
 void invcal_session_gap(invcal_session *session);

@@ -10,7 +10,7 @@
  *
  *     invcal_magnetometer_init(&magnetometer, &nominal);
  *     for every sample:
- *         if (invcal_magnetometer_feed(&magnetometer, raw) == INVCAL_TAKEN)    another cell covered
+ *         if (invcal_magnetometer_feed(&magnetometer, x, y, z) == INVCAL_TAKEN)    another cell covered
  *             invcal_magnetometer_next(&magnetometer, along)                   show where to turn
  *     invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found)
  *
@@ -115,7 +115,8 @@ invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
  * Cost: 300 instructions; at a look up to 100,000 instructions; 350 instructions on average over
  * 12,000 samples, with ten looks.
  * Stack: about 1,200 bytes. */
-invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, const invcal_real raw[3]);
+invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, invcal_real x,
+                                      invcal_real y, invcal_real z);
 
 /* Where to turn next: the cell farthest from all with samples; if all have some, the one with the
  * fewest.

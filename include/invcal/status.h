@@ -57,6 +57,8 @@ typedef enum {
     INVCAL_NO_RECORD = 0x60, /* nothing is stored there */
     INVCAL_DAMAGED,          /* not what was written: too short, a wrong CRC, or nonsense */
     INVCAL_OTHER_VERSION,    /* of an unknown version of the library, or an unknown kind */
+    INVCAL_OTHER_SETTINGS,   /* of a session with another nominal calibration or rate, or of
+                                another build */
     INVCAL_NO_SPACE,         /* larger than the buffer, the slot, or the table of a session */
     INVCAL_IO,               /* the memory's driver reports a failure */
 

@@ -54,20 +54,17 @@ typedef struct {
 
 /* ---- a calibration, a session -------------------------------------------------------------------
  *
- *     at start:      if (invcal_load(&result, &calibration) != INVCAL_OK)
- *                        calibrate, then invcal_save(&result, &calibration, &quality)
- *     to calibrate:  if (invcal_load_session(&progress, &session) != INVCAL_OK)
- *                        invcal_session_init(&session, sizeof session, 16384, 100);
- *                    after INVCAL_TAKEN: invcal_save_session(&progress, &session)
+ *     at start:      if (invcal_load(&calibration, &result) != INVCAL_OK)
+ *                        calibrate, then invcal_save(&calibration, &quality, &result)
+ *     to calibrate:  invcal_session_init, and invcal_session_load(&session, &progress)
+ *                    after INVCAL_TAKEN: invcal_session_save(&session, &progress)
  *
  * A store holds one object: these are two stores. Their slots have at least
  * INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, granularity) and
  * INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, granularity) bytes.
  *
- * A session that was loaded keeps the settings it was begun with: nominal calibration, rate, rails,
- * noise, time to hold. Those that the program would pass to invcal_session_init have no effect
- * then. So firmware that changes range, rate or axes must erase both stores once, with
- * invcal_store_erase. */
+ * A session is begun first, then loaded. Positions that were saved with another nominal calibration
+ * or rate are refused, and what was stated by invcal_session_rails, _noise and _hold stays. */
 
 /* Saves a calibration, and how good it is, as a record (see below); over field, so before
  * invcal_scale.
@@ -75,8 +72,8 @@ typedef struct {
  * Returns INVCAL_OK; as invcal_store_save; INVCAL_NOT_FINITE, INVCAL_BAD_NOMINAL, INVCAL_DAMAGED as
  * invcal_record_encode, for arguments not from a solution. Cost: 17,000 instructions. Stack: about
  * 500 bytes; both without the callbacks. */
-invcal_status invcal_save(const invcal_store *store, const invcal_calibration *calibration,
-                          const invcal_quality *quality);
+invcal_status invcal_save(const invcal_calibration *calibration, const invcal_quality *quality,
+                          const invcal_store *store);
 
 /* Loads it. For its other contents, use invcal_store_load and invcal_record_decode.
  *
@@ -84,7 +81,8 @@ invcal_status invcal_save(const invcal_store *store, const invcal_calibration *c
  * INVCAL_OTHER_VERSION or INVCAL_DAMAGED: it holds something else. A session of up to five
  * positions is INVCAL_DAMAGED, since it does not end with the CRC of a record. Cost: 11,000
  * instructions. Stack: about 450 bytes; both as above. */
-invcal_status invcal_load(const invcal_store *store, invcal_calibration *calibration);
+INVCAL_NODISCARD invcal_status invcal_load(invcal_calibration *calibration,
+                                           const invcal_store *store);
 
 /* The same for a calibration saved by release 0.1.0: call it if invcal_load fails, in a device in
  * use since then. Over field, as all calibrations. The next save is one that invcal_load reads.
@@ -94,17 +92,17 @@ invcal_status invcal_load_v1(const invcal_store *store, invcal_calibration *cali
 
 /* Saves the lasting part of a session: see invcal_session_size.
  *
- * Returns as invcal_store_save. Cost: 22,000 instructions for 18 positions, without the callbacks.
- * Stack as that. */
-invcal_status invcal_save_session(const invcal_store *store, const invcal_session *session);
+ * Returns as invcal_store_save; INVCAL_NOT_BEGUN. Cost: 22,000 instructions for 18 positions,
+ * without the callbacks. Stack as that. */
+invcal_status invcal_session_save(const invcal_session *session, const invcal_store *store);
 
-/* Loads it, to resume with a new stream. If it fails, the session may be overwritten: begin a new
- * one.
+/* Loads it into a session that was begun, to resume with a new stream.
  *
- * Returns as invcal_store_load, then as invcal_session_resume. INVCAL_OTHER_VERSION: it holds
- * something else, or a session saved by a different build. Cost: 17,000 instructions for 18
- * positions. Stack as these. */
-invcal_status invcal_load_session(const invcal_store *store, invcal_session *session);
+ * Returns as invcal_store_load, then as invcal_session_resume. INVCAL_OTHER_SETTINGS: also if it
+ * holds something else. If it fails, the session is as it was
+ * begun: to ignore that is to begin anew. Cost: 17,000 instructions for 18 positions. Stack as
+ * these. */
+invcal_status invcal_session_load(invcal_session *session, const invcal_store *store);
 
 /* ---- the store: any bytes -----------------------------------------------------------------------
  *
@@ -269,8 +267,7 @@ invcal_status invcal_record_decode_v1(const uint8_t *bytes, uint32_t size, invca
  * still in its last orientation may record it again, which does no harm.
  *
  * These bytes are for the same device: a build with another number type, byte order or layout of
- * the structure refuses them. A table of another size accepts them if they fit. Those of release
- * 0.1.0 are refused, since its procedure was different. */
+ * the structure refuses them. A table of another size accepts them if they fit. */
 #define INVCAL_SESSION_SIZE                                                                        \
     ((uint32_t)(offsetof(invcal_session, mean) +                                                   \
                 sizeof(invcal_real[INVCAL_MAX_POSITIONS][3]))) /* bytes at most */
@@ -279,17 +276,18 @@ invcal_status invcal_record_decode_v1(const uint8_t *bytes, uint32_t size, invca
  * yourself. */
 uint32_t invcal_session_size(const invcal_session *session);
 
-/* Resumes a session whose first bytes have been restored, with a new stream. If it fails, begin a
- * new session.
+/* Resumes from these bytes, at any alignment, with a new stream.
  *
- * size  number of bytes restored.
+ * size  number of bytes.
  *
- * Returns INVCAL_OK;
- *   INVCAL_OTHER_VERSION  they were saved by a different build;
- *   INVCAL_DAMAGED        their number does not match the table;
- *   INVCAL_BAD_NOMINAL, INVCAL_BAD_NOISE, INVCAL_BAD_RATE, INVCAL_BAD_LIMITS    no session has that.
+ * Returns INVCAL_OK; else the session is as it was begun, without positions:
+ *   INVCAL_NOT_BEGUN;
+ *   INVCAL_OTHER_SETTINGS  they were saved with another nominal calibration or rate, or by a
+ *                          different build;
+ *   INVCAL_DAMAGED         their number does not match the table;
+ *   INVCAL_NO_SPACE        more than INVCAL_SESSION_SIZE.
  * The means are not checked: solving refuses bad ones. */
-invcal_status invcal_session_resume(invcal_session *session, uint32_t size);
+invcal_status invcal_session_resume(invcal_session *session, const uint8_t *bytes, uint32_t size);
 
 #ifdef __cplusplus
 }

@@ -44,7 +44,7 @@ int EXPORT(feed)(int32_t x, int32_t y, int32_t z)
 {
     const int32_t raw[3] = {x, y, z};
 
-    return (int)invcal_session_feed(&session, raw);
+    return (int)invcal_session_feed(&session, raw[0], raw[1], raw[2]);
 }
 
 void EXPORT(gap)(void)
@@ -92,7 +92,7 @@ const char *EXPORT(next)(void)
 /* Position i as a reading over field. */
 void EXPORT(position)(unsigned i)
 {
-    invcal_apply(&session.nominal, session.mean[i], out);
+    invcal_apply(&session.nominal, session.mean[i][0], session.mean[i][1], session.mean[i][2], out);
 }
 
 /* ---- the result so far ------------------------------------------------------------------------ */

@@ -97,7 +97,7 @@ static void bench_core(void)
     report("solve", end());
     begin();
     for (unsigned i = 0; i < REPEATS; i++) {
-        invcal_apply(&calibration, raw[i], calibrated);
+        invcal_apply(&calibration, raw[i][0], raw[i][1], raw[i][2], calibrated);
     }
     report("apply", end() / REPEATS);
 }
@@ -166,7 +166,7 @@ static void bench_magnetometer(void)
         const invcal_real field[3] = {8200 * s[0] * s[3], 8000 * s[0] * s[2], 8300 * s[1] + 3000};
         const uint32_t due = magnetometer.due;
         begin();
-        (void)invcal_magnetometer_feed(&magnetometer, field);
+        (void)invcal_magnetometer_feed(&magnetometer, field[0], field[1], field[2]);
         const uint32_t count = end();
         total += count;
         if (i % 1000 == 1) {
@@ -331,7 +331,7 @@ static uint32_t feed(unsigned rate)
     for (unsigned i = 0; i < 5 * rate; i++) {
         next_sample(sample);
         begin();
-        (void)invcal_session_feed(&session, sample);
+        (void)invcal_session_feed(&session, sample[0], sample[1], sample[2]);
         total += end();
     }
     return total / (5 * rate);
@@ -356,7 +356,7 @@ static uint32_t solve_session(unsigned positions, unsigned wrong)
                 const int32_t mean = (int32_t)raw[i + (positions == 16 ? i / 8 : 0)][a];
                 sample[a] += i < wrong ? mean + mean / 100 : mean;
             }
-            (void)invcal_session_feed(&session, sample);
+            (void)invcal_session_feed(&session, sample[0], sample[1], sample[2]);
         }
     }
     (void)invcal_session_finish(&session);
@@ -425,26 +425,26 @@ static void bench_store(void)
     invcal_quality quality;
     int failed = invcal_session_solve(&session, &calibration, &quality) != INVCAL_OK;
 
-    (void)invcal_save_session(&store, &session);
-    (void)invcal_save_session(&store, &session);
+    (void)invcal_session_save(&session, &store);
+    (void)invcal_session_save(&session, &store);
     begin_store();
-    failed |= invcal_save_session(&store, &session) != INVCAL_OK;
+    failed |= invcal_session_save(&session, &store) != INVCAL_OK;
     report("save_session", end());
     report("save_session_read_bytes", read_bytes);
     report("save_session_programmed_bytes", programmed_bytes);
     begin_store();
-    failed |= invcal_load_session(&store, &session) != INVCAL_OK;
+    failed |= invcal_session_load(&session, &store) != INVCAL_OK;
     report("load_session", end());
     report("load_session_read_bytes", read_bytes);
-    (void)invcal_save(&store, &calibration, &quality);
-    (void)invcal_save(&store, &calibration, &quality);
+    (void)invcal_save(&calibration, &quality, &store);
+    (void)invcal_save(&calibration, &quality, &store);
     begin_store();
-    failed |= invcal_save(&store, &calibration, &quality) != INVCAL_OK;
+    failed |= invcal_save(&calibration, &quality, &store) != INVCAL_OK;
     report("save", end());
     report("save_read_bytes", read_bytes);
     report("save_programmed_bytes", programmed_bytes);
     begin_store();
-    failed |= invcal_load(&store, &calibration) != INVCAL_OK;
+    failed |= invcal_load(&calibration, &store) != INVCAL_OK;
     report("load", end());
     report("load_read_bytes", read_bytes);
     if (failed) {
@@ -469,7 +469,7 @@ static void bench_background(void)
         next_sample(sample);
         sample[2] -= i < RATE * SECONDS / 2 ? 0 : 2 * ONE_G; /* turned over */
         begin();
-        const invcal_event event = invcal_background_feed(&background, sample);
+        const invcal_event event = invcal_background_feed(&background, sample[0], sample[1], sample[2]);
         const uint32_t count = end();
         most = event == INVCAL_TAKEN || event == INVCAL_REFUSED ? count : most;
     }
@@ -572,7 +572,7 @@ static void bench_gyro(void)
     uint32_t count = 0;
     for (unsigned i = 0; i < BLOCK; i++) {
         begin();
-        invcal_moves_feed(&moves, at);
+        invcal_moves_feed(&moves, at[0], at[1], at[2]);
         count += end();
     }
     report("gyro_feed", count / BLOCK);
@@ -580,7 +580,7 @@ static void bench_gyro(void)
     rests.pended = 0;
     count = 0;
     for (unsigned i = 0; i < BLOCK; i++) {
-        invcal_moves_feed(&moves, at);
+        invcal_moves_feed(&moves, at[0], at[1], at[2]);
         begin();
         invcal_moves_follow(&moves, &rests, INVCAL_MOVING);
         const uint32_t one = end();

@@ -16,7 +16,7 @@ static void feed(const float force[3])
     int32_t raw[3];
 
     input_sample(&accelerometer, force, raw);
-    const invcal_event event = invcal_background_feed(&background, raw);
+    const invcal_event event = invcal_background_feed(&background, raw[0], raw[1], raw[2]);
     if (event == INVCAL_TAKEN || event == INVCAL_REFUSED) {
         digest_bits("event", event);
         digest_bits("reason", background.session.reason);

@@ -56,11 +56,11 @@ static void save(void)
     const uint32_t size = invcal_session_size(&session);
 
     memory_power(mishap == POWER_CUT ? size / 2 : UINT32_MAX);
-    digest_bits("saved", invcal_save_session(&memory, &session));
+    digest_bits("saved", invcal_session_save(&session, &memory));
     memory_power(UINT32_MAX);
     if (mishap == POWER_CUT) {
         memset(&session, 0, sizeof session);
-        digest_bits("resumed", invcal_load_session(&memory, &session));
+        digest_bits("resumed", invcal_session_load(&session, &memory));
     }
     digest_bits("positions", session.count);
 }
@@ -87,7 +87,7 @@ static void event_results(invcal_event event)
 
 static void feed(const int32_t raw[3])
 {
-    const invcal_event event = invcal_session_feed(&session, raw);
+    const invcal_event event = invcal_session_feed(&session, raw[0], raw[1], raw[2]);
 
     events[event]++;
     progress += invcal_session_progress(&session);
@@ -252,11 +252,11 @@ static void store_results(const invcal_calibration *calibration, const invcal_qu
         digest_numbered("power fails after bytes", bytes);
         memory_power(UINT32_MAX);
         digest_bits("erased", invcal_store_erase(&memory));
-        digest_bits("old", invcal_save(&memory, &nominal, quality));
+        digest_bits("old", invcal_save(&nominal, quality, &memory));
         memory_power(bytes);
-        digest_bits("new", invcal_save(&memory, calibration, quality));
+        digest_bits("new", invcal_save(calibration, quality, &memory));
         memory_power(UINT32_MAX);
-        digest_bits("loaded", invcal_load(&memory, &loaded));
+        digest_bits("loaded", invcal_load(&loaded, &memory));
         digest_reals("offset", loaded.offset, 3);
     }
 }
@@ -286,10 +286,10 @@ static void use(const invcal_calibration *calibration)
         int32_t raw[3];
         input_direction(up);
         input_sample(&accelerometer, up, raw);
-        invcal_apply_counts(calibration, raw, out);
+        invcal_apply(calibration, raw[0], raw[1], raw[2], out);
         digest_reals("g", out, 3);
         const float reading[3] = {(float)raw[0], (float)raw[1], (float)raw[2]};
-        invcal_apply(&scaled, reading, out);
+        invcal_apply(&scaled, reading[0], reading[1], reading[2], out);
         digest_reals("m_per_s2", out, 3);
     }
 }

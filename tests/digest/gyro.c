@@ -27,9 +27,9 @@ static void read_sensors(const float rate[3], const float force[3])
     int32_t raw[3];
 
     input_sample(&gyro, rate, raw);
-    invcal_moves_feed(&both.moves, raw);
+    invcal_moves_feed(&both.moves, raw[0], raw[1], raw[2]);
     input_sample(&accelerometer, force, raw);
-    const invcal_event event = invcal_session_feed(&both.session, raw);
+    const invcal_event event = invcal_session_feed(&both.session, raw[0], raw[1], raw[2]);
     invcal_moves_follow(&both.moves, &both.session.rests, event);
     if (event >= INVCAL_READY) {
         digest_bits("event", event);

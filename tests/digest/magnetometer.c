@@ -40,7 +40,7 @@ static void feed(unsigned sample, const float field[3])
 
     input_sample(&sensor, field, counts);
     const float raw[3] = {(float)counts[0], (float)counts[1], (float)counts[2]};
-    const invcal_event event = invcal_magnetometer_feed(&magnetometer, raw);
+    const invcal_event event = invcal_magnetometer_feed(&magnetometer, raw[0], raw[1], raw[2]);
     if (event != INVCAL_NOTHING) {
         digest_numbered("sample", sample);
         digest_bits("event", event);

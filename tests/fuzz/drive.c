@@ -204,8 +204,8 @@ static void feed(drive_state *d, const int32_t raw[3])
     }
     const invcal_session before = *d->session;
     look_at_event(d,
-                  d->background ? invcal_background_feed(d->background, raw)
-                                : invcal_session_feed(d->session, raw),
+                  d->background ? invcal_background_feed(d->background, raw[0], raw[1], raw[2])
+                                : invcal_session_feed(d->session, raw[0], raw[1], raw[2]),
                   &before);
 }
 

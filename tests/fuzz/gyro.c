@@ -99,7 +99,7 @@ static void feed(source *s)
         raw[a] = kind > 240 ? take_i32(s) : usual * (kind % 2 ? 20 : 2000);
     }
     for (unsigned i = 0; i < count; i++) {
-        invcal_moves_feed(&moves, raw);
+        invcal_moves_feed(&moves, raw[0], raw[1], raw[2]);
         turn(raw);
     }
     require_finite(moves.v, 3);

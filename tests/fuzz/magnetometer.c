@@ -78,7 +78,7 @@ static void wave(invcal_magnetometer *m, source *s)
         if (odd > 0 && i % odd == odd - 1) {
             raw[i % 3] = take_real(s, raw[i % 3]);
         }
-        const invcal_event event = invcal_magnetometer_feed(m, raw);
+        const invcal_event event = invcal_magnetometer_feed(m, raw[0], raw[1], raw[2]);
         REQUIRE(event == INVCAL_NOTHING || event == INVCAL_TAKEN || event == INVCAL_REFUSED);
     }
 }

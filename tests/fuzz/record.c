@@ -158,9 +158,9 @@ static void look_at_both(const uint8_t *bytes, uint32_t size)
         for (unsigned i = 0; i < 3; i++) {
             raw[i] = take_byte(&s) - 128;
         }
-        invcal_moves_feed(&both.moves, raw);
+        invcal_moves_feed(&both.moves, raw[0], raw[1], raw[2]);
         invcal_moves_follow(&both.moves, &both.session.rests,
-                            invcal_session_feed(&both.session, raw));
+                            invcal_session_feed(&both.session, raw[0], raw[1], raw[2]));
     }
 }
 
@@ -367,7 +367,7 @@ static void load_as(const invcal_store *store, const content *c)
         wanted = c->size <= INVCAL_RECORD_SIZE ? invcal_record_decode(c->bytes, c->size, &r)
                                                : INVCAL_NO_SPACE;
     }
-    REQUIRE(invcal_load(store, &calibration) == wanted);
+    REQUIRE(invcal_load(&calibration, store) == wanted);
     if (wanted == INVCAL_OK) {
         REQUIRE(memcmp(&calibration, &r.calibration, sizeof calibration) == 0);
     } else {
@@ -380,7 +380,7 @@ static void load_as(const invcal_store *store, const content *c)
         memcpy(&session, c->bytes, c->size);
         wanted = invcal_session_resume(&session, c->size);
     }
-    REQUIRE(invcal_load_session(store, &session) == wanted);
+    REQUIRE(invcal_session_load(&session, store) == wanted);
 }
 
 static int is_same(const content *a, const content *b)
@@ -410,7 +410,7 @@ static invcal_status save_calibration(flash *f, const invcal_store *store, conte
     invcal_record_init(&r, &calibration, &quality);
     const invcal_status status = invcal_record_encode(&r, wish->bytes);
     wish->size = INVCAL_RECORD_SIZE;
-    const invcal_status saved = invcal_save(store, &calibration, &quality);
+    const invcal_status saved = invcal_save(&calibration, &quality, store);
     REQUIRE(status == INVCAL_OK || saved == status);
     return saved;
 }
@@ -428,7 +428,7 @@ static invcal_status save_session(flash *f, const invcal_store *store, content *
     session.count = 1;
     wish->size = invcal_session_size(&session);
     memcpy(wish->bytes, &session, wish->size);
-    return invcal_save_session(store, &session);
+    return invcal_session_save(&session, store);
 }
 
 /* One save or erasure, with or without a power cut; what is loaded behind it is what was there, or

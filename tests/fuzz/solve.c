@@ -647,10 +647,10 @@ static void use(source *s)
     } else {
         require_mark(&made, sizeof made);
     }
-    invcal_apply(&c.nominal, raw, same);
-    invcal_apply(&c.nominal, raw, raw); /* the same array */
+    invcal_apply(&c.nominal, raw[0], raw[1], raw[2], same);
+    invcal_apply(&c.nominal, raw[0], raw[1], raw[2], raw); /* the same array */
     REQUIRE(memcmp(raw, same, sizeof raw) == 0);
-    invcal_apply_counts(&c.nominal, sample, raw);
+    invcal_apply(&c.nominal, sample[0], sample[1], sample[2], raw);
     REQUIRE(memcmp(raw, same, sizeof raw) == 0);
     REQUIRE(invcal_words(raw, words) == words && memchr(words, '\0', sizeof words));
     look_at_drift(s);

@@ -190,9 +190,9 @@ void setup()
     float a[3];
 
     Serial.begin(115200);
-    if (invcal_save(&calibration_store, &made, &quality) == INVCAL_OK &&
-        invcal_load(&calibration_store, &found) == INVCAL_OK) {
-        invcal_apply_counts(&found, raw, a);
+    if (invcal_save(&made, &quality, &calibration_store) == INVCAL_OK &&
+        invcal_load(&found, &calibration_store) == INVCAL_OK) {
+        invcal_apply(&found, raw[0], raw[1], raw[2], a);
         for (int i = 0; i < 3; i++) {
             Serial.println(a[i]);
         }

@@ -27,14 +27,14 @@ refuses() { # FUNCTION LIBRARY [FLAG]
 
 for function in invcal_apply invcal_nominal invcal_load invcal_load_v1 invcal_record_init \
     invcal_record_decode invcal_plan_position_at invcal_imu_record_init invcal_imu_record_decode \
-    invcal_load_imu invcal_turns_begin invcal_sums_init invcal_linear_init invcal_full_vector_init \
+    invcal_imu_load invcal_turns_begin invcal_sums_init invcal_linear_init invcal_full_vector_init \
     invcal_frame_init invcal_magnetometer_init invcal_dip_init; do
     check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
     check "$function: not from double to float" refuses $function "$build/float/libinvcal.a" -DINVCAL_DOUBLE=1
     check "$function: not from float to double" refuses $function "$build/double/libinvcal.a"
 done
 for function in invcal_calibrate invcal_calibrate_judged invcal_session_init invcal_session_begin \
-    invcal_load_session invcal_session_resume invcal_calibrate_without invcal_calibrate_robust \
+    invcal_session_load invcal_session_resume invcal_calibrate_without invcal_calibrate_robust \
     invcal_calibrate_with_prior invcal_calibrate_six_faces invcal_background_init; do
     check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
     check "$function: not from double to float" refuses $function "$build/float/libinvcal.a" -DINVCAL_DOUBLE=1
@@ -50,13 +50,13 @@ for function in invcal_thermal_at invcal_thermal_calibrate invcal_thermal_start 
         check "$function: not with $choice" refuses $function "$build/float/libinvcal.a" -DINVCAL_$choice
     done
 done
-for function in invcal_moves_init invcal_imu_solve invcal_turns_after invcal_imu_session_resume invcal_load_imu_session; do
+for function in invcal_moves_init invcal_imu_solve invcal_turns_after invcal_imu_session_resume invcal_imu_session_load; do
     check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
     for choice in MAX_SEGMENTS=100 MAX_MOVES=14 DOUBLE=1; do
         check "$function: not with $choice" refuses $function "$build/float/libinvcal.a" -DINVCAL_$choice
     done
 done
-for function in invcal_imu_session_resume invcal_load_imu_session; do
+for function in invcal_imu_session_resume invcal_imu_session_load; do
     check "$function: not with more positions" refuses $function "$build/float/libinvcal.a" \
         -DINVCAL_MAX_POSITIONS=64
 done

@@ -63,7 +63,7 @@ int main(void)
     printf("%u positions, %s\n", n, invcal_verdict_text((invcal_verdict)quality.verdict));
     printf("scale error of x %.4f, offset of z %.1f\n", (double)x[INVCAL_DK_X],
            (double)record.calibration.offset[2]);
-    invcal_apply(&record.calibration, mean[0], mean[0]);
+    invcal_apply(&record.calibration, mean[0][0], mean[0][1], mean[0][2], mean[0]);
     printf("length %.3f\n", (double)INVCAL_SQRT(mean[0][0] * mean[0][0] + mean[0][1] * mean[0][1] +
                                                 mean[0][2] * mean[0][2]));
     return 0;

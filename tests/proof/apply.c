@@ -14,9 +14,9 @@ void main(void)
     ANY(raw);
     ANY(field);
     ANY(counts);
-    invcal_apply(&calibration, raw, out);
-    invcal_apply(&calibration, raw, raw);
-    invcal_apply_counts(&calibration, counts, out);
+    invcal_apply(&calibration, raw[0], raw[1], raw[2], out);
+    invcal_apply(&calibration, raw[0], raw[1], raw[2], raw);
+    invcal_apply(&calibration, counts[0], counts[1], counts[2], out);
     (void)invcal_scale(&calibration, field);
     (void)invcal_dot(raw, out, 3); /* without an FPU, invcal_apply calls it */
 }

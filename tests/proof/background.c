@@ -23,7 +23,7 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
 }
 
 /* Takes a place in the table only if the event says so. */
-invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3])
+invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3][0], const int32_t raw[3][1], const int32_t raw[3][2])
 {
     const unsigned count = session->count;
     const invcal_event event = (invcal_event)BETWEEN(INVCAL_NOTHING, INVCAL_REFUSED);
@@ -81,7 +81,7 @@ void main(void)
     }
     for (unsigned count = 0; count < INVCAL_MAX_POSITIONS; count++) {
         any_background(count);
-        (void)invcal_background_feed(&b, raw);
+        (void)invcal_background_feed(&b, raw[0], raw[1], raw[2]);
         check_background();
         any_background(count);
         invcal_background_age(&b);

@@ -108,12 +108,12 @@ void main(void)
     ANY(imu);
     invcal_imu_record_init(&record, &imu);
     ANY(store);
-    (void)invcal_save_imu(&store, &imu);
+    (void)invcal_imu_save(&imu, &store);
     for (unsigned i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         decode_all(sizes[i]);
         loaded = sizes[i];
         for (is_long = 0; is_long < 2; is_long++) {
-            (void)invcal_load_imu(&store, &record);
+            (void)invcal_imu_load(&record, &store);
         }
     }
 }

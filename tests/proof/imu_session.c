@@ -54,8 +54,8 @@ void main(void)
 
     ANY(store);
     ANY(both);
-    (void)invcal_save_imu_session(&store, &both);
-    (void)invcal_load_imu_session(&store, &both);
+    (void)invcal_imu_session_save(&both, &store);
+    (void)invcal_imu_session_load(&both, &store);
     ANY(both);
     both.moves.layout = INVCAL_MOVES_LAYOUT;
     (void)invcal_imu_session_resume(&both, BETWEEN(0, UINT32_MAX));

@@ -104,7 +104,7 @@ void main(void)
     ANY(raw);
     (void)invcal_magnetometer_init(&magnetometer, &calibration);
     ANY(magnetometer);
-    (void)invcal_magnetometer_feed(&magnetometer, raw);
+    (void)invcal_magnetometer_feed(&magnetometer, raw[0], raw[1], raw[2]);
     ANY(magnetometer);
     invcal_magnetometer_next(&magnetometer, raw);
     (void)invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found);

@@ -21,7 +21,7 @@ static void save(void)
     ANY(store);
     ANY(calibration);
     ANY(quality);
-    (void)invcal_save(&store, &calibration, &quality);
+    (void)invcal_save(&calibration, &quality, &store);
     invcal_record_init(&record, &calibration, &quality);
 }
 

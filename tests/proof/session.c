@@ -184,7 +184,7 @@ static void any_change(void)
     ANY(low);
     ANY(high);
     any_session();
-    (void)invcal_session_feed(&session, raw);
+    (void)invcal_session_feed(&session, raw[0], raw[1], raw[2]);
     check_session();
     any_session();
     (void)invcal_session_finish(&session);

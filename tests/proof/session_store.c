@@ -40,6 +40,6 @@ void main(void)
 
     ANY(store);
     ANY(session);
-    (void)invcal_save_session(&store, &session);
-    (void)invcal_load_session(&store, &session);
+    (void)invcal_session_save(&session, &store);
+    (void)invcal_session_load(&session, &store);
 }

@@ -41,11 +41,9 @@ static void step(void)
 }
 
 /* Both have the same rate. A new step begins when one of them is read again. */
-static const int32_t *read_sensor(int which, const double v[3], const double gain[3][3],
-                                  const double offset[3], double noise)
+static void read_sensor(int which, const double v[3], const double gain[3][3],
+                                  const double offset[3], double noise, int16_t raw[3])
 {
-    static int32_t raw[3];
-
     if (is_read & which) {
         is_read = 0;
         step();
@@ -53,22 +51,21 @@ static const int32_t *read_sensor(int which, const double v[3], const double gai
     is_read |= which;
     for (int i = 0; i < 3; i++) {
         const double x = gain[i][0] * v[0] + gain[i][1] * v[1] + gain[i][2] * v[2];
-        raw[i] = (int32_t)lround(x + offset[i] + noise * hand_noise());
+        raw[i] = (int16_t)lround(x + offset[i] + noise * hand_noise());
     }
-    return raw;
 }
 
-const int32_t *board_sample(void)
+void board_read(int16_t v[3])
 {
     static const double gain[3][3] = {{1.02 * COUNTS, 0.004 * COUNTS, -0.006 * COUNTS},
                                       {0.004 * COUNTS, 0.985 * COUNTS, 0.01 * COUNTS},
                                       {-0.006 * COUNTS, 0.01 * COUNTS, 1.01 * COUNTS}};
     static const double offset[3] = {490, -820, 330};
 
-    return read_sensor(ACCELEROMETER, force, gain, offset, 8);
+    read_sensor(ACCELEROMETER, force, gain, offset, 8, v);
 }
 
-const int32_t *board_gyro(void)
+void board_read_gyro(int16_t v[3])
 {
     static const double gain[3][3] = {
         {0.975 * RATE_COUNTS, 0.012 * RATE_COUNTS, -0.004 * RATE_COUNTS},
@@ -76,7 +73,7 @@ const int32_t *board_gyro(void)
         {0.003 * RATE_COUNTS, -0.009 * RATE_COUNTS, 1.009 * RATE_COUNTS}};
     static const double offset[3] = {85, -131, 24.5};
 
-    return read_sensor(GYRO, rate, gain, offset, 3.3);
+    read_sensor(GYRO, rate, gain, offset, 3.3, v);
 }
 
 void board_show(const char *text)

@@ -7,10 +7,10 @@
 
 #include "invcal/store.h"
 
-const int32_t *board_sample(void);      /* waits for it: x y z in raw counts */
+void board_read(int16_t v[3]);          /* waits for a sample: x y z in raw counts */
 void board_show(const char *text);      /* to the person */
 void board_use(const invcal_real g[3]); /* what the device is for */
-const int32_t *board_gyro(void); /* of the gyroscope, which is read first; and in g and rad/s */
+void board_read_gyro(int16_t v[3]); /* of the gyroscope, which is read first; and in g and rad/s */
 void board_use_both(const invcal_real g[3], const invcal_real rate[3]);
 void board_count_steps(const invcal_real g[3]); /* of a watch, */
 int board_has_a_day_passed(void);               /* which ends after a month */

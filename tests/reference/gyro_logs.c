@@ -27,8 +27,8 @@ static void feed(const double x[6])
         a[i] = (int32_t)lround(x[i]);
         g[i] = (int32_t)lround(x[3 + i]);
     }
-    invcal_moves_feed(&moves, g);
-    invcal_moves_follow(&moves, &session.rests, invcal_session_feed(&session, a));
+    invcal_moves_feed(&moves, g[0], g[1], g[2]);
+    invcal_moves_follow(&moves, &session.rests, invcal_session_feed(&session, a[0], a[1], a[2]));
 }
 
 static void begin(double zero, double acceleration, double rate)
@@ -107,7 +107,7 @@ static void feed_stated(int rows)
         for (int i = 0; i < 3; i++) {
             g[i] = (int32_t)lround(row[n][3 + i]);
         }
-        invcal_moves_feed(&moves, g);
+        invcal_moves_feed(&moves, g[0], g[1], g[2]);
         if (n % BLOCK != BLOCK - 1) {
             continue;
         }

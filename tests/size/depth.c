@@ -72,7 +72,7 @@ static unsigned feed_position(const int32_t rest[3], uint32_t *random)
             *random = *random * UINT32_C(1664525) + UINT32_C(1013904223);
             raw[k] = rest[k] + (int32_t)((*random >> 20) & size) - (int32_t)(size / 2);
         }
-        const unsigned depth = MEASURE(invcal_session_feed(&session, raw));
+        const unsigned depth = MEASURE(invcal_session_feed(&session, raw[0], raw[1], raw[2]));
         deepest = depth > deepest ? depth : deepest;
     }
     return deepest;

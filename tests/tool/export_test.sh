@@ -379,7 +379,7 @@ int main(int argc, char **argv)
         const invcal_real raw[3] = {(invcal_real)x, (invcal_real)y, (invcal_real)z};
         invcal_real a[3];
         invcal_real b[3] = {0, 0, 0};
-        invcal_apply(&accel, raw, a);
+        invcal_apply(&accel, raw[0], raw[1], raw[2], a);
         for (int i = 0; i < 3; i++) {
             for (int j = 0; j < 3; j++) {
                 b[i] += (invcal_real)plain_matrix[i][j] * (raw[j] - (invcal_real)plain_offset[j]);

@@ -105,7 +105,7 @@ static double worst(double times, double turn)
         }
         read_raw(eta, raw);
         nonlinear_correction_remove(&correction, raw);
-        invcal_apply(&file.calibration, raw, out);
+        invcal_apply(&file.calibration, raw[0], raw[1], raw[2], out);
         most = larger(most, fabs(out[0] / FIELD - (cos(turn) * eta[0] - sin(turn) * eta[1])));
         most = larger(most, fabs(out[1] / FIELD - (sin(turn) * eta[0] + cos(turn) * eta[1])));
         most = larger(most, fabs(out[2] / FIELD - eta[2]));

@@ -182,7 +182,7 @@ static inline void world_sample(world *w, const double omega[3], int is_quiet)
     w->resting[now] = is_quiet;
     const int gyro = (w->samples + WORLD_LATE - (w->late > 0 ? w->late : 0)) % WORLD_LATE;
     const int accelerometer = (w->samples + WORLD_LATE + (w->late < 0 ? w->late : 0)) % WORLD_LATE;
-    invcal_moves_feed(&w->moves, w->queue[gyro]);
+    invcal_moves_feed(&w->moves, w->queue[gyro][0], w->queue[gyro][1], w->queue[gyro][2]);
     w->samples++;
     if (w->samples % WORLD_BLOCK == 0) {
         world_block(w, w->resting[accelerometer]);

@@ -226,7 +226,7 @@ double calibrated_length(const invcal_calibration *calibration, const triad_trut
     for (int i = 0; i < 3; i++) {
         raw[i] = (invcal_real)u[i];
     }
-    invcal_apply(calibration, raw, out);
+    invcal_apply(calibration, raw[0], raw[1], raw[2], out);
     const double v[3] = {(double)out[0], (double)out[1], (double)out[2]};
     return length3(v);
 }

@@ -22,7 +22,7 @@ static void apply_computes_matrix_times_raw_minus_offset(void)
     const invcal_real expected[3] = {4, 9, 13};
     invcal_real out[3];
 
-    invcal_apply(&example, raw, out);
+    invcal_apply(&example, raw[0], raw[1], raw[2], out);
     TEST_ASSERT_EQUAL_MEMORY(expected, out, sizeof out);
 }
 
@@ -31,7 +31,7 @@ static void apply_works_in_place(void)
     const invcal_real expected[3] = {4, 9, 13};
     invcal_real v[3] = {2, 4, 6};
 
-    invcal_apply(&example, v, v);
+    invcal_apply(&example, v[0], v[1], v[2], v);
     TEST_ASSERT_EQUAL_MEMORY(expected, v, sizeof v);
 }
 
@@ -40,7 +40,7 @@ static void apply_passes_a_nan_on(void)
     const invcal_real raw[3] = {(invcal_real)NAN, 0, 0};
     invcal_real out[3];
 
-    invcal_apply(&example, raw, out);
+    invcal_apply(&example, raw[0], raw[1], raw[2], out);
     TEST_ASSERT_TRUE(isnan(out[0]) && isnan(out[2]));
 }
 
@@ -51,8 +51,8 @@ static void samples_are_applied_as_their_numbers_are(void)
     invcal_real out[3];
     invcal_real expected[3];
 
-    invcal_apply(&example, same, expected);
-    invcal_apply_counts(&example, raw, out);
+    invcal_apply(&example, same[0], same[1], same[2], expected);
+    invcal_apply(&example, raw[0], raw[1], raw[2], out);
     TEST_ASSERT_EQUAL_MEMORY(expected, out, sizeof out);
 }
 

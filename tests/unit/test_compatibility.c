@@ -268,7 +268,7 @@ static void the_latest_calibration_is_found_in_a_flash_of_every_release(void)
 
         memset(&now, 0, sizeof now);
         memset(&calibration, 0, sizeof calibration);
-        if (invcal_load(&store, &calibration) != INVCAL_OK) { /* as a device does */
+        if (invcal_load(&calibration, &store) != INVCAL_OK) { /* as a device does */
             TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OK, invcal_load_v1(&store, &calibration), old.name);
         }
         same_calibration(&old.is.calibration, &calibration, old.name);

@@ -134,7 +134,7 @@ static void sample(double shake)
         break_reading(raw);
     }
     memcpy(b.latest, raw, sizeof raw);
-    note(invcal_session_feed(b.session, raw));
+    note(invcal_session_feed(b.session, raw[0], raw[1], raw[2]));
 }
 
 /* How many samples come in n / RATE seconds. */

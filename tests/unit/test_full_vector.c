@@ -103,7 +103,7 @@ static void calibrated_readings_are_directions_of_the_stand(void)
         turned((const double(*)[3])r, e, up);
         triad_read(&truth, up, u);
         const invcal_real raw[3] = {(invcal_real)u[0], (invcal_real)u[1], (invcal_real)u[2]};
-        invcal_apply(&c, raw, out);
+        invcal_apply(&c, raw[0], raw[1], raw[2], out);
         for (int a = 0; a < 3; a++) {
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-6, 1e-13), e[a], (double)out[a]);
         }
@@ -150,7 +150,7 @@ static void any_regular_matrix_may_be_nominal_and_be_replaced(void)
         TEST_ASSERT_DOUBLE_WITHIN(tolerance, r[p / 3][p % 3], (double)found[p / 3][p % 3]);
     }
     for (int i = 0; i < 18; i++) {
-        invcal_apply(&c, raw[i], up);
+        invcal_apply(&c, raw[i][0], raw[i][1], raw[i][2], up);
         for (int k = 0; k < 3; k++) {
             TEST_ASSERT_DOUBLE_WITHIN(tolerance, expected_plan18[i][k], (double)up[k]);
         }

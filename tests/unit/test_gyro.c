@@ -259,7 +259,7 @@ static void errors_of_ten_percent_come_back_exactly(void)
             for (int i = 0; i < 3; i++) {
                 raw[i] = (invcal_real)w.mean[k][i];
             }
-            invcal_apply(&imu.accelerometer, raw, up);
+            invcal_apply(&imu.accelerometer, raw[0], raw[1], raw[2], up);
             TEST_ASSERT_DOUBLE_WITHIN(
                 FLOAT_OR_DOUBLE(2e-6, 1e-9), 1,
                 sqrt((double)(up[0] * up[0] + up[1] * up[1] + up[2] * up[2])));

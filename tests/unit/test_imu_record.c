@@ -515,9 +515,9 @@ static void a_result_is_saved_and_loaded(void)
     uint32_t size = 0;
 
     new_cells();
-    TEST_ASSERT_EQUAL_INT(INVCAL_NO_RECORD, invcal_load_imu(&store, &r));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu(&store, &imu));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu(&store, &r));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_RECORD, invcal_imu_load(&r, &store));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_save(&imu, &store));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_load(&r, &store));
     invcal_imu_record_init(&expected, &imu);
     assert_equal_records(&expected, &r);
     assert_encodes(&expected, bytes);
@@ -525,10 +525,10 @@ static void a_result_is_saved_and_loaded(void)
     TEST_ASSERT_EQUAL_UINT32(SIZE, size);
     TEST_ASSERT_EQUAL_MEMORY(bytes, stored, SIZE);
     imu.gyro.offset[1] = (invcal_real)NOT_A_NUMBER;
-    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_save_imu(&store, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_imu_save(&imu, &store));
     imu.accelerometer.matrix[1][1] = (invcal_real)NOT_A_NUMBER;
-    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_save_imu(&store, &imu));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu(&store, &r)); /* the previous one */
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_imu_save(&imu, &store));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_load(&r, &store)); /* the previous one */
     assert_equal_records(&expected, &r);
 }
 
@@ -541,9 +541,9 @@ static void what_is_not_a_result_is_not_loaded(void)
     new_cells();
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                           invcal_store_save(&store, golden + RECORD_AT, INVCAL_RECORD_SIZE));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_load_imu(&store, &r));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_imu_load(&r, &store));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, large, SIZE));
-    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_load_imu(&store, &r));
+    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_imu_load(&r, &store));
 }
 
 /* At each byte of a save: the old one or the new one is found, complete. */
@@ -557,16 +557,16 @@ static void a_power_cut_at_any_byte_of_a_save_loses_no_result(void)
         invcal_imu_record r;
         new_cells();
         imu.moves = 12;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu(&store, &imu));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_save(&imu, &store));
         imu.moves = 13;
         power = cut;
-        saved = invcal_save_imu(&store, &imu) == INVCAL_OK;
+        saved = invcal_imu_save(&imu, &store) == INVCAL_OK;
         power = 100000;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu(&store, &r));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_load(&r, &store));
         TEST_ASSERT_TRUE(r.moves == 12 || r.moves == 13);
         TEST_ASSERT_TRUE(!saved || r.moves == 13);
         found[r.moves - 12]++;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu(&store, &imu)); /* and it works again */
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_save(&imu, &store)); /* and it works again */
     }
     TEST_ASSERT_TRUE(found[0] > SLOT && found[1] > 1);
 }

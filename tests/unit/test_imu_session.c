@@ -68,7 +68,7 @@ static invcal_event sample(const double rate[3], const double up[3])
         raw[i] = (int32_t)lround(COUNTS * (0.01 + rate[i] + 1e-3 * random_normal(&hand.random)));
     }
     if (!hand.is_off) {
-        invcal_moves_feed(&both.moves, raw);
+        invcal_moves_feed(&both.moves, raw[0], raw[1], raw[2]);
     }
     triad_read(&hand.triad, up, u);
     for (int i = 0; i < 3; i++) {
@@ -77,7 +77,7 @@ static invcal_event sample(const double rate[3], const double up[3])
     if (hand.is_off) {
         return INVCAL_NOTHING;
     }
-    const invcal_event event = invcal_session_feed(&both.session, raw);
+    const invcal_event event = invcal_session_feed(&both.session, raw[0], raw[1], raw[2]);
     invcal_moves_follow(&both.moves, &both.session.rests, event);
     return event;
 }
@@ -594,7 +594,7 @@ static void a_power_cut_at_any_byte_of_a_save_keeps_both_together(void)
 
     begin(10);
     take(5);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu_session(&store, &both));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_session_save(&both, &store));
     memcpy(&before, &both, sizeof both);
     (void)turn_to(tour[5]);
     TEST_ASSERT_EQUAL_UINT(before.session.count + 1u, both.session.count);
@@ -604,10 +604,10 @@ static void a_power_cut_at_any_byte_of_a_save_keeps_both_together(void)
         memcpy(cells, old_cells, sizeof cells);
         memcpy(used, old_used, sizeof used);
         power = cut;
-        saved = invcal_save_imu_session(&store, &both) == INVCAL_OK;
+        saved = invcal_imu_session_save(&both, &store) == INVCAL_OK;
         power = 1000000;
         memset(&back, FILL, sizeof back);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu_session(&store, &back));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_session_load(&back, &store));
         const int is_new = back.session.count == both.session.count;
         const invcal_imu_session *expected = is_new ? &both : &before;
         TEST_ASSERT_EQUAL_MEMORY((const uint8_t *)expected + offsetof(invcal_moves, layout),
@@ -627,13 +627,13 @@ static void what_is_not_a_session_of_both_is_not_loaded(void)
 
     begin(11);
     take(3);
-    TEST_ASSERT_EQUAL_INT(INVCAL_NO_RECORD, invcal_load_imu_session(&store, &back));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_session(&store, &both.session)); /* one sensor */
-    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_load_imu_session(&store, &back));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_RECORD, invcal_imu_session_load(&back, &store));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_save(&both.session, &store)); /* one sensor */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_imu_session_load(&back, &store));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, large, sizeof large));
-    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_load_imu_session(&store, &back));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save_imu_session(&store, &both));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_imu_session(&store, &back));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_imu_session_load(&back, &store));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_session_save(&both, &store));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_session_load(&back, &store));
     assert_back();
 }
 

@@ -84,7 +84,7 @@ static void residuals_are_calibrated_lengths_minus_one(void)
 
     for (unsigned i = 0; i < 18; i++) {
         invcal_real v[3];
-        invcal_apply(&s.calibration, s.set.u[i], v);
+        invcal_apply(&s.calibration, s.set.u[i][0], s.set.u[i][1], s.set.u[i][2], v);
         const double d[3] = {(double)v[0], (double)v[1], (double)v[2]};
         const double expected = length3(d) - 1;
         squares += expected * expected;
@@ -126,7 +126,7 @@ static double observed_noise(const scene *s, unsigned count)
         invcal_real v[3];
         double eta[3];
         double gradient = 0;
-        invcal_apply(&s->calibration, s->set.u[i], v);
+        invcal_apply(&s->calibration, s->set.u[i][0], s->set.u[i][1], s->set.u[i][2], v);
         for (int k = 0; k < 3; k++) {
             eta[k] = (double)v[k];
         }

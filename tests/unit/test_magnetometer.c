@@ -143,7 +143,7 @@ static void live(const scene *s, uint32_t seed, double size, minute *m)
             raw[i] =
                 (invcal_real)(field_counts * (u[i] + slow[i] + s->white * random_normal(&random)));
         }
-        invcal_magnetometer_feed(&m->magnetometer, raw);
+        invcal_magnetometer_feed(&m->magnetometer, raw[0], raw[1], raw[2]);
     }
     m->status =
         invcal_magnetometer_solve(&m->magnetometer, &m->calibration, &m->quality, &m->found);
@@ -247,7 +247,7 @@ static void cells_are_positions_to_look_at(void)
         invcal_real raw[3] = {0, 0, 0};
         invcal_real eta[3];
         total += invcal_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
-        invcal_apply(&the.calibration, raw, eta);
+        invcal_apply(&the.calibration, raw[0], raw[1], raw[2], eta);
         const double direction[3] = {(double)eta[0], (double)eta[1], (double)eta[2]};
         squares += (length3(direction) - 1) * (length3(direction) - 1);
         TEST_ASSERT_EQUAL_HEX32(0, seen & nearest_of_cube(direction));
@@ -280,7 +280,7 @@ static void a_real_one_agrees_with_fits_to_all_samples(void)
         for (int i = 0; i < 3; i++) {
             raw[i] = (invcal_real)(reference_means[n][i] * 1e-6);
         }
-        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&the.magnetometer, raw) != INVCAL_REFUSED);
+        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]) != INVCAL_REFUSED);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&the.magnetometer, &the.calibration,
                                                                &the.quality, &the.found));
@@ -332,7 +332,7 @@ static void feed_sphere(invcal_magnetometer *m, const double centre[3], double u
             raw[i] = (invcal_real)(centre[i] + unit * (i == 2 ? z : 1) * d[i]);
         }
         if (d[2] <= most) {
-            (void)invcal_magnetometer_feed(m, raw);
+            (void)invcal_magnetometer_feed(m, raw[0], raw[1], raw[2]);
             n++;
         }
     }
@@ -456,8 +456,8 @@ static void it_goes_on_after_a_reset(void)
         for (int i = 0; i < 3; i++) {
             raw[i] = (invcal_real)(40 * d[i] + 7 + 0.4 * random_normal(&random));
         }
-        TEST_ASSERT_EQUAL_INT(invcal_magnetometer_feed(&whole, raw),
-                              invcal_magnetometer_feed(&again, raw));
+        TEST_ASSERT_EQUAL_INT(invcal_magnetometer_feed(&whole, raw[0], raw[1], raw[2]),
+                              invcal_magnetometer_feed(&again, raw[0], raw[1], raw[2]));
         if (n == 2000) {
             TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                                   invcal_store_save(&store, (const uint8_t *)&again, sizeof again));
@@ -469,8 +469,8 @@ static void it_goes_on_after_a_reset(void)
     }
     TEST_ASSERT_EQUAL_MEMORY(&whole, &again, sizeof whole);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&again, &c, &quality, NULL));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save(&store, &c, &quality));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load(&store, &loaded));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save(&c, &quality, &store));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load(&loaded, &store));
     TEST_ASSERT_DOUBLE_WITHIN(1e-5, (double)c.offset[0], (double)loaded.offset[0]);
     TEST_ASSERT_DOUBLE_WITHIN(1e-8, (double)c.matrix[2][2], (double)loaded.matrix[2][2]);
 }
@@ -606,7 +606,7 @@ static invcal_event feed_at(double x, double y, double z)
 {
     const invcal_real raw[3] = {(invcal_real)x, (invcal_real)y, (invcal_real)z};
 
-    return invcal_magnetometer_feed(&the.magnetometer, raw);
+    return invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]);
 }
 
 /* Reads the centre of each face or edge, or of all, n times. */
@@ -1364,7 +1364,7 @@ static void guidance_covers_every_cell(void)
         for (int i = 0; i < 3; i++) {
             raw[i] = (invcal_real)(field_counts * ((double)along[i] + the.truth.x[i]));
         }
-        taken += invcal_magnetometer_feed(&the.magnetometer, raw) == INVCAL_TAKEN;
+        taken += invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]) == INVCAL_TAKEN;
     }
     TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, taken);
 }
@@ -1437,7 +1437,7 @@ static unsigned left_of_600(uint32_t seed, double spoilt)
             raw[i] = (invcal_real)(d[i] * (n < 100 && d[0] > 0 ? 1 + spoilt : 1) +
                                    0.01 * random_normal(&random));
         }
-        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&the.magnetometer, raw) != INVCAL_REFUSED);
+        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]) != INVCAL_REFUSED);
     }
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         left += (unsigned)the.magnetometer.early.count[k] + the.magnetometer.late.count[k];
@@ -1477,7 +1477,7 @@ static void cells_lie_on_the_sphere_whatever_is_nominal(void)
         random_direction(&random, d);
         const invcal_real raw[3] = {(invcal_real)(2 * d[0] + 4), (invcal_real)(2 * d[1] - 3),
                                     (invcal_real)(2 * d[2] + 1)};
-        (void)invcal_magnetometer_feed(&the.magnetometer, raw);
+        (void)invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
@@ -1485,7 +1485,7 @@ static void cells_lie_on_the_sphere_whatever_is_nominal(void)
         invcal_real raw[3] = {0, 0, 0};
         invcal_real eta[3];
         TEST_ASSERT_TRUE(invcal_magnetometer_cell(&the.magnetometer, &c, k, raw) > 0);
-        invcal_apply(&c, raw, eta);
+        invcal_apply(&c, raw[0], raw[1], raw[2], eta);
         const double calibrated[3] = {(double)eta[0], (double)eta[1], (double)eta[2]};
         const double seen[3] = {(double)raw[0] - 4, (double)raw[1] + 3, (double)raw[2] - 1};
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-9), 1, length3(calibrated));
@@ -1510,7 +1510,7 @@ static void independent_noise_is_recognized_as_such(void)
         for (int i = 0; i < 3; i++) {
             raw[i] = (invcal_real)(d[i] + 0.02 * random_normal(&random));
         }
-        (void)invcal_magnetometer_feed(&the.magnetometer, raw);
+        (void)invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
@@ -1536,7 +1536,7 @@ static void a_session_of_days_stays_as_good(void)
         const unsigned k = (unsigned)n % INVCAL_CELLS;
         invcal_real raw[3] = {0, 0, 0};
         (void)invcal_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
-        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&the.magnetometer, raw));
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]));
         TEST_ASSERT_TRUE(the.magnetometer.samples < most);
         TEST_ASSERT_TRUE(the.magnetometer.left_out < the.magnetometer.samples / 16);
     }
@@ -1545,7 +1545,7 @@ static void a_session_of_days_stays_as_good(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, the.quality.verdict);
     the.magnetometer.left_out = most;
     const invcal_real far[3] = {30000, 0, 0};
-    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, far));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, far[0], far[1], far[2]));
     TEST_ASSERT_TRUE(the.magnetometer.left_out == most);
     the.status =
         invcal_magnetometer_solve(&the.magnetometer, &the.calibration, &the.quality, &the.found);
@@ -1580,17 +1580,17 @@ static void bad_input_changes_nothing(void)
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
     before = the.magnetometer;
     for (int i = 0; i < 2; i++) { /* as the very first */
-        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, bad[i]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, bad[i][0], bad[i][1], bad[i][2]));
     }
     TEST_ASSERT_EQUAL_MEMORY(&before, &the.magnetometer, sizeof the.magnetometer);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_magnetometer_feed(&the.magnetometer, good));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_magnetometer_feed(&the.magnetometer, good[0], good[1], good[2]));
     before = the.magnetometer;
     for (int i = 0; i < 3; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, bad[i]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, bad[i][0], bad[i][1], bad[i][2]));
     }
     TEST_ASSERT_EQUAL_MEMORY(&before, &the.magnetometer, sizeof the.magnetometer);
     for (int i = 0; i < 1000; i++) { /* it lies on the table */
-        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&the.magnetometer, good));
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&the.magnetometer, good[0], good[1], good[2]));
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
@@ -1608,7 +1608,7 @@ static void a_circle_determines_nothing(void)
     for (int i = 0; i < 2000; i++) {
         const double angle = i * 0.01;
         const invcal_real raw[3] = {(invcal_real)(5 + cos(angle)), (invcal_real)sin(angle), 3};
-        invcal_magnetometer_feed(&the.magnetometer, raw);
+        invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));

@@ -177,7 +177,7 @@ static void nonsense_is_refused_or_does_no_harm(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 100));
     world_rest(&w, 1.5);
     for (int i = 0; i < 300; i++) {
-        invcal_moves_feed(&w.moves, ends);
+        invcal_moves_feed(&w.moves, ends[0], ends[1], ends[2]);
         world_sample(&w, none, 0);
     }
     world_rest(&w, 1.5);
@@ -193,7 +193,7 @@ static void turn_on(double x, double y, double z, int samples)
     const int32_t raw[3] = {(int32_t)(x * COUNTS), (int32_t)(y * COUNTS), (int32_t)(z * COUNTS)};
 
     for (int i = 0; i < samples; i++) {
-        invcal_moves_feed(&w.moves, raw);
+        invcal_moves_feed(&w.moves, raw[0], raw[1], raw[2]);
     }
 }
 
@@ -337,7 +337,7 @@ static void feed(int32_t x, int32_t y, int32_t z)
 {
     const int32_t raw[3] = {x, y, z};
 
-    invcal_moves_feed(&w.moves, raw);
+    invcal_moves_feed(&w.moves, raw[0], raw[1], raw[2]);
 }
 
 /* The end of a block: eight samples of the accelerometer, however many of the gyroscope. */
@@ -634,7 +634,7 @@ static void stir(int n, double th[3])
         raw[i] = (int32_t)lround(stirred[n][i] * 262144 * (double)EXACT_RATE);
         th[i] = raw[i] / 262144.0 / (double)EXACT_RATE;
     }
-    invcal_moves_feed(&w.moves, raw);
+    invcal_moves_feed(&w.moves, raw[0], raw[1], raw[2]);
 }
 
 static void rotations_are_added_by_the_series(void)
@@ -961,7 +961,7 @@ static void feed_rate(const double step[3], random_source *random)
                                             inverse[i][2] * step[2]);
         raw[i] = (int32_t)lround(COUNTS * (0.02 + rate + 1e-3 * random_normal(random)));
     }
-    invcal_moves_feed(&w.moves, raw);
+    invcal_moves_feed(&w.moves, raw[0], raw[1], raw[2]);
 }
 
 /* Feeds what the accelerometer reads. Returns 1 if that took a position. */
@@ -974,7 +974,7 @@ static int feed_up(invcal_session *session, const double up[3], random_source *r
     for (int i = 0; i < 3; i++) {
         raw[i] = (int32_t)lround(16384 * u[i] + 20 * random_normal(random));
     }
-    const invcal_event event = invcal_session_feed(session, raw);
+    const invcal_event event = invcal_session_feed(session, raw[0], raw[1], raw[2]);
     invcal_moves_follow(&w.moves, &session->rests, event);
     return event == INVCAL_TAKEN;
 }

@@ -653,7 +653,7 @@ static invcal_status save_golden(uint8_t verdict)
     memset(&q, 0, sizeof q);
     memcpy(q.sigma, r.sigma, sizeof q.sigma);
     q.verdict = verdict;
-    return invcal_save(&store, &r.calibration, &q);
+    return invcal_save(&r.calibration, &q, &store);
 }
 
 static void a_calibration_that_was_saved_is_loaded_and_so_is_its_record(void)
@@ -699,7 +699,7 @@ static void what_is_saved_is_the_record_that_init_makes(void)
     invcal_record_init(&r, &golden_one.calibration, &q);
     assert_encodes(&r, expected);
     memset(memory, 0xFF, sizeof memory);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save(&store, &golden_one.calibration, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_save(&golden_one.calibration, &q, &store));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_load(&store, bytes, sizeof bytes, &size));
     TEST_ASSERT_EQUAL_UINT32(SIZE, size);
     TEST_ASSERT_EQUAL_HEX8_ARRAY(expected, bytes, SIZE);

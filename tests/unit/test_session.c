@@ -107,8 +107,8 @@ static void note(invcal_event event)
 
 static void feed(const int32_t raw[3])
 {
-    const invcal_event event = b.is_background ? invcal_background_feed(&b.background, raw)
-                                               : invcal_session_feed(b.s, raw);
+    const invcal_event event = b.is_background ? invcal_background_feed(&b.background, raw[0], raw[1], raw[2])
+                                               : invcal_session_feed(b.s, raw[0], raw[1], raw[2]);
 
     if (event != INVCAL_NOTHING) {
         note(event);
@@ -249,7 +249,7 @@ static double worst_length(const invcal_calibration *calibration)
         for (int k = 0; k < 3; k++) {
             raw[k] = (invcal_real)(u[k] * COUNTS + zero[k]);
         }
-        invcal_apply(calibration, raw, out);
+        invcal_apply(calibration, raw[0], raw[1], raw[2], out);
         const double v[3] = {(double)out[0], (double)out[1], (double)out[2]};
         worst = larger(worst, fabs(length3(v) - 1));
     }

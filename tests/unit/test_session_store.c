@@ -81,7 +81,7 @@ static invcal_event feed(invcal_session *session, const scene *s, const double e
         const double noise = 2 * random_normal(random);
         raw[i] = (int32_t)floor(u[i] * counts + zero[i] + noise + 0.5);
     }
-    return invcal_session_feed(session, raw);
+    return invcal_session_feed(session, raw[0], raw[1], raw[2]);
 }
 
 /* Turns eta by 0.2 rad towards other, which is not noise. */
@@ -475,7 +475,7 @@ static void any_content_does_no_harm(void)
             invcal_session_next(&out, next);
             TEST_ASSERT_DOUBLE_WITHIN(
                 1e-6, 1, length3((double[3]){(double)next[0], (double)next[1], (double)next[2]}));
-            (void)invcal_session_feed(&out, raw);
+            (void)invcal_session_feed(&out, raw[0], raw[1], raw[2]);
         }
     }
     TEST_ASSERT_TRUE(accepted > 1000 && accepted < 19500);
@@ -616,7 +616,7 @@ static int save(unsigned n)
 {
     const invcal_session session = resume(lived.bytes[n], lived.size[n]);
 
-    return invcal_save_session(&store, &session) == INVCAL_OK;
+    return invcal_session_save(&session, &store) == INVCAL_OK;
 }
 
 /* Loads what must be state n or n + 1. Returns which, and the session. */
@@ -624,7 +624,7 @@ static unsigned load(unsigned n, invcal_session *session)
 {
     static uint8_t bytes[SIZE];
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_load_session(&store, session));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_load(session, &store));
     const uint32_t size = keep(session, bytes);
     const int is_new = size == lived.size[n + 1] && memcmp(bytes, lived.bytes[n + 1], size) == 0;
     if (!is_new) {
@@ -746,7 +746,7 @@ static void a_power_cut_in_the_first_save_leaves_nothing_or_the_session(void)
         power = cut;
         (void)save(0);
         power_up();
-        const invcal_status status = invcal_load_session(&store, &session);
+        const invcal_status status = invcal_session_load(&session, &store);
         none += status == INVCAL_NO_RECORD;
         if (status != INVCAL_NO_RECORD) {
             TEST_ASSERT_EQUAL_UINT(0, load(0, &session));
@@ -779,10 +779,10 @@ static void what_is_not_a_session_is_not_loaded(void)
             TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                                   invcal_store_save(&store, stored[i].bytes, stored[i].size));
         }
-        TEST_ASSERT_EQUAL_INT(stored[i].status, invcal_load_session(&store, &session));
+        TEST_ASSERT_EQUAL_INT(stored[i].status, invcal_session_load(&session, &store));
     }
     store.granularity = 3;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_STORE, invcal_save_session(&store, &before));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_STORE, invcal_session_save(&before, &store));
 }
 
 int main(void)

@@ -212,7 +212,7 @@ static void a_magnetometer_is_calibrated_like_an_accelerometer(void)
             invcal_real v[3];
             random_direction(&random, eta);
             read_magnetometer(&truth, iron, eta, v);
-            invcal_apply(&calibration, v, v);
+            invcal_apply(&calibration, v[0], v[1], v[2], v);
             const double d[3] = {(double)v[0], (double)v[1], (double)v[2]};
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-4, 1e-11), magnetometer_field, length3(d));
         }
@@ -268,7 +268,7 @@ static void any_regular_matrix_may_be_nominal(void)
                                               (double)calibration.offset[k]);
                 }
             }
-            invcal_apply(&calibration, raw, raw);
+            invcal_apply(&calibration, raw[0], raw[1], raw[2], raw);
             const double v[3] = {(double)raw[0], (double)raw[1], (double)raw[2]};
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-6, 1e-13), 1, length3(v));
         }

@@ -651,7 +651,7 @@ static void raw_counts_give_the_right_lengths_at_every_temperature(void)
         invcal_calibration calibration = calibration_at((double)all.temperature[i]);
         invcal_real v[3];
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_scale(&calibration, (invcal_real)9.80665));
-        invcal_apply(&calibration, &all.raw[3 * i], v);
+        invcal_apply(&calibration, all.raw[3 * i], all.raw[3 * i + 1], all.raw[3 * i + 2], v);
         const double d[3] = {(double)v[0], (double)v[1], (double)v[2]};
         TEST_ASSERT_DOUBLE_WITHIN(3e-5, 9.80665, length3(d));
     }

@@ -71,7 +71,7 @@ static imu_status take_positions(void)
         if (status == IMU_LOST) { /* while the flash was written */
             invcal_session_gap(&session);
         } else if (status == IMU_ACCELEROMETER) {
-            done = handle_event(invcal_session_feed(&session, raw));
+            done = handle_event(invcal_session_feed(&session, raw[0], raw[1], raw[2]));
         } else {
             return status;
         }
@@ -109,9 +109,10 @@ static int solve(invcal_calibration *calibration)
 /* Repeats the session until the result is good. Returns 0 if sensor or setup fail. */
 static int calibrate(invcal_calibration *calibration)
 {
-    if (storage_load_session(&session) != INVCAL_OK && begin_session() != INVCAL_OK) {
+    if (begin_session() != INVCAL_OK) {
         return 0;
     }
+    (void)storage_load_session(&session); /* reported; if there is none, it begins anew */
     for (;;) {
         const imu_status status = take_positions();
         if (status != IMU_ACCELEROMETER) {
@@ -137,7 +138,7 @@ static void measure(const invcal_calibration *calibration)
 
     for (unsigned n = 0; status <= IMU_LOST; status = imu_next(raw)) {
         if (status == IMU_ACCELEROMETER) {
-            invcal_apply_counts(calibration, raw, a);
+            invcal_apply(calibration, raw[0], raw[1], raw[2], a);
             if (++n % SHOW_EVERY == 0) {
                 report_reading(a);
             }

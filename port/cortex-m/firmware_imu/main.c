@@ -95,12 +95,24 @@ static void report_result(const invcal_imu *imu)
 /* A failure is reported; only a reset would then lose something. */
 static void save_session(void)
 {
-    const invcal_status status = invcal_save_imu_session(&session_store, &both);
+    const invcal_status status = invcal_imu_session_save(&both, &session_store);
 
     if (status == INVCAL_OK) {
         report_count("session stored, positions", both.session.count);
     } else {
         report("session not stored", invcal_status_text(status));
+    }
+}
+
+/* If there is none, it begins anew. */
+static void load_session(void)
+{
+    const invcal_status status = invcal_imu_session_load(&both, &session_store);
+
+    if (status == INVCAL_OK) {
+        report_count("stored session found, positions", both.session.count);
+    } else {
+        report("stored session", invcal_status_text(status));
     }
 }
 
@@ -146,7 +158,7 @@ static int solve(void)
         return 0;
     }
     report_result(&imu);
-    const invcal_status saved = invcal_save_imu(&calibration_store, &imu);
+    const invcal_status saved = invcal_imu_save(&imu, &calibration_store);
     report(saved == INVCAL_OK ? "calibration stored" : "calibration not stored",
            invcal_status_text(saved));
     return saved == INVCAL_OK;
@@ -177,9 +189,9 @@ static imu_status calibrate(void)
     for (;;) {
         const imu_status status = imu_next(raw);
         if (status == IMU_GYRO) {
-            invcal_moves_feed(&both.moves, raw);
+            invcal_moves_feed(&both.moves, raw[0], raw[1], raw[2]);
         } else if (status == IMU_ACCELEROMETER) {
-            const invcal_event event = invcal_session_feed(&both.session, raw);
+            const invcal_event event = invcal_session_feed(&both.session, raw[0], raw[1], raw[2]);
             invcal_moves_follow(&both.moves, &both.session.rests, event);
             if (handle_event(event)) {
                 return IMU_ACCELEROMETER;
@@ -206,13 +218,13 @@ static void measure(const invcal_imu_record *record)
 
     for (unsigned n = 0; status <= IMU_LOST; status = imu_next(raw)) {
         if (status == IMU_GYRO) {
-            invcal_apply_counts(&record->gyro, raw, rate);
+            invcal_apply(&record->gyro, raw[0], raw[1], raw[2], rate);
             for (unsigned i = 0; i < 3 && record->g_is_used; i++) {
                 const invcal_real *g = record->slope[i];
                 rate[i] -= g[0] * a[0] + g[1] * a[1] + g[2] * a[2];
             }
         } else if (status == IMU_ACCELEROMETER) {
-            invcal_apply_counts(&record->accelerometer.calibration, raw, a);
+            invcal_apply(&record->accelerometer.calibration, raw[0], raw[1], raw[2], a);
             if (++n % SHOW_EVERY == 0) {
                 report_reading(a);
                 report_vector("rate, mrad/s:", rate, 1000, 1);
@@ -232,18 +244,15 @@ int main(void)
     if (status != IMU_ACCELEROMETER) {
         return 1;
     }
-    invcal_status found = invcal_load_imu(&calibration_store, &record);
+    invcal_status found = invcal_imu_load(&record, &calibration_store);
     report("stored calibration", found == INVCAL_OK ? "found" : invcal_status_text(found));
     if (found != INVCAL_OK) {
-        found = invcal_load_imu_session(&session_store, &both);
+        found = begin_session();
         if (found == INVCAL_OK) {
-            report_count("stored session found, positions", both.session.count);
-        } else {
-            report("stored session", invcal_status_text(found));
-            found = begin_session();
+            load_session();
         }
         status = found == INVCAL_OK ? calibrate() : IMU_CONFIG_FAILED;
-        found = invcal_load_imu(&calibration_store, &record);
+        found = invcal_imu_load(&record, &calibration_store);
     }
     if (status == IMU_ACCELEROMETER && found == INVCAL_OK) {
         measure(&record);

@@ -89,7 +89,7 @@ static int write_gyro(FILE *spool, const table *log, const columns *where, const
     if (failure) {
         return failure;
     }
-    invcal_apply(&j->file.gyro, v, v);
+    invcal_apply(&j->file.gyro, v[0], v[1], v[2], v);
     for (unsigned i = 0; i < 9; i++) {
         v[i / 3] -= j->file.gyro_g[i / 3][i % 3] * acceleration[i % 3];
     }
@@ -112,7 +112,7 @@ static int write_accelerometer(FILE *spool, const table *log, const columns *whe
         return failure;
     }
     nonlinear_correction_remove(&j->nonlinear, v);
-    invcal_apply(thermal_correction_at(&j->thermal, temperature), v, v);
+    invcal_apply(thermal_correction_at(&j->thermal, temperature), v[0], v[1], v[2], v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     j->small += length < FAR_MIN * j->file.gravity;
     j->large += length > FAR_MAX * j->file.gravity;

@@ -121,7 +121,7 @@ void nonlinear_correction_remove(nonlinear_correction *c, double raw[3])
     for (unsigned step = 0; step < ITERATIONS && change > TOLERANCE; step++) {
         double now[3];
         double error[3];
-        invcal_apply(&c->symmetric, raw, now);
+        invcal_apply(&c->symmetric, raw[0], raw[1], raw[2], now);
         for (unsigned a = 0; a < 3; a++) {
             error[a] = error_of(c, a, now[a]);
             eta[a] -= now[a];

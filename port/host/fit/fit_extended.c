@@ -83,7 +83,7 @@ static void correct(const work *w, const double *raw, const fit_solution *s, con
         double *out = &w->corrected[3 * (size_t)i];
         double eta[3];
         double error[3] = {0, 0, 0};
-        invcal_apply(&s->symmetric, out, eta);
+        invcal_apply(&s->symmetric, out[0], out[1], out[2], eta);
         for (unsigned e = 0; e < w->unknowns - NINE; e++) {
             error[e % 3] += extra[e] * w->extension->value(w->extension, i, e / 3, eta[e % 3]);
         }

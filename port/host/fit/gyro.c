@@ -225,7 +225,7 @@ static void fill_rests(gyro_fit *g, long lag, const positions *p, const invcal_c
 {
     for (unsigned i = 0; i < g->rests; i++) {
         gyro_rest *rest = &g->rest[i];
-        invcal_apply(start, &p->mean[3 * (size_t)rest->position], rest->up);
+        invcal_apply(start, p->mean[3 * (size_t)rest->position], p->mean[3 * (size_t)rest->position + 1], p->mean[3 * (size_t)rest->position + 2], rest->up);
         const double length =
             sqrt(rest->up[0] * rest->up[0] + rest->up[1] * rest->up[1] + rest->up[2] * rest->up[2]);
         for (unsigned k = 0; k < 3; k++) {
@@ -559,7 +559,7 @@ static void feed(const gyro_fit *g, const gyro_log_reading *r, double unit)
     for (unsigned k = 0; k < 3; k++) {
         raw[k] = count_of(x[k], unit);
     }
-    invcal_moves_feed(&moves, raw);
+    invcal_moves_feed(&moves, raw[0], raw[1], raw[2]);
 }
 
 /* Records all moves again, in the structure of the library. */

@@ -50,7 +50,7 @@ static void acceleration_at(const gyro_fit *g, size_t index, double out[3])
     for (unsigned k = 0; k < 3; k++) {
         raw[k] = log->sample[index].raw[k] * log->unit;
     }
-    invcal_apply(&g->imu.accelerometer, raw, out);
+    invcal_apply(&g->imu.accelerometer, raw[0], raw[1], raw[2], out);
 }
 
 /* The bias: the mean of both rests, corrected for the difference in acceleration. */
@@ -207,7 +207,7 @@ void gyro_measure(gyro_fit *g, long lag, const positions *p)
         for (unsigned k = 0; k < 3; k++) {
             rest->bias[k] = g->rate_unit * x[k];
         }
-        invcal_apply(&g->imu.accelerometer, &p->mean[3 * (size_t)rest->position], rest->up);
+        invcal_apply(&g->imu.accelerometer, p->mean[3 * (size_t)rest->position], p->mean[3 * (size_t)rest->position + 1], p->mean[3 * (size_t)rest->position + 2], rest->up);
         const double length = sqrt(dot(rest->up, rest->up));
         for (unsigned k = 0; k < 3; k++) {
             rest->up[k] /= length;

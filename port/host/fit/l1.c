@@ -13,7 +13,7 @@ static double residual(const invcal_calibration *c, const double raw[3])
 {
     double v[3];
 
-    invcal_apply(c, raw, v);
+    invcal_apply(c, raw[0], raw[1], raw[2], v);
     return fabs(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] - 1) / 2;
 }
 

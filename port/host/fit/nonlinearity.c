@@ -113,7 +113,7 @@ static double (*directions(const double *raw, unsigned count, const invcal_calib
     double(*eta)[3] = malloc(((size_t)count + 1) * sizeof *eta);
 
     for (unsigned i = 0; eta && i < count; i++) {
-        invcal_apply(c, &raw[3 * (size_t)i], eta[i]);
+        invcal_apply(c, raw[3 * (size_t)i], raw[3 * (size_t)i + 1], raw[3 * (size_t)i + 2], eta[i]);
         const double length =
             sqrt(eta[i][0] * eta[i][0] + eta[i][1] * eta[i][1] + eta[i][2] * eta[i][2]);
         for (unsigned a = 0; a < 3; a++) {

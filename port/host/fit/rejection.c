@@ -30,7 +30,7 @@ static int is_impossible(const positions *p, unsigned i, const fit_settings *set
     double u[3];
     invcal_row row;
 
-    invcal_apply(&settings->nominal, mean, u);
+    invcal_apply(&settings->nominal, mean[0], mean[1], mean[2], u);
     return invcal_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE &&
            sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1 <= REJECTION_LENGTH_MAX;
 }
@@ -107,7 +107,7 @@ static double length_error(const invcal_calibration *c, const double *mean)
 {
     double v[3];
 
-    invcal_apply(c, mean, v);
+    invcal_apply(c, mean[0], mean[1], mean[2], v);
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
 }
 

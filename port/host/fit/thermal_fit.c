@@ -153,7 +153,7 @@ void thermal_fit_to_reference(const thermal_fit *fit, const double raw[3], doubl
     double inverse[3][3] = {{0}};
     double v[3];
 
-    invcal_apply(&here, raw, v);
+    invcal_apply(&here, raw[0], raw[1], raw[2], v);
     (void)matrix_inverse(reference, inverse); /* it exists, as readings gave this matrix */
     for (unsigned i = 0; i < 3; i++) {
         out[i] = reference->offset[i] + inverse[i][0] * v[0] + inverse[i][1] * v[1] +

@@ -36,7 +36,7 @@ static int feed_all(invcal_magnetometer *m, samples *log, const magnetometer_log
 
     while ((more = samples_next(log, &s)) == 1) {
         const double raw[3] = {s.raw[0] * log->unit, s.raw[1] * log->unit, s.raw[2] * log->unit};
-        const invcal_event event = invcal_magnetometer_feed(m, raw);
+        const invcal_event event = invcal_magnetometer_feed(m, raw[0], raw[1], raw[2]);
         out->samples++;
         if (options->listen) {
             const magnetometer_moment at = {m, log, &s, raw, event};
@@ -78,7 +78,7 @@ static double find_sample_rms(const magnetometer_log *log)
 
     for (unsigned long n = 0; n < log->instants; n++) {
         double v[3];
-        invcal_apply(&log->calibration, log->instant[n].field, v);
+        invcal_apply(&log->calibration, log->instant[n].field[0], log->instant[n].field[1], log->instant[n].field[2], v);
         const double off = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
         squares += off * off;
     }

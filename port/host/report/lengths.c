@@ -25,7 +25,7 @@ static double deviation(const report_facts *f, const invcal_calibration *c, cons
 {
     double v[3];
 
-    invcal_apply(c, raw, v);
+    invcal_apply(c, raw[0], raw[1], raw[2], v);
     return f->scale * (sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1);
 }
 

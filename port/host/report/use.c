@@ -82,7 +82,7 @@ static void write_constant(page *p, const report_facts *f, const invcal_calibrat
     }
     page_say(p,
              "As a constant for a firmware with this library, "
-             "invcal_apply(&calibration, raw, calibrated)%s:",
+             "invcal_apply(&calibration, raw[0], raw[1], raw[2], calibrated)%s:",
              f->result->temperature == CALIBRATE_THERMAL ? ", valid at the reference temperature"
                                                          : "");
     if (constant_fits(c->offset, (const double(*)[3])c->matrix)) {

@@ -66,7 +66,7 @@ static void remove_nonlinearity(const calibrate_result *r, double reading[3])
     for (unsigned step = 0; step < ITERATIONS; step++) {
         double eta[3];
         double error[3];
-        invcal_apply(&r->solution.symmetric, reading, eta);
+        invcal_apply(&r->solution.symmetric, reading[0], reading[1], reading[2], eta);
         for (unsigned a = 0; a < 3; a++) {
             const double cubic = r->degree > 2 ? r->nonlinear[3 + a] : 0;
             error[a] = eta[a] * eta[a] * (r->nonlinear[a] + cubic * eta[a]);
@@ -91,7 +91,7 @@ double calibrate_excess(const calibrate_result *r, unsigned position)
     double v[3];
 
     calibrate_linear_reading(r, position, v);
-    invcal_apply(&here, v, v);
+    invcal_apply(&here, v[0], v[1], v[2], v);
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
 }
 

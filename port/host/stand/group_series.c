@@ -78,7 +78,7 @@ static double vertical_composition(const mounting_position *p, const mounting *m
     double u[3];
 
     mounting_turn(m, p->eta, up);
-    invcal_apply(nominal, p->raw, u);
+    invcal_apply(nominal, p->raw[0], p->raw[1], p->raw[2], u);
     return u[0] * up[0] + u[1] * up[1] + u[2] * up[2] - 1;
 }
 

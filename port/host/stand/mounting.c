@@ -25,7 +25,7 @@ double mounting_leverage(const mounting *m, const double eta[3])
 
 void mounting_direction(const mounting *m, const double raw[3], double direction[3])
 {
-    invcal_apply(&m->stand, raw, direction);
+    invcal_apply(&m->stand, raw[0], raw[1], raw[2], direction);
     const double length = sqrt(direction[0] * direction[0] + direction[1] * direction[1] +
                                direction[2] * direction[2]);
     for (unsigned i = 0; i < 3; i++) {

@@ -176,7 +176,7 @@ static double residual(const mounting_position *p, const mounting *m,
     double u[3];
 
     mounting_turn(m, p->eta, up);
-    invcal_apply(nominal, p->raw, u);
+    invcal_apply(nominal, p->raw[0], p->raw[1], p->raw[2], u);
     double j = u[0] * up[0] + u[1] * up[1] + u[2] * up[2] - 1;
     const invcal_calibration unit = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     (void)invcal_observe(&unit, up, &row);

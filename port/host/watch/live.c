@@ -48,7 +48,7 @@ static int find_up(const invcal_calibration *known, const double counts[3], doub
 {
     double length = 0;
 
-    invcal_apply(known, counts, up);
+    invcal_apply(known, counts[0], counts[1], counts[2], up);
     for (unsigned i = 0; i < 3; i++) {
         length = hypot(length, up[i]);
     }
@@ -418,7 +418,7 @@ static int feed(state *s, const sample *latest)
     if (s->gyro && gyro_log_add(s->gyro, &live_log, latest)) {
         return EXIT_FILE;
     }
-    const invcal_event event = invcal_session_feed(&session, latest->raw);
+    const invcal_event event = invcal_session_feed(&session, latest->raw[0], latest->raw[1], latest->raw[2]);
     if (event != INVCAL_NOTHING) {
         recording_filled(&live_recording);
         failure = handle_event(s, event);

@@ -46,7 +46,7 @@ static void visit(const live_program *l, program *p, const invcal_calibration *k
 {
     double up[3];
 
-    invcal_apply(known, counts, up);
+    invcal_apply(known, counts[0], counts[1], counts[2], up);
     const unsigned found = program_find(p, up);
     program_visit(p, found == PROGRAM_NO_POSITION && is_zero_unknown(l) ? p->next : found, up);
 }

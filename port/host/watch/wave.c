@@ -27,7 +27,7 @@ typedef struct {
 /* The direction of a reading. Returns 0 if it has none. */
 static int find_direction(const invcal_calibration *c, const double raw[3], double out[3])
 {
-    invcal_apply(c, raw, out);
+    invcal_apply(c, raw[0], raw[1], raw[2], out);
     const double length = hypot(hypot(out[0], out[1]), out[2]);
     for (unsigned i = 0; i < 3; i++) {
         out[i] /= length;

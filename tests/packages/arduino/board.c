@@ -556,10 +556,10 @@ static void tell(void)
     invcal_calibration stored;
     invcal_imu_record both;
 
-    if (with_gyro && invcal_load_imu(&store, &both) == INVCAL_OK) {
+    if (with_gyro && invcal_imu_load(&both, &store) == INVCAL_OK) {
         tell_gyro(&both);
         tell_accelerometer(&both.accelerometer.calibration);
-    } else if (invcal_load(&store, &stored) == INVCAL_OK) {
+    } else if (invcal_load(&stored, &store) == INVCAL_OK) {
         tell_accelerometer(&stored);
     }
     look_how_deep();

@@ -96,7 +96,7 @@ static bool holds(const invcal_calibration &calibration)
 {
     invcal_calibration found;
 
-    return invcal_load(&calibration_store, &found) == INVCAL_OK &&
+    return invcal_load(&found, &calibration_store) == INVCAL_OK &&
            memcmp(&found, &calibration, sizeof found) == 0;
 }
 

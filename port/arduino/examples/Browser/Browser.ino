@@ -9,7 +9,7 @@
  *
  *     invcal ca0288000000...
  *
- * Calibrate.ino shows how your device uses it: invcal_load and invcal_apply_counts.
+ * Calibrate.ino shows how your device uses it: invcal_load and invcal_apply.
  */
 #include <invcal.h>
 #include <invcal/store.h>
@@ -77,7 +77,7 @@ void setup()
         Serial.println(F("# sensor: no answer, or another chip"));
         delay(1000);
     }
-    Serial.println(invcal_load(&calibration_store, &calibration) == INVCAL_OK
+    Serial.println(invcal_load(&calibration, &calibration_store) == INVCAL_OK
                        ? F("# stored calibration: found")
                        : F("# stored calibration: none"));
 }

@@ -87,7 +87,7 @@ static const __FlashStringHelper *refusal_text()
 
 static NOINLINE void save(const invcal_quality &quality)
 {
-    const bool done = invcal_save(&calibration_store, &calibration, &quality) == INVCAL_OK;
+    const bool done = invcal_save(&calibration, &quality, &calibration_store) == INVCAL_OK;
 
     Serial.println(done ? F("calibration stored")
                         : F("calibration not stored: the EEPROM fails"));
@@ -119,7 +119,7 @@ static NOINLINE void solve()
 
 static void calibrate(const int32_t raw[3])
 {
-    switch (invcal_session_feed(&session, raw)) {
+    switch (invcal_session_feed(&session, raw[0], raw[1], raw[2])) {
     case INVCAL_READY:
         Serial.println(F("good: move on"));
         show_next();
@@ -132,7 +132,7 @@ static void calibrate(const int32_t raw[3])
     case INVCAL_TAKEN:
         Serial.print(F("positions taken: "));
         Serial.println(session.count);
-        invcal_save_session(&session_store, &session); /* to resume after a reset */
+        invcal_session_save(&session, &session_store); /* to resume after a reset */
         solve();
         break;
     default:
@@ -148,7 +148,7 @@ static void measure(const int32_t raw[3])
     static unsigned n;
     float a[3];
 
-    invcal_apply_counts(&calibration, raw, a);
+    invcal_apply(&calibration, raw[0], raw[1], raw[2], a);
     if (++n == SHOW_EVERY) {
         n = 0;
         show(F("a, mg:"), a, 1000);
@@ -161,16 +161,15 @@ NOINLINE void setup()
     if (!sensor_begin()) {
         stop(F("sensor: no answer, or another chip"));
     }
-    is_calibrated = invcal_load(&calibration_store, &calibration) == INVCAL_OK;
+    is_calibrated = invcal_load(&calibration, &calibration_store) == INVCAL_OK;
     Serial.println(is_calibrated ? F("stored calibration: found") : F("stored calibration: none"));
     if (is_calibrated) {
         return;
     }
-    if (invcal_load_session(&session_store, &session) == INVCAL_OK) {
+    begin_session();
+    if (invcal_session_load(&session, &session_store) == INVCAL_OK) {
         Serial.print(F("goes on, positions taken: "));
         Serial.println(session.count);
-    } else {
-        begin_session();
     }
     show_next();
 }

@@ -8,7 +8,7 @@
  * It takes 7 KB of RAM: a Mega, or a board that is not an AVR. The sensor is in imu.cpp, the memory in
  * storage.cpp. Session and moves are not stored: an EEPROM takes seconds for them, the sensor's queue holds less
  * than one, and a move with lost samples is refused. With a fast memory, FRAM or flash, add
- * invcal_save_imu_session after INVCAL_TAKEN, and invcal_load_imu_session in begin_session.
+ * invcal_imu_session_save after INVCAL_TAKEN, and invcal_imu_session_load in begin_session.
  */
 #include <invcal.h>
 #include <invcal/gyro.h>
@@ -112,7 +112,7 @@ static NOINLINE void solve()
     show(F("gyroscope, offset, counts:"), imu.gyro.offset, 1);
     invcal_imu_record_init(&calibration, &imu);
     is_calibrated = true;
-    Serial.println(invcal_save_imu(&calibration_store, &imu) == INVCAL_OK
+    Serial.println(invcal_imu_save(&imu, &calibration_store) == INVCAL_OK
                        ? F("calibration stored")
                        : F("calibration not stored: the EEPROM fails"));
 }
@@ -141,8 +141,8 @@ static void take()
 
 static void calibrate(const int32_t accelerometer[3], const int32_t gyro[3])
 {
-    invcal_moves_feed(&both.moves, gyro);
-    const invcal_event event = invcal_session_feed(&both.session, accelerometer);
+    invcal_moves_feed(&both.moves, gyro[0], gyro[1], gyro[2]);
+    const invcal_event event = invcal_session_feed(&both.session, accelerometer[0], accelerometer[1], accelerometer[2]);
     invcal_moves_follow(&both.moves, &both.session.rests, event);
     switch (event) {
     case INVCAL_READY:
@@ -171,8 +171,8 @@ static void measure(const int32_t accelerometer[3], const int32_t gyro[3])
     static unsigned n;
     float a[3], rate[3];
 
-    invcal_apply_counts(&calibration.accelerometer.calibration, accelerometer, a);
-    invcal_apply_counts(&calibration.gyro, gyro, rate);
+    invcal_apply(&calibration.accelerometer.calibration, accelerometer[0], accelerometer[1], accelerometer[2], a);
+    invcal_apply(&calibration.gyro, gyro[0], gyro[1], gyro[2], rate);
     for (int i = 0; i < 3 && calibration.g_is_used; i++) {
         const float *g = calibration.slope[i];
         rate[i] -= g[0] * a[0] + g[1] * a[1] + g[2] * a[2];
@@ -190,7 +190,7 @@ void setup()
     if (!imu_begin()) {
         stop(F("sensor: no answer, or another chip"));
     }
-    is_calibrated = invcal_load_imu(&calibration_store, &calibration) == INVCAL_OK;
+    is_calibrated = invcal_imu_load(&calibration, &calibration_store) == INVCAL_OK;
     Serial.println(is_calibrated ? F("stored calibration: found") : F("stored calibration: none"));
     if (!is_calibrated) {
         begin_session();

@@ -20,7 +20,7 @@ static invcal_imu_record both;
 
 invcal_status load_record(invcal_record *record)
 {
-    const invcal_status status = invcal_load_imu(&calibration_store, &both);
+    const invcal_status status = invcal_imu_load(&both, &calibration_store);
 
     *record = both.accelerometer;
     return status;

@@ -70,7 +70,7 @@ static int are_readings_good(const invcal_calibration *calibration)
         for (unsigned i = 0; i < 3; i++) {
             a[i] = sim_truth.offset[i] + sign * sim_truth.gain[i][face / 2];
         }
-        invcal_apply(calibration, a, a);
+        invcal_apply(calibration, a[0], a[1], a[2], a);
         a[face / 2] -= sign;
         for (unsigned i = 0; i < 3; i++) {
             worst = fabsf(a[i]) <= worst ? worst : fabsf(a[i]);

@@ -196,7 +196,7 @@ static int calibrate(invcal_calibration *calibration)
             if (PRINT_SAMPLES) {
                 printf("%d,%d,%d\n", (int)raw[0], (int)raw[1], (int)raw[2]);
             }
-            print_event(invcal_session_feed(&session, raw));
+            print_event(invcal_session_feed(&session, raw[0], raw[1], raw[2]));
         }
     } while (!solve(calibration));
     return 1;
@@ -209,7 +209,7 @@ static void measure(const invcal_calibration *calibration)
 
     for (unsigned n = 1; sensor_next(raw, &temperature) != SENSOR_SILENT; n++) {
         invcal_real a[3];
-        invcal_apply_counts(calibration, raw, a);
+        invcal_apply(calibration, raw[0], raw[1], raw[2], a);
         if (n % SHOW_EVERY == 0) {
             print_vector("a, g:", a);
         }

@@ -218,7 +218,7 @@ static int calibrate(invcal_calibration *calibration)
             if (PRINT_SAMPLES) {
                 printk("%d,%d,%d\n", (int)raw[0], (int)raw[1], (int)raw[2]);
             }
-            print_event(invcal_session_feed(&session, raw));
+            print_event(invcal_session_feed(&session, raw[0], raw[1], raw[2]));
         }
     } while (!solve(calibration));
     return 0;
@@ -247,7 +247,7 @@ int main(void)
         if (due < 0) {
             return due;
         }
-        invcal_apply_counts(&calibration, raw, a);
+        invcal_apply(&calibration, raw[0], raw[1], raw[2], a);
         if (n % SHOW_EVERY == 0) {
             print_vector("a, m/s^2:", a);
         }

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Internal: what a session and its memory share.
+ */
+#ifndef INVCAL_SESSION_H
+#define INVCAL_SESSION_H
+
+#include <stddef.h>
+
+#include "invcal/store.h"
+
+#define INVCAL_SESSION_HEAD ((uint32_t)offsetof(invcal_session, mean)) /* bytes before the means */
+
+static inline int invcal_session_is_begun(const invcal_session *session)
+{
+    return session->rests.bits > 0; /* in one that was, there is at least one */
+}
+
+/* Are they the same bytes? */
+int invcal_is_same(const uint8_t *a, const uint8_t *b, size_t size);
+
+/* The session was begun, and then its first bytes were loaded: takes over their positions, if they
+ * are of the same build and the same settings, and else none. All other settings are as begun.
+ *
+ * begun   the bytes before the means, as they were before.
+ * status  of loading: nothing is taken over unless it is INVCAL_OK.
+ * size    how many bytes were loaded.
+ *
+ * Returns status; INVCAL_OTHER_SETTINGS, INVCAL_DAMAGED. */
+invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
+                                  invcal_status status, uint32_t size);
+
+#endif
