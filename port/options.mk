@@ -12,7 +12,7 @@ quoted = '$(subst ','\'',$(1))'
 # ---- the library's options -----------------------------------------------------------------------
 
 # Their names, from the headers: those that an #ifndef leaves to a build, but for include guards.
-option_names = INVCAL_CONFIG_HEADER $(shell sed -n 's/^\#ifndef \(INVCAL_[A-Z_]*\)$$/\1/p' include/invcal/*.h | grep -v '_H$$')
+option_names = INVCAL_CONFIG_HEADER $(shell sed -n 's/^\#ifndef \(INVCAL_[A-Z_]*\)$$/\1/p' include/invcal/*.h | grep -v -e '_H$$' -e _PRIVATE_)
 
 # The words of $(1), flags for a compiler, that set such an option.
 option_words = $(foreach w,$(subst -D INVCAL_,-DINVCAL_,$(1)),$(if $(findstring -DINVCAL_,$(w)),$(w)))

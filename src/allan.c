@@ -13,7 +13,7 @@
 
 #include "vector.h"
 
-#define RING (2u * INVCAL_ALLAN_OVERLAP) /* a power of two */
+#define RING (2u * INVCAL_PRIVATE_OVERLAP) /* a power of two */
 #define TWO_32 INVCAL_REAL(4294967296.0)
 
 /* ---- sums of 128 bits ------------------------------------------------------------------------ */
@@ -65,7 +65,7 @@ static invcal_real root_mean(const invcal_allan_tau *sum)
 /* t of an averaging time: the smallest, from `t` on, whose ring reaches back 2 m. */
 static unsigned stride_bits(uint32_t m, unsigned t)
 {
-    while (m > (uint32_t)INVCAL_ALLAN_OVERLAP << t) { /* at most 30 steps: m is 2^30 or less */
+    while (m > (uint32_t)INVCAL_PRIVATE_OVERLAP << t) { /* at most 30 steps: m is 2^30 or less */
         //@ assert t < 30;
         t++;
     }
@@ -82,6 +82,7 @@ invcal_status invcal_allan_init(invcal_allan *allan, size_t size)
 {
     INVCAL_ASSERT(allan);
     if (size != sizeof *allan) {
+        allan->taus = 0; /* not begun */
         return INVCAL_OTHER_BUILD;
     }
     invcal_zero(allan, sizeof *allan);
@@ -96,6 +97,7 @@ invcal_status invcal_allan_begin(invcal_allan *allan, size_t size, const uint32_
 {
     INVCAL_ASSERT(allan && m);
     if (size != sizeof *allan) {
+        allan->taus = 0; /* not begun */
         return INVCAL_OTHER_BUILD;
     }
     if (count < 1 || count > INVCAL_ALLAN_TAUS) {

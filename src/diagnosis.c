@@ -131,7 +131,7 @@ static INVCAL_ONCE void name(const invcal_fit *fit, unsigned kind, invcal_qualit
 
 /* Returns the positions to leave out. */
 static INVCAL_NOINLINE invcal_set choose(const invcal_fit *fit, const invcal_group *g,
-                                          invcal_quality *q)
+                                         invcal_quality *q)
 {
     diagnosis d;
 
@@ -152,7 +152,7 @@ static INVCAL_NOINLINE invcal_set choose(const invcal_fit *fit, const invcal_gro
 }
 
 invcal_set invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
-                            invcal_quality *q)
+                           invcal_quality *q)
 {
     invcal_set out = 0;
     invcal_group g;

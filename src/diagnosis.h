@@ -17,6 +17,6 @@
  *
  * Returns the further positions to leave out; 0: none. */
 invcal_set invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
-                            invcal_quality *q);
+                           invcal_quality *q);
 
 #endif

@@ -52,11 +52,6 @@ static void remember(const invcal_imu_session *both, settings *begun)
     invcal_copy(begun->session, &both->session, sizeof begun->session);
 }
 
-static int is_begun(const invcal_imu_session *both)
-{
-    return both->moves.rate > 0 && invcal_session_is_begun(&both->session);
-}
-
 static invcal_status check_moves(const invcal_moves *m, const settings *begun, uint32_t size)
 {
     if (size < OF_MOVES || m->layout != INVCAL_MOVES_LAYOUT ||
@@ -69,6 +64,11 @@ static invcal_status check_moves(const invcal_moves *m, const settings *begun, u
                    !invcal_are_finite(m->bias)
                ? INVCAL_DAMAGED
                : INVCAL_OK;
+}
+
+static int is_begun(const invcal_imu_session *both)
+{
+    return both->moves.layout == INVCAL_MOVES_LAYOUT && invcal_session_is_begun(&both->session);
 }
 
 /* As invcal_session_take, of both: all is taken over, or nothing. */
@@ -107,22 +107,19 @@ invcal_status invcal_imu_session_resume(invcal_imu_session *both, const uint8_t 
     if (!is_begun(both)) {
         return INVCAL_NOT_BEGUN;
     }
-    if (size > INVCAL_IMU_SESSION_SIZE) {
-        return INVCAL_NO_SPACE;
-    }
+    const int fits = size <= INVCAL_IMU_SESSION_SIZE;
     remember(both, &begun);
-    invcal_copy((uint8_t *)both + INVCAL_IMU_SESSION_FROM, bytes, size);
-    return take(both, &begun, INVCAL_OK, size);
+    invcal_copy((uint8_t *)both + INVCAL_IMU_SESSION_FROM, bytes, fits ? size : 0);
+    return take(both, &begun, fits ? INVCAL_OK : INVCAL_NO_SPACE, size);
 }
 
 /* ---- in a memory ----------------------------------------------------------------------------- */
 
 invcal_status invcal_imu_session_save(const invcal_imu_session *both, const invcal_store *store)
 {
-    INVCAL_ASSERT(both && store);
-    return is_begun(both) ? invcal_store_save(store, (const uint8_t *)both + INVCAL_IMU_SESSION_FROM,
-                                              invcal_imu_session_size(both))
-                          : INVCAL_NOT_BEGUN;
+    INVCAL_ASSERT(both);
+    return invcal_store_save(store, (const uint8_t *)both + INVCAL_IMU_SESSION_FROM,
+                             invcal_imu_session_size(both));
 }
 
 invcal_status invcal_imu_session_load(invcal_imu_session *both, const invcal_store *store)
@@ -130,7 +127,7 @@ invcal_status invcal_imu_session_load(invcal_imu_session *both, const invcal_sto
     uint32_t size = 0;
     settings begun;
 
-    INVCAL_ASSERT(both && store);
+    INVCAL_ASSERT(both);
     if (!is_begun(both)) {
         return INVCAL_NOT_BEGUN;
     }

@@ -327,14 +327,19 @@ void invcal_moves_restart(invcal_moves *m)
 
 /* ---- public functions ------------------------------------------------------------------------ */
 
+/* Else nothing is fed: it may be shorter than here. */
+static int is_begun(const invcal_moves *moves)
+{
+    return moves->layout == INVCAL_MOVES_LAYOUT;
+}
+
 invcal_status invcal_moves_init(invcal_moves *moves, size_t size, const invcal_calibration *nominal,
                                 invcal_real rate)
 {
     INVCAL_ASSERT(moves && nominal);
-    if (size != sizeof *moves) {
-        return INVCAL_OTHER_BUILD;
-    }
-    const invcal_status status = invcal_nominal_check(nominal);
+    const invcal_status status =
+        size == sizeof *moves ? invcal_nominal_check(nominal) : INVCAL_OTHER_BUILD;
+    moves->layout = 0; /* not begun; at the same place in every build */
     if (status != INVCAL_OK) {
         return status;
     }
@@ -367,6 +372,9 @@ void invcal_moves_feed(invcal_moves *moves, int32_t x, int32_t y, int32_t z)
     invcal_real th[3];
 
     INVCAL_ASSERT(moves);
+    if (!is_begun(moves)) {
+        return;
+    }
     invcal_apply(&moves->nominal, (invcal_real)x, (invcal_real)y, (invcal_real)z, th);
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
@@ -386,6 +394,9 @@ void invcal_moves_feed(invcal_moves *moves, int32_t x, int32_t y, int32_t z)
 void invcal_moves_gap(invcal_moves *moves)
 {
     INVCAL_ASSERT(moves);
+    if (!is_begun(moves)) {
+        return;
+    }
     moves->spoilt = INVCAL_MOVE_GAP;
     close_segment(moves, 0);
 }
@@ -393,7 +404,7 @@ void invcal_moves_gap(invcal_moves *moves)
 void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_event event)
 {
     INVCAL_ASSERT(moves && rests);
-    if (event == INVCAL_NOTHING) {
+    if (event == INVCAL_NOTHING || !is_begun(moves)) {
         return;
     }
     close_segment(moves, 1);

@@ -45,7 +45,7 @@ typedef struct {
 
 /* A member of a group, by what the nine and the member before it leave of its column. */
 typedef struct {
-    invcal_set out;                      /* it and those before it */
+    invcal_set out;                       /* it and those before it */
     invcal_real squares;                  /* of the others */
     invcal_real reciprocal;               /* of c'c */
     invcal_real v[INVCAL_PARAMETERS + 1]; /* its product with column k is -h_k v; then c'r */

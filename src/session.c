@@ -19,31 +19,28 @@
 enum { DOF = 3 };                    /* min degrees of freedom to trust sigma */
 enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 
-/* An identifier of layout, number type and byte order. */
 #define HEAD INVCAL_SESSION_HEAD
-#define LAYOUT (UINT32_C(0x5E050000) + (uint32_t)sizeof(invcal_real) * 256u + HEAD)
 
 /* ---- settings -------------------------------------------------------------------------------- */
 
+/* Of another build, no more than the first bytes are written: those are the same in all. */
 invcal_status invcal_session_begin(invcal_session *session, size_t size,
                                    const invcal_calibration *nominal, invcal_real rate)
 {
     INVCAL_ASSERT(session && nominal);
-    if (size != sizeof *session) { /* the reason is the first byte of any session */
-        session->reason = INVCAL_OTHER_BUILD;
-        return INVCAL_OTHER_BUILD;
-    }
-    invcal_zero(session, offsetof(invcal_session, mean));
-    session->last = INVCAL_MOVING;
-    session->layout = LAYOUT;
-    session->rate = rate;
-    session->nominal = *nominal;
-    session->rests.bits = 0; /* not begun */
-    invcal_status status = invcal_nominal_check(nominal);
+    invcal_status status =
+        size == sizeof *session ? invcal_nominal_check(nominal) : INVCAL_OTHER_BUILD;
     if (status == INVCAL_OK) {
         status = invcal_rests_init(&session->rests, rate);
     }
+    invcal_zero(session, offsetof(invcal_session, rate));
     session->reason = (uint8_t)status;
+    if (status == INVCAL_OK) {
+        session->layout = INVCAL_SESSION_LAYOUT;
+        session->rate = rate;
+        invcal_copy(&session->nominal, nominal, sizeof *nominal);
+        session->noise = 0;
+    }
     return status;
 }
 
@@ -64,12 +61,16 @@ invcal_status invcal_session_init(invcal_session *session, size_t size, invcal_r
 invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(session);
-    return invcal_rests_rails(&session->rests, low, high);
+    return invcal_session_is_begun(session) ? invcal_rests_rails(&session->rests, low, high)
+                                            : INVCAL_NOT_BEGUN;
 }
 
 invcal_status invcal_session_noise(invcal_session *session, invcal_real noise)
 {
     INVCAL_ASSERT(session);
+    if (!invcal_session_is_begun(session)) {
+        return INVCAL_NOT_BEGUN;
+    }
     if (!(noise > 0 && noise < 1)) {
         return INVCAL_BAD_NOISE;
     }
@@ -81,7 +82,9 @@ invcal_status invcal_session_noise(invcal_session *session, invcal_real noise)
 void invcal_session_hold(invcal_session *session, uint32_t milliseconds)
 {
     INVCAL_ASSERT(session);
-    invcal_rests_hold(&session->rests, milliseconds);
+    if (invcal_session_is_begun(session)) {
+        invcal_rests_hold(&session->rests, milliseconds);
+    }
 }
 
 /* ---- after a reset --------------------------------------------------------------------------- */
@@ -92,27 +95,16 @@ uint32_t invcal_session_size(const invcal_session *session)
     return HEAD + (uint32_t)sizeof session->mean[0] * session->count;
 }
 
-int invcal_is_same(const uint8_t *a, const uint8_t *b, size_t size)
-{
-    size_t i = 0;
-
-    while (i < size && a[i] == b[i]) { /* at most HEAD times */
-        i++;
-    }
-    return i == size;
-}
-
 /* What must be the same is in a row: layout, rate, nominal. */
 invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
                                   invcal_status status, uint32_t size)
 {
-    const size_t same = offsetof(invcal_session, layout);
+    const unsigned same = offsetof(invcal_session, layout);
     const uint8_t *loaded = (const uint8_t *)session;
     uint8_t count = 0;
 
     if (status == INVCAL_OK) {
-        if (size < HEAD || !invcal_is_same(&loaded[same], &begun[same],
-                                           offsetof(invcal_session, noise) - same)) {
+        if (!invcal_is_same(&loaded[same], &begun[same], offsetof(invcal_session, noise) - same)) {
             status = INVCAL_OTHER_SETTINGS;
         } else if (session->count > INVCAL_MAX_POSITIONS || size != invcal_session_size(session)) {
             status = INVCAL_DAMAGED;
@@ -134,12 +126,10 @@ invcal_status invcal_session_resume(invcal_session *session, const uint8_t *byte
     if (!invcal_session_is_begun(session)) {
         return INVCAL_NOT_BEGUN;
     }
-    if (size > INVCAL_SESSION_SIZE) {
-        return INVCAL_NO_SPACE;
-    }
+    const int fits = size <= INVCAL_SESSION_SIZE;
     invcal_copy(begun, session, HEAD);
-    invcal_copy(session, bytes, size);
-    return invcal_session_take(session, begun, INVCAL_OK, size);
+    invcal_copy(session, bytes, fits ? size : 0);
+    return invcal_session_take(session, begun, fits ? INVCAL_OK : INVCAL_NO_SPACE, size);
 }
 
 /* ---- samples --------------------------------------------------------------------------------- */
@@ -147,7 +137,7 @@ invcal_status invcal_session_resume(invcal_session *session, const uint8_t *byte
 /* The reading of the rest that is READY or was just TAKEN. */
 INVCAL_NOINLINE static invcal_status read_rest(const invcal_session *session, invcal_row *row)
 {
-    return invcal_rests_mean(&session->rests, row->h)
+    return invcal_session_is_begun(session) && invcal_rests_mean(&session->rests, row->h)
                ? invcal_observe(&session->nominal, row->h, row)
                : INVCAL_TOO_FEW;
 }
@@ -212,13 +202,16 @@ invcal_event invcal_session_feed(invcal_session *session, int32_t x, int32_t y, 
 void invcal_session_gap(invcal_session *session)
 {
     INVCAL_ASSERT(session);
-    invcal_rests_gap(&session->rests);
+    if (invcal_session_is_begun(session)) {
+        invcal_rests_gap(&session->rests);
+    }
 }
 
 invcal_event invcal_session_finish(invcal_session *session)
 {
     INVCAL_ASSERT(session);
-    return digest(session, invcal_rests_finish(&session->rests));
+    return invcal_session_is_begun(session) ? digest(session, invcal_rests_finish(&session->rests))
+                                            : refuse_all(session);
 }
 
 /* ---- instructions ---------------------------------------------------------------------------- */
@@ -226,13 +219,7 @@ invcal_event invcal_session_finish(invcal_session *session)
 unsigned invcal_session_progress(const invcal_session *session)
 {
     INVCAL_ASSERT(session);
-    return invcal_rests_progress(&session->rests);
-}
-
-invcal_event invcal_session_last(const invcal_session *session)
-{
-    INVCAL_ASSERT(session);
-    return (invcal_event)session->last;
+    return invcal_session_is_begun(session) ? invcal_rests_progress(&session->rests) : 0;
 }
 
 invcal_status invcal_session_reason(const invcal_session *session)
@@ -351,13 +338,4 @@ int invcal_session_reaches(const invcal_session *session, const invcal_real targ
         }
     }
     return 1;
-}
-
-int invcal_session_meets(const invcal_session *session, invcal_real need, invcal_real gravity)
-{
-    invcal_calibration c;
-    invcal_quality q;
-
-    INVCAL_ASSERT(session);
-    return judge_session(session, &c, &q) == GOOD && invcal_accuracy(&q, gravity) <= need;
 }

@@ -8,16 +8,27 @@
 #include <stddef.h>
 
 #include "invcal/store.h"
+#include "vector.h"
 
 #define INVCAL_SESSION_HEAD ((uint32_t)offsetof(invcal_session, mean)) /* bytes before the means */
 
+/* Identifies layout, number type and byte order: one byte, shifted, which is short code. */
+#define INVCAL_SESSION_LAYOUT ((INVCAL_SESSION_HEAD + 1u) << 20)
+
+/* Like all before the means, at the same place in every build. */
 static inline int invcal_session_is_begun(const invcal_session *session)
 {
-    return session->rests.bits > 0; /* in one that was, there is at least one */
+    return session->layout == INVCAL_SESSION_LAYOUT;
 }
 
 /* Are they the same bytes? */
-int invcal_is_same(const uint8_t *a, const uint8_t *b, size_t size);
+static INVCAL_ONCE int invcal_is_same(const uint8_t *a, const uint8_t *b, unsigned size)
+{
+    while (size > 0 && *a++ == *b++) { /* at most INVCAL_SESSION_HEAD times */
+        size--;
+    }
+    return size == 0;
+}
 
 /* The session was begun, and then its first bytes were loaded: takes over their positions, if they
  * are of the same build and the same settings, and else none. All other settings are as begun.

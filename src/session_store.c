@@ -8,10 +8,7 @@
 
 invcal_status invcal_session_save(const invcal_session *session, const invcal_store *store)
 {
-    INVCAL_ASSERT(session && store);
-    return invcal_session_is_begun(session)
-               ? invcal_store_save(store, (const uint8_t *)session, invcal_session_size(session))
-               : INVCAL_NOT_BEGUN;
+    return invcal_store_save(store, (const uint8_t *)session, invcal_session_size(session));
 }
 
 /* Straight into the session: the table is the largest part of it. */
@@ -20,7 +17,7 @@ invcal_status invcal_session_load(invcal_session *session, const invcal_store *s
     uint8_t begun[INVCAL_SESSION_HEAD];
     uint32_t size = 0;
 
-    INVCAL_ASSERT(session && store);
+    INVCAL_ASSERT(session);
     if (!invcal_session_is_begun(session)) {
         return INVCAL_NOT_BEGUN;
     }

@@ -13,47 +13,35 @@ const char *invcal_text(const char *texts, unsigned n)
     return texts;
 }
 
-/* The statuses of a refusal: two rows. */
-enum {
-    REFUSED_RESTS = INVCAL_REST_SAME - INVCAL_REST_SHORT + 1,
-    REFUSALS = REFUSED_RESTS + INVCAL_BAD_RATE - INVCAL_NOT_BEGUN + 1
-};
-
-/* The place of a status in them; REFUSALS or more if it is none. */
-static unsigned place_of(unsigned status)
-{
-    return status < INVCAL_NOT_BEGUN ? status - INVCAL_REST_SHORT
-                                     : status - INVCAL_NOT_BEGUN + REFUSED_RESTS;
-}
+enum { REFUSALS = INVCAL_BAD_RATE - INVCAL_OUT_OF_RANGE + 1 };
 
 const char *invcal_refusal_text(invcal_status status)
 {
     static const char texts[] = "far from the field: wrong scale or offset\0"
                                 "too short: hold it still longer\0"
-                                "it drifts: turned slowly, or not settled\0"
-                                "at the end of the sensor's range\0"
+                                "drifts: turned slowly or not settled\0"
+                                "at the end of the range\0"
                                 "readings never change: is the sensor read?\0"
                                 "too short: samples were lost\0"
-                                "nothing new: the same place as before\0"
+                                "nothing new: same place\0"
                                 "not begun\0"
-                                "other build options\0"
-                                "invalid nominal calibration\0"
-                                "invalid sample rate\0";
-    const unsigned place = status == INVCAL_OK ? REFUSALS : place_of((unsigned)status);
+                                "other build\0"
+                                "invalid scale\0"
+                                "invalid rate\0";
+    const unsigned n = (unsigned)status - INVCAL_OUT_OF_RANGE;
 
-    return invcal_text(texts, place <= REFUSALS ? place + 1 : 0);
+    return invcal_text(texts, n < REFUSALS ? n : REFUSALS);
 }
 
 const char *invcal_status_text(invcal_status status)
 {
     static const struct {
         uint8_t first, last;
-    } rows[] = {{INVCAL_OK, INVCAL_OK},
-                {INVCAL_NOT_FINITE, INVCAL_NOT_FINITE},
-                {INVCAL_TOO_FEW, INVCAL_MOUNTING},
-                {INVCAL_MOVE_GAP, INVCAL_MOVE_APART},
-                {INVCAL_BAD_LIMITS, INVCAL_BAD_STORE},
-                {INVCAL_NO_RECORD, INVCAL_IO}};
+    } groups[] = {{INVCAL_OK, INVCAL_OK},
+                  {INVCAL_NOT_FINITE, INVCAL_MOUNTING},
+                  {INVCAL_MOVE_GAP, INVCAL_MOVE_APART},
+                  {INVCAL_BAD_LIMITS, INVCAL_BAD_STORE},
+                  {INVCAL_NO_RECORD, INVCAL_IO}};
     static const char texts[] = "done\0"
                                 "a reading is not a finite number\0"
                                 "too few positions\0"
@@ -83,14 +71,14 @@ const char *invcal_status_text(invcal_status status)
     const unsigned n = (unsigned)status;
     unsigned before = 0;
 
-    if (n == INVCAL_OUT_OF_RANGE || place_of(n) < REFUSALS) {
+    if (n - INVCAL_OUT_OF_RANGE < REFUSALS) {
         return invcal_refusal_text(status);
     }
-    for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        if (n >= rows[i].first && n <= rows[i].last) {
-            return invcal_text(texts, before + n - rows[i].first);
+    for (unsigned i = 0; i < sizeof groups / sizeof groups[0]; i++) {
+        if (n >= groups[i].first && n <= groups[i].last) {
+            return invcal_text(texts, before + n - groups[i].first);
         }
-        before += rows[i].last - (unsigned)rows[i].first + 1;
+        before += groups[i].last - (unsigned)groups[i].first + 1;
     }
     return invcal_text(texts, before);
 }

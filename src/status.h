@@ -11,8 +11,7 @@
  * relocation and so writable memory. */
 const char *invcal_text(const char *texts, unsigned n);
 
-/* Of INVCAL_REST_..., and INVCAL_NOT_BEGUN ... INVCAL_BAD_RATE; "" for INVCAL_OK; any other status
- * gives the sentence for a reading far from the field. */
+/* Of INVCAL_OUT_OF_RANGE ... INVCAL_BAD_RATE; "" for any other. */
 const char *invcal_refusal_text(invcal_status status);
 
 #endif

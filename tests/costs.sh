@@ -30,7 +30,7 @@ for name in m4f m0plus rv32imac rv32imafc atmega1284p; do
 done
 
 raw() { # TARGET NAME: a figure of the budgets, or the stack of a function
-    awk -v what="$2" '$1 == what || ($1 == "stack" && $3 ~ "^" what "(_double_0.*)?$") {
+    awk -v what="$2" '$1 == what || ($1 == "stack" && $3 == what) {
             print ($1 == what ? $2 : $4)
             exit
         }' "$build/all.$1"

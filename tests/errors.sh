@@ -28,7 +28,7 @@ enumerators() { # HEADER TYPE
         on && /^\}/ { if ($2 == type ";") printf "%s", names; on = 0 }
         on && match($0, /INVCAL_[A-Z_]+/) {
             name = substr($0, RSTART, RLENGTH)
-            if (name !~ /_COUNT$/) names = names name "\n"
+            if (name !~ /_(COUNT|END)$/) names = names name "\n"
         }'
 }
 
@@ -61,7 +61,7 @@ type() { # HEADER TYPE [FUNCTION]
     result $? "$2: the words are those of $3"
 }
 
-type invcal.h invcal_status invcal_status_text
+type status.h invcal_status invcal_status_text
 type invcal.h invcal_verdict invcal_verdict_text
 type invcal.h invcal_event
 type thermal.h invcal_thermal_fallback invcal_thermal_fallback_text

@@ -230,7 +230,7 @@ check "asks for orientations" asked
 check "after a reset and a power cut it goes on with as many positions" resumed
 check "counts its positions" counted
 check "a rest that is too short is reported" too_short
-check "the same place again is reported" said '^refused: nothing new: the same place' 1
+check "the same place again is reported" said '^refused: nothing new: same place' 1
 check "flash that fails is reported" said '^session not stored: the memory' 1
 check "each store finds only its own" said '^stored calibration: nothing is stored$' 3
 check "a position that is wrong by 50 mg is left out" outlier

@@ -29,7 +29,7 @@ writable() {
 }
 
 foreign() {
-    nm -g "$1" | awk 'NF == 3 && $3 !~ /^invcal_/ { printf "%s ", $3 }'
+    nm -g "$1" | awk 'NF == 3 && $3 !~ /^invcald?_/ { printf "%s ", $3 }'
 }
 
 # Scalar and packed double instructions of SSE2. Other machines' have other names; the tests of the

@@ -106,7 +106,7 @@ names() { # OPTION HEADER
 for option in INVCAL_DOUBLE=2 INVCAL_FAST=2 INVCAL_MAX_POSITIONS=65; do
     check "$option is refused by name" names $option invcal
 done
-for option in MAX_SEGMENTS=1001:gyro MAX_MOVES=3:gyro THERMAL_DEGREE=3:thermal ALLAN_TAUS=0:allan ALLAN_OVERLAP=3:allan; do
+for option in MAX_SEGMENTS=1001:gyro THERMAL_DEGREE=3:thermal ALLAN_TAUS=0:allan; do
     check "INVCAL_${option%:*} is refused by name" names "INVCAL_${option%:*}" "${option#*:}"
 done
 

@@ -39,7 +39,7 @@ sources() { # MODULE
             sub(/.*\//, "", part[2])
             names[FILENAME, ++count[FILENAME]] = part[2]
         }
-        /^ \*|^\/\*|CHOSEN/ || (is_header && !/^ |^#define/) { next }
+        /^ \*|^\/\*/ || (is_header && !/^ |^#define/) { next }
         {
             gsub(/\/\*.*/, "")
             begins = /^[A-Za-z]/

@@ -22,9 +22,8 @@
  *
  * half the mean square step from the mean of m samples to that of the next m (NIST SP 1065, section
  * 5.2.4: the overlapping estimator). Memory is fixed: windows begin at every 2^t-th sample, with
- * the smallest t for which m <= 2^t INVCAL_ALLAN_OVERLAP. So those of INVCAL_ALLAN_OVERLAP samples
- * or less begin at every sample, and longer octaves overlap INVCAL_ALLAN_OVERLAP times: 4 times
- * give 93 % of the max degrees of freedom for white noise.
+ * the smallest t for which m <= 4 2^t. So those of 4 samples or less begin at every sample, and
+ * longer octaves overlap 4 times, which gives 93 % of the max degrees of freedom for white noise.
  *
  * Sums are exact integers; only invcal_allan_get rounds. The length of a stream is not limited:
  *
@@ -52,7 +51,7 @@ extern "C" {
 
 /* Internal: an averaging time, and its sum. */
 typedef struct {
-    uint64_t past[2 * INVCAL_ALLAN_OVERLAP]; /* totals: a ring */
+    uint64_t past[2 * INVCAL_PRIVATE_OVERLAP]; /* totals: a ring */
     uint64_t low, high; /* of the squares of all differences; all bits 1: overflow */
     uint32_t m;         /* samples */
     uint32_t count;     /* differences in the sum */
@@ -60,11 +59,11 @@ typedef struct {
 
 /* One axis; 1424 bytes. Read-only for the caller. */
 typedef struct {
-    invcal_allan_tau tau[INVCAL_ALLAN_TAUS]; /* in ascending order */
     uint64_t total;                          /* of all samples, modulo 2^64 */
     uint32_t samples;                        /* since the last gap, modulo 2^32 */
-    uint8_t taus;                            /* how many are in use */
+    uint8_t taus;                            /* how many are in use; 0: it was not begun */
     uint8_t is_apart;                        /* invcal_allan_apart */
+    invcal_allan_tau tau[INVCAL_ALLAN_TAUS]; /* in ascending order */
 } invcal_allan;
 
 /* Begins a stream with octaves as averaging times: 1, 2, 4 ... samples.
@@ -77,8 +76,8 @@ INVCAL_NODISCARD invcal_status invcal_allan_init(invcal_allan *allan, size_t siz
 /* Begins a stream with averaging times of your own.
  *
  * size   sizeof *allan.
- * m      in samples, ascending, 1 ... INVCAL_ALLAN_LONGEST. One above INVCAL_ALLAN_OVERLAP must be
- *        a multiple of its 2^t: INVCAL_ALLAN_OVERLAP / 2 to INVCAL_ALLAN_OVERLAP of them.
+ * m      in samples, ascending, 1 ... INVCAL_ALLAN_LONGEST. One above 4 must be a multiple of its
+ *        2^t: 2 to 4 of them.
  * count  how many, 1 ... INVCAL_ALLAN_TAUS.
  *
  * Returns INVCAL_OK; INVCAL_OTHER_BUILD; INVCAL_BAD_TIME for any other list. */
@@ -92,8 +91,8 @@ void invcal_allan_apart(invcal_allan *allan);
 
 /* Feeds one sample, of any value.
  *
- * Cost: a 64-bit difference, its square and a 128-bit addition for each averaging time up to
- * INVCAL_ALLAN_OVERLAP; at every 2^t-th sample another one for each that has this t. For 16
+ * Cost: a 64-bit difference, its square and a 128-bit addition for each averaging time up to 4; at
+ * every 2^t-th sample another one for each that has this t. For 16
  * octaves: 4 on average, 16 at most. Cost: 360 instructions on average. */
 void invcal_allan_push(invcal_allan *allan, int32_t raw);
 

@@ -8,7 +8,8 @@
  *
  *     INVCAL_DOUBLE   the functions have other names (double.h), so the program does not link;
  *     a capacity      each _init function of a structure that depends on one takes its size, and
- *                     returns INVCAL_OTHER_BUILD if it is another one.
+ *                     returns INVCAL_OTHER_BUILD if it is another one. Each structure depends on
+ *                     one capacity, so equal sizes mean equal options.
  */
 #ifndef INVCAL_CONFIG_H
 #define INVCAL_CONFIG_H
@@ -57,34 +58,30 @@
 #endif
 
 /* gyro.h: segments of all moves together, 64 to 1000, 14 bytes each. A quarter turn takes five or
- * six, and 24 are kept free for the current move. If memory is short, 100 segments and 14 rests
- * hold twelve quarter turns in 1.7 kB. */
+ * six, and 24 are kept free for the current move. A sixth of them, at most 32, is the number of
+ * rests, 10 bytes each. If memory is short, 100 hold twelve quarter turns in 1.7 kB. */
 #ifndef INVCAL_MAX_SEGMENTS
 #ifdef __AVR__
-#define INVCAL_MAX_SEGMENTS 120 /* with 16 rests, so that the solution fits into 8 KB of RAM */
+#define INVCAL_MAX_SEGMENTS 96 /* so that the solution fits into 8 KB of RAM */
 #else
 #define INVCAL_MAX_SEGMENTS 192 /* elsewhere */
 #endif
 #endif
-
-/* gyro.h: rests kept, and so moves, 4 to 32, 10 bytes each. */
-#ifndef INVCAL_MAX_MOVES
-#ifdef __AVR__
-#define INVCAL_MAX_MOVES 16
+#if INVCAL_MAX_SEGMENTS < 192
+#define INVCAL_MAX_MOVES (INVCAL_MAX_SEGMENTS / 6)
 #else
-#define INVCAL_MAX_MOVES 32 /* elsewhere */
-#endif
+#define INVCAL_MAX_MOVES 32 /* rests kept, and so moves */
 #endif
 
-/* allan.h: max averaging times, 1 to 31; each takes 24 + 16 INVCAL_ALLAN_OVERLAP bytes of an
- * axis. */
+/* allan.h: max averaging times, 1 to 31; each takes 88 bytes of an axis. */
 #ifndef INVCAL_ALLAN_TAUS
 #define INVCAL_ALLAN_TAUS 16
 #endif
 
-/* allan.h: how many times the windows of the longer ones overlap, a power of two. */
-#ifndef INVCAL_ALLAN_OVERLAP
-#define INVCAL_ALLAN_OVERLAP 4
+/* Not an option: how many times the windows of allan.h overlap, a power of two. The host tool, which
+ * is compiled as a whole, has more. */
+#ifndef INVCAL_PRIVATE_OVERLAP
+#define INVCAL_PRIVATE_OVERLAP 4
 #endif
 
 /* thermal.h: the highest degree that the library can fit, 0 (constants), 1 (slopes) or 2
@@ -117,15 +114,8 @@
 #if INVCAL_MAX_SEGMENTS < 64 || INVCAL_MAX_SEGMENTS > 1000
 #error "INVCAL_MAX_SEGMENTS must be from 64 to 1000"
 #endif
-#if INVCAL_MAX_MOVES < 4 || INVCAL_MAX_MOVES > 32
-#error "INVCAL_MAX_MOVES must be from 4 to 32"
-#endif
 #if INVCAL_ALLAN_TAUS < 1 || INVCAL_ALLAN_TAUS > 31
 #error "INVCAL_ALLAN_TAUS must be from 1 to 31"
-#endif
-#if INVCAL_ALLAN_OVERLAP < 1 || INVCAL_ALLAN_OVERLAP > 16384 ||                                    \
-    (INVCAL_ALLAN_OVERLAP & (INVCAL_ALLAN_OVERLAP - 1)) != 0
-#error "INVCAL_ALLAN_OVERLAP must be a power of two from 1 to 16384"
 #endif
 #if INVCAL_THERMAL_DEGREE < 0 || INVCAL_THERMAL_DEGREE > 2
 #error "INVCAL_THERMAL_DEGREE must be 0, 1 or 2"

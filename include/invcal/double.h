@@ -115,9 +115,7 @@
 #define invcal_session_init invcald_session_init
 #define invcal_session_is_at invcald_session_is_at
 #define invcal_session_is_good invcald_session_is_good
-#define invcal_session_last invcald_session_last
 #define invcal_session_load invcald_session_load
-#define invcal_session_meets invcald_session_meets
 #define invcal_session_next invcald_session_next
 #define invcal_session_next_words invcald_session_next_words
 #define invcal_session_noise invcald_session_noise
@@ -199,7 +197,6 @@
 #define invcal_imu_settings_check invcald_imu_settings_check
 #define invcal_imu_sum invcald_imu_sum
 #define invcal_inverse3 invcald_inverse3
-#define invcal_is_same invcald_is_same
 #define invcal_judge_noise invcald_judge_noise
 #define invcal_judge_parameters invcald_judge_parameters
 #define invcal_make_symmetric invcald_make_symmetric

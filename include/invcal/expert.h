@@ -591,8 +591,8 @@ typedef struct {
 } invcal_background;
 
 /* Begins: as invcal_session_begin; size is sizeof *background. Use the functions of invcal.h to set up, read and solve the
- * session inside. After a reset, invcal_session_load (store.h) resumes it in a background of zeros,
- * in which all its positions count as new; if it fails, begin. */
+ * session inside. After a reset, begin it, and load background->session by invcal_session_load
+ * (store.h): all its positions count as new. */
 INVCAL_NODISCARD invcal_status invcal_background_init(invcal_background *background, size_t size,
                                                       const invcal_calibration *nominal,
                                                       invcal_real rate);

@@ -271,7 +271,7 @@ invcal_status invcal_imu_session_resume(invcal_imu_session *both, const uint8_t 
 
 /* Saves both.
  *
- * Returns and stack: as invcal_store_save; INVCAL_NOT_BEGUN. */
+ * Returns and stack: as invcal_store_save. */
 invcal_status invcal_imu_session_save(const invcal_imu_session *both, const invcal_store *store);
 
 /* Loads and resumes both, with new streams of samples. Both were begun before.

@@ -302,7 +302,7 @@ typedef struct {
     /* saved: store.h */
     uint8_t reason;             /* of INVCAL_REFUSED, an invcal_status. First, in every build */
     uint8_t count;              /* of the means */
-    uint8_t last;               /* the last event that was not INVCAL_NOTHING */
+    uint8_t last;               /* internal: the last event that was not INVCAL_NOTHING */
     uint8_t good;               /* internal: is_good, if already computed */
     uint32_t layout;            /* internal: identifies the build */
     invcal_real rate;           /* samples per second */
@@ -340,13 +340,13 @@ INVCAL_NODISCARD invcal_status invcal_session_begin(invcal_session *session, siz
 /* Sets the counts at which the sensor clips, low < high (-32768 and 32767 for 16 bits): rests that
  * reach them are refused from now on. Without it only the ends of int32 count as clipped.
  *
- * Returns INVCAL_OK; INVCAL_BAD_LIMITS. */
+ * Returns INVCAL_OK; INVCAL_NOT_BEGUN, INVCAL_BAD_LIMITS. */
 invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high);
 
 /* States the noise: the standard deviation of a position mean on each axis, over field, above 0 and
  * below 1. Without it the noise is estimated from the residuals alone.
  *
- * Returns INVCAL_OK; INVCAL_BAD_NOISE. */
+ * Returns INVCAL_OK; INVCAL_NOT_BEGUN, INVCAL_BAD_NOISE. */
 invcal_status invcal_session_noise(invcal_session *session, invcal_real noise);
 
 /* Sets how long a rest must be measured from now on, milliseconds; never less than 0.6 s, at most
@@ -371,9 +371,6 @@ invcal_event invcal_session_finish(invcal_session *session);
 
 /* Progress of the current position, percent: 0 in motion, 100 from READY on. */
 unsigned invcal_session_progress(const invcal_session *session);
-
-/* The last event other than INVCAL_NOTHING, for polling. */
-invcal_event invcal_session_last(const invcal_session *session);
 
 /* Why the last rest was refused; INVCAL_OK before the first. If the session was not begun, or not
  * successfully: why. */
@@ -429,10 +426,6 @@ int invcal_session_is_good(invcal_session *session);
  * freedom, is within its target: sigma of delta (over field), dk (1), gamma (rad). Solves on every
  * call: call it after a position was taken. */
 int invcal_session_reaches(const invcal_session *session, const invcal_real target[3]);
-
-/* The same in one number: returns 1 if it is good, and invcal_accuracy, with the same gravity, is
- * at most need. Solves on every call: call it after a position was taken. */
-int invcal_session_meets(const invcal_session *session, invcal_real need, invcal_real gravity);
 
 #ifdef __cplusplus
 }

@@ -92,7 +92,7 @@ invcal_status invcal_load_v1(const invcal_store *store, invcal_calibration *cali
 
 /* Saves the lasting part of a session: see invcal_session_size.
  *
- * Returns as invcal_store_save; INVCAL_NOT_BEGUN. Cost: 22,000 instructions for 18 positions,
+ * Returns as invcal_store_save. Cost: 22,000 instructions for 18 positions,
  * without the callbacks. Stack as that. */
 invcal_status invcal_session_save(const invcal_session *session, const invcal_store *store);
 

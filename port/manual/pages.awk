@@ -69,12 +69,11 @@ function unbroken(code,    n, i, word, out) {
 }
 
 # A code span that is a name of the library becomes a link, which is an error if there is no such name.
-# (INVCAL_CONFIG_HEADER is defined only by users, and some names are the linker's, such as
-# invcal_session_init_double_0_max_positions_24.)
+# (INVCAL_CONFIG_HEADER is defined only by users.)
 function names(text,    out, name) {
     while (match(text, /`(invcal|INVCAL)_[A-Za-z0-9_]+`/)) {
         name = substr(text, RSTART + 1, RLENGTH - 2)
-        out = out substr(text, 1, RSTART - 1) "<tt>" (name ~ /^INVCAL_CONFIG_HEADER$|_double_[01]/ ? "" : "#") name "</tt>"
+        out = out substr(text, 1, RSTART - 1) "<tt>" (name == "INVCAL_CONFIG_HEADER" ? "" : "#") name "</tt>"
         text = substr(text, RSTART + RLENGTH)
     }
     return out text

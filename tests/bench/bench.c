@@ -469,7 +469,8 @@ static void bench_background(void)
         next_sample(sample);
         sample[2] -= i < RATE * SECONDS / 2 ? 0 : 2 * ONE_G; /* turned over */
         begin();
-        const invcal_event event = invcal_background_feed(&background, sample[0], sample[1], sample[2]);
+        const invcal_event event =
+            invcal_background_feed(&background, sample[0], sample[1], sample[2]);
         const uint32_t count = end();
         most = event == INVCAL_TAKEN || event == INVCAL_REFUSED ? count : most;
     }

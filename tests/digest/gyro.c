@@ -92,31 +92,39 @@ static void move_results(void)
     }
 }
 
-/* What is not kept over a reset is lost. */
-static void reset(void)
-{
-    const uint32_t size = invcal_imu_session_size(&both);
-
-    memset((char *)&both, 0, INVCAL_IMU_SESSION_FROM);
-    memset(&both.session.rests, 0, sizeof both.session.rests);
-    digest_bits("resumed", invcal_imu_session_resume(&both, size));
-}
-
-static void tour(void)
+static void begin(void)
 {
     static const float none[3] = {0, 0, 0};
     static const float g[3] = {16384, 16384, 16384};
     static const float degrees[3] = {3752.9f, 3752.9f, 3752.9f};
-    float up[3] = {0, 0, 1};
     invcal_calibration nominal;
-    invcal_turn turn;
 
-    digest_set("begin");
     (void)invcal_nominal(none, g, &nominal);
-    digest_bits("session", invcal_session_begin(&both.session, sizeof both.session, &nominal, RATE));
+    digest_bits("session",
+                invcal_session_begin(&both.session, sizeof both.session, &nominal, RATE));
     (void)invcal_nominal(none, degrees, &nominal);
     digest_bits("moves", invcal_moves_init(&both.moves, sizeof both.moves, &nominal, RATE));
     digest_bits("rails", invcal_moves_rails(&both.moves, -32768, 32767));
+}
+
+/* What is not kept over a reset is lost. */
+static void reset(void)
+{
+    static uint8_t saved[INVCAL_IMU_SESSION_SIZE];
+    const uint32_t size = invcal_imu_session_size(&both);
+
+    memcpy(saved, (const uint8_t *)&both + INVCAL_IMU_SESSION_FROM, size);
+    begin();
+    digest_bits("resumed", invcal_imu_session_resume(&both, saved, size));
+}
+
+static void tour(void)
+{
+    float up[3] = {0, 0, 1};
+    invcal_turn turn;
+
+    digest_set("begin");
+    begin();
     rest(up);
     for (unsigned i = 0; i < INVCAL_TOUR; i++) {
         digest_numbered("turn", i);

@@ -11,7 +11,7 @@ FLAGS := -std=c99 -ffp-contract=off -Wall -Wextra -Wconversion -Wdouble-promotio
     -pedantic -Werror -O1 -g $(SANITIZERS) $(EXTRA) -Iinclude -Isrc -Iport/host -Itests/fuzz
 # The tool, as the Makefile builds it, but with main renamed.
 TOOL := -Dmain=tool_main -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
-    -DINVCAL_ALLAN_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000
+    -DINVCAL_PRIVATE_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000
 # Replaces what takes seconds by something quicker, see tool.c.
 QUICK := -Wl,--wrap=optimal_within,--wrap=optimal_directions,--wrap=grid_directions
 

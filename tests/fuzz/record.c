@@ -134,6 +134,7 @@ static void look_at_imu(const uint8_t *bytes, uint32_t size)
 static void look_at_both(const uint8_t *bytes, uint32_t size)
 {
     static invcal_imu_session both;
+    static invcal_imu_session saved;
     const invcal_calibration gyro = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const uint32_t room = sizeof(invcal_moves) - offsetof(invcal_moves, layout);
     invcal_imu imu;
@@ -145,9 +146,15 @@ static void look_at_both(const uint8_t *bytes, uint32_t size)
     both.session.count = 2;
     both.session.mean[0][0] = both.session.mean[1][1] = 100;
     const uint32_t layout = both.moves.layout; /* or almost nothing would be accepted */
-    memcpy((uint8_t *)&both + INVCAL_IMU_SESSION_FROM, bytes, size < room ? size : room);
-    both.moves.layout = layout;
-    if (invcal_imu_session_resume(&both, invcal_imu_session_size(&both)) != INVCAL_OK) {
+    saved = both;
+    memcpy((uint8_t *)&saved + INVCAL_IMU_SESSION_FROM, bytes, size < room ? size : room);
+    saved.moves.layout = layout;
+    saved.moves.nominal = both.moves.nominal;
+    saved.moves.rate = both.moves.rate;
+    const uint32_t length = invcal_imu_session_size(&saved);
+    if (invcal_imu_session_resume(&both, (const uint8_t *)&saved + INVCAL_IMU_SESSION_FROM,
+                                  length) != INVCAL_OK) {
+        REQUIRE(both.session.count == 0 && both.moves.count == 0);
         return;
     }
     REQUIRE(both.moves.count <= INVCAL_MAX_MOVES && both.moves.used <= INVCAL_MAX_SEGMENTS);
@@ -167,20 +174,24 @@ static void look_at_both(const uint8_t *bytes, uint32_t size)
 /* Bytes behind those of the session lead it on, if all its means are readings. */
 static void look_at_session(const uint8_t *bytes, uint32_t size)
 {
-    invcal_session begun;
+    invcal_session saved;
     invcal_session session;
     invcal_calibration calibration;
     invcal_quality quality;
     invcal_real up[3];
 
-    mark(&session, sizeof session);
-    memcpy(&session, bytes, size < INVCAL_SESSION_SIZE ? size : INVCAL_SESSION_SIZE);
-    REQUIRE(invcal_session_init(&begun, sizeof begun, 1, 50) == INVCAL_OK);
-    session.layout = begun.layout; /* or almost nothing would get in */
-    const uint32_t length = size < INVCAL_SESSION_SIZE && session.count <= INVCAL_MAX_POSITIONS
-                                ? invcal_session_size(&session)
+    mark(&saved, sizeof saved);
+    memcpy(&saved, bytes, size < INVCAL_SESSION_SIZE ? size : INVCAL_SESSION_SIZE);
+    REQUIRE(invcal_session_init(&session, sizeof session, 1, 50) == INVCAL_OK);
+    saved.layout = session.layout; /* or almost nothing would get in */
+    saved.rate = session.rate;
+    saved.nominal = session.nominal;
+    const uint32_t length = size < INVCAL_SESSION_SIZE && saved.count <= INVCAL_MAX_POSITIONS
+                                ? invcal_session_size(&saved)
                                 : size;
-    if (length > size || invcal_session_resume(&session, length) != INVCAL_OK) {
+    if (length > size ||
+        invcal_session_resume(&session, (const uint8_t *)&saved, length) != INVCAL_OK) {
+        REQUIRE(session.count == 0);
         return;
     }
     (void)invcal_session_solve(&session, &calibration, &quality);
@@ -362,7 +373,6 @@ static void load_as(const invcal_store *store, const content *c)
     invcal_status wanted = c->status;
 
     mark(&calibration, sizeof calibration);
-    mark(&session, sizeof session);
     if (wanted == INVCAL_OK) {
         wanted = c->size <= INVCAL_RECORD_SIZE ? invcal_record_decode(c->bytes, c->size, &r)
                                                : INVCAL_NO_SPACE;
@@ -373,14 +383,11 @@ static void load_as(const invcal_store *store, const content *c)
     } else {
         require_mark(&calibration, sizeof calibration);
     }
-    wanted = c->status;
-    if (wanted == INVCAL_OK && c->size > INVCAL_SESSION_SIZE) {
-        wanted = INVCAL_NO_SPACE;
-    } else if (wanted == INVCAL_OK) {
-        memcpy(&session, c->bytes, c->size);
-        wanted = invcal_session_resume(&session, c->size);
-    }
+    REQUIRE(invcal_session_init(&session, sizeof session, 1000, 50) == INVCAL_OK);
+    wanted =
+        c->status == INVCAL_OK ? invcal_session_resume(&session, c->bytes, c->size) : c->status;
     REQUIRE(invcal_session_load(&session, store) == wanted);
+    REQUIRE(wanted == INVCAL_OK || session.count == 0);
 }
 
 static int is_same(const content *a, const content *b)

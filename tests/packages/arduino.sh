@@ -259,7 +259,7 @@ too_large_for_uno() {
 refused_moves() {
     refused=$(sed -n 's/^move refused: //p' "$session" | paste -s -d , -)
     echo "$refused"
-    [ "$refused" = "at the end of the sensor's range,samples were lost in the move" ]
+    [ "$refused" = "at the end of the range,samples were lost in the move" ]
 }
 
 # The gyroscope's nine are known to 0.1 %, and true within 4 sigma; the accelerometer within 2 mg.

@@ -2,68 +2,80 @@
 # SPDX-License-Identifier: MIT
 # shellcheck disable=SC2154 # package.sh sets what is not set here
 #
-# A program and a library that were compiled with different choices have different structures, so they must
-# not link. Tries each function with which the use of a structure begins.
+# A program and a library that were compiled with different options have different structures. With another
+# number type no function links; with another capacity every _init refuses its structure, see choices.c.
 . "$(dirname "$0")/../package.sh"
 need cc
 
-# links FUNCTION LIBRARY FLAG...: a program that calls it
-links() {
-    function=$1
-    library=$2
-    shift 2
-    printf '#include "invcal/%s.h"\n' allan expert frame gyro magnetometer plan store thermal > "$out/$function.c"
-    # The linker needs only its address, and that takes no arguments.
-    echo "void (*volatile f)(void) = (void (*)(void))$function; int main(void) { return f == 0; }" \
-        >> "$out/$function.c"
-    cc -std=c99 -O2 -Iinclude "$@" "$out/$function.c" "$library" -lm -o "$out/program"
+# The public functions, from the headers.
+awk '/^(static|typedef|#|\/| )/ { next }
+    match($0, /invcal_[a-z0-9_]+\(/) { print substr($0, RSTART, RLENGTH - 1) }' include/invcal/*.h |
+    sort -u > "$out/functions"
+
+# A program that uses them all.
+{
+    printf '#include "%s"\n' include/invcal/*.h | sed 's|include/||'
+    awk '{ print "    (void (*)(void))" $0 "," }
+        BEGIN { print "void (*volatile const functions[])(void) = {" }
+        END { print "};\nint main(void) { return functions[0] == 0; }" }' "$out/functions"
+} > "$out/all.c"
+
+links() { # LIBRARY FLAG...
+    library=$1
+    shift
+    cc -std=c99 -O1 -Iinclude "$@" "$out/all.c" "$library" -lm -o "$out/all"
 }
 
-# The linker, not the compiler, refuses it, and names the function and the option.
-refuses() { # FUNCTION LIBRARY [FLAG]
-    option=$(echo "${3:--DINVCAL_DOUBLE}" | sed 's/-DINVCAL_//; s/=.*//' | tr '[:upper:]' '[:lower:]')
-    ! links "$@" > "$out/said" 2>&1 && grep -q "undefined reference to .$1_.*${option}_" "$out/said"
+# Not one of them.
+refuses() { # LIBRARY FLAG...
+    ! links "$@" > "$out/said" 2>&1 &&
+        [ "$(grep -o "undefined reference to .invcald*_[a-z0-9_]*" "$out/said" | sort -u | wc -l)" -eq \
+            "$(wc -l < "$out/functions")" ]
 }
 
-for function in invcal_apply invcal_nominal invcal_load invcal_load_v1 invcal_record_init \
-    invcal_record_decode invcal_plan_position_at invcal_imu_record_init invcal_imu_record_decode \
-    invcal_imu_load invcal_turns_begin invcal_sums_init invcal_linear_init invcal_full_vector_init \
-    invcal_frame_init invcal_magnetometer_init invcal_dip_init; do
-    check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
-    check "$function: not from double to float" refuses $function "$build/float/libinvcal.a" -DINVCAL_DOUBLE=1
-    check "$function: not from float to double" refuses $function "$build/double/libinvcal.a"
-done
-for function in invcal_calibrate invcal_calibrate_judged invcal_session_init invcal_session_begin \
-    invcal_session_load invcal_session_resume invcal_calibrate_without invcal_calibrate_robust \
-    invcal_calibrate_with_prior invcal_calibrate_six_faces invcal_background_init; do
-    check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
-    check "$function: not from double to float" refuses $function "$build/float/libinvcal.a" -DINVCAL_DOUBLE=1
-    check "$function: not with fewer positions" refuses $function "$build/float/libinvcal.a" \
-        -DINVCAL_MAX_POSITIONS=12
-    check "$function: not with more positions" refuses $function "$build/float/libinvcal.a" \
-        -DINVCAL_MAX_POSITIONS=64
-done
-for function in invcal_thermal_at invcal_thermal_calibrate invcal_thermal_start invcal_thermal_fit \
-    invcal_thermal_judge invcal_thermal_record_decode invcal_thermal_record_decode_v1; do
-    check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
-    for choice in THERMAL_DEGREE=2 MAX_POSITIONS=64 DOUBLE=1; do
-        check "$function: not with $choice" refuses $function "$build/float/libinvcal.a" -DINVCAL_$choice
+check "a float library has every function of the headers" links "$build/float/libinvcal.a"
+check "a double library has every function of the headers" links "$build/double/libinvcal.a" -DINVCAL_DOUBLE=1
+check "a double program finds no function in a float library" refuses "$build/float/libinvcal.a" -DINVCAL_DOUBLE=1
+check "a float program finds no function in a double library" refuses "$build/double/libinvcal.a"
+
+# Both in one program: no name is in both.
+both() {
+    nm -g --defined-only "$build/float/libinvcal.a" "$build/double/libinvcal.a" |
+        awk 'NF == 3 { print $3 }' | sort | uniq -d > "$out/twice"
+    [ ! -s "$out/twice" ]
+}
+check "a float and a double library have no name in common" both
+
+# refused STRUCTURES OPTION...: a program with these options, and the library as it is
+refused() {
+    structures=$1
+    shift
+    for structure in SESSION MOVES ALLAN; do
+        case $structures in
+        *$structure*) set -- "$@" -D$structure=1 ;;
+        *) set -- "$@" -D$structure=0 ;;
+        esac
     done
+    cc -std=c99 -O1 -w -Iinclude "$@" tests/packages/choices.c "$build/float/libinvcal.a" -lm -o "$out/choices" &&
+        "$out/choices"
+}
+for option in MAX_POSITIONS=12 MAX_POSITIONS=23 MAX_POSITIONS=25 MAX_POSITIONS=64; do
+    check "$option: a session, and one in the background, are refused" refused SESSION -DINVCAL_$option
 done
-for function in invcal_moves_init invcal_imu_solve invcal_turns_after invcal_imu_session_resume invcal_imu_session_load; do
-    check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
-    for choice in MAX_SEGMENTS=100 MAX_MOVES=14 DOUBLE=1; do
-        check "$function: not with $choice" refuses $function "$build/float/libinvcal.a" -DINVCAL_$choice
-    done
+for option in MAX_SEGMENTS=64 MAX_SEGMENTS=191 MAX_SEGMENTS=193 MAX_SEGMENTS=1000; do
+    check "$option: moves are refused" refused MOVES -DINVCAL_$option
 done
-for function in invcal_imu_session_resume invcal_imu_session_load; do
-    check "$function: not with more positions" refuses $function "$build/float/libinvcal.a" \
-        -DINVCAL_MAX_POSITIONS=64
+for option in ALLAN_TAUS=1 ALLAN_TAUS=15 ALLAN_TAUS=17 ALLAN_TAUS=31; do
+    check "$option: an Allan deviation is refused" refused ALLAN -DINVCAL_$option
 done
-check "invcal_allan_init links as the library was compiled" links invcal_allan_init \
-    "$build/float/libinvcal.a"
-for choice in ALLAN_TAUS=31 ALLAN_OVERLAP=16 DOUBLE=1; do
-    check "invcal_allan_init: not with $choice" refuses invcal_allan_init "$build/float/libinvcal.a" \
-        -DINVCAL_$choice
+check "all of them at once" refused SESSION+MOVES+ALLAN -DINVCAL_MAX_POSITIONS=64 -DINVCAL_MAX_SEGMENTS=100 \
+    -DINVCAL_ALLAN_TAUS=8
+# None of these changes a structure: the program is that of README.md's first lines.
+for option in FAST=1 THERMAL_DEGREE=0 THERMAL_DEGREE=2; do
+    same() {
+        ! refused SESSION+MOVES+ALLAN -DINVCAL_$option > "$out/said" && # it was not refused:
+            for of in session background moves allan; do grep -qx "${of}_init" "$out/said" || return 1; done
+    }
+    check "$option changes no structure" same
 done
 finish

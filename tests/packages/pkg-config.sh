@@ -60,7 +60,7 @@ installs_choices() {
 }
 has_header() { # what a program sees
     printf '%s\n' '#include "invcal/thermal.h"' \
-        '#if INVCAL_MAX_POSITIONS != 33 || INVCAL_MAX_MOVES != 7 || INVCAL_THERMAL_DEGREE != 2' '#error "not as chosen"' '#endif' > "$out/chosen.c"
+        '#if INVCAL_MAX_POSITIONS != 33 || INVCAL_MAX_SEGMENTS != 77 || INVCAL_THERMAL_DEGREE != 2' '#error "not as chosen"' '#endif' > "$out/chosen.c"
     eval "cc $(pkg-config --cflags "$1")" '-I"$out" -fsyntax-only "$out/chosen.c"' &&
         eval "cc -std=c99 $(pkg-config --cflags "$1")" '-I"$out" "$example"' "$(pkg-config --libs "$1")" '-o "$out/example"' &&
         prints_as_expected "$out/example"
@@ -111,7 +111,7 @@ refuses_variable() { # of pkg-config's
 }
 check "but for a variable of pkg-config" refuses_variable
 check "make uninstall removes all of it, and nothing else" uninstalls
-echo '#define INVCAL_MAX_MOVES 7' > "$out/my_choices.h"
+echo '#define INVCAL_MAX_SEGMENTS 77' > "$out/my_choices.h"
 check "make install CFLAGS= compiles and installs what it says" installs_choices
 for package in invcal invcal-double; do
     check "$package: its program sees the same, and links" has_header $package

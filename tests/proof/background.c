@@ -9,9 +9,10 @@
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
-invcal_status invcal_session_begin(invcal_session *session, const invcal_calibration *nominal,
-                                   unsigned rate)
+invcal_status invcal_session_begin(invcal_session *session, size_t size,
+                                   const invcal_calibration *nominal, invcal_real rate)
 {
+    (void)size;
     (void)nominal->matrix[2][2];
     (void)rate;
     if (BETWEEN(0, 1)) {
@@ -23,12 +24,14 @@ invcal_status invcal_session_begin(invcal_session *session, const invcal_calibra
 }
 
 /* Takes a place in the table only if the event says so. */
-invcal_event invcal_session_feed(invcal_session *session, const int32_t raw[3][0], const int32_t raw[3][1], const int32_t raw[3][2])
+invcal_event invcal_session_feed(invcal_session *session, int32_t x, int32_t y, int32_t z)
 {
     const unsigned count = session->count;
     const invcal_event event = (invcal_event)BETWEEN(INVCAL_NOTHING, INVCAL_REFUSED);
 
-    (void)raw[2];
+    (void)x;
+    (void)y;
+    (void)z;
     ANY(*session);
     session->count = (uint8_t)(event == INVCAL_TAKEN ? count + 1 : count);
     return event;
@@ -76,7 +79,8 @@ void main(void)
 
     ANY(nominal);
     ANY(raw);
-    if (invcal_background_init(&b, sizeof b, &nominal, BETWEEN(0, UINT_MAX)) == INVCAL_OK) {
+    (void)invcal_background_init(&b, 0, &nominal, 100); /* another build */
+    if (invcal_background_init(&b, sizeof b, &nominal, 100) == INVCAL_OK) {
         check_background();
     }
     for (unsigned count = 0; count < INVCAL_MAX_POSITIONS; count++) {

@@ -92,7 +92,8 @@ invcal_status invcal_nominal_check(const invcal_calibration *nominal)
     return or_fail(INVCAL_BAD_NOMINAL);
 }
 
-void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3][0], const invcal_real raw[3][1], const invcal_real raw[3][2], invcal_real calibrated[3])
+void invcal_correct(const invcal_calibration *calibration, const invcal_real raw[3],
+                    invcal_real calibrated[3])
 {
     (void)calibration->matrix[2][2];
     (void)raw[2];

@@ -37,6 +37,7 @@ void main(void)
     ANY(packed);
     ANY(out);
     rests.bits = (uint8_t)BETWEEN(2, 10);
+    (void)invcal_moves_init(&m, 0, &nominal, rate); /* another build */
     (void)invcal_moves_init(&m, sizeof m, &nominal, rate);
     any_moves(&m);
     (void)invcal_moves_rails(&m, low, high);

@@ -2,7 +2,7 @@
 #include "history_allan.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 40
-// wide: -DINVCAL_ALLAN_TAUS=31 -DINVCAL_ALLAN_OVERLAP=16384
+// wide: -DINVCAL_ALLAN_TAUS=31 -DINVCAL_PRIVATE_OVERLAP=16384
 
 static invcal_allan allan;
 

@@ -76,7 +76,8 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
     return or_fail(INVCAL_NOT_ELLIPSOID);
 }
 
-void invcal_apply(const invcal_calibration *calibration, const invcal_real raw[3][0], const invcal_real raw[3][1], const invcal_real raw[3][2], invcal_real calibrated[3])
+void invcal_correct(const invcal_calibration *calibration, const invcal_real raw[3],
+                    invcal_real calibrated[3])
 {
     (void)calibration->matrix[2][2];
     (void)raw[2];

@@ -42,7 +42,7 @@ static void step(void)
 
 /* Both have the same rate. A new step begins when one of them is read again. */
 static void read_sensor(int which, const double v[3], const double gain[3][3],
-                                  const double offset[3], double noise, int16_t raw[3])
+                        const double offset[3], double noise, int16_t raw[3])
 {
     if (is_read & which) {
         is_read = 0;

@@ -142,6 +142,18 @@ static void feed_stated(int rows)
 
 /* ---- what is printed ---------------------------------------------------------------------------- */
 
+/* The number of segments, or why there are none, by its name. */
+static void print_move(int move)
+{
+    if (move == -INVCAL_REST_DRIFT) {
+        printf("-INVCAL_REST_DRIFT},\n");
+    } else if (move == -INVCAL_TOO_FEW) {
+        printf("-INVCAL_TOO_FEW},\n");
+    } else {
+        printf("%d},\n", move);
+    }
+}
+
 static void print(const char *name)
 {
     const unsigned skip = session.count < moves.count ? moves.count - session.count : 0;
@@ -154,7 +166,8 @@ static void print(const char *name)
     printf("};\nstatic const invcal_still %s_rest[] = {\n", name);
     for (unsigned i = skip; i < moves.count; i++) {
         const invcal_still *r = &moves.rest[i];
-        printf("    {{%d, %d, %d}, %u, %d},\n", r->bias[0], r->bias[1], r->bias[2], r->when, r->move);
+        printf("    {{%d, %d, %d}, %u, ", r->bias[0], r->bias[1], r->bias[2], r->when);
+        print_move(r->move);
     }
     printf("};\nstatic const invcal_segment %s_segment[] = {\n", name);
     for (unsigned i = 0; i < moves.first; i++) {

@@ -22,15 +22,11 @@ $1 ~ /^bss\./ { bss += $2 }
 $1 ~ /^(sizeof|linked)\./ { size[$1] = $2; structure[++structures] = $1 }
 $1 == "own" && $2 == "core" { own += $4 }
 $1 == "static.program" || $1 == "frame.main" { program += $2 }
-$1 == "called" { called = called " " substr(plain($2), 8) }
+$1 == "called" { called = called " " substr($2, 8) }
 $1 == "stack" {
     if ($4 > deepest[$2]) deepest[$2] = $4
-    stack[plain($3)] = $4
+    stack[$3] = $4
     calling += $5
-}
-function plain(name) {
-    sub(/_double_[01].*/, "", name)
-    return name
 }
 function most(list,    name, i, count, found) {
     count = split(list, name, " ")

@@ -6,11 +6,6 @@
 # PAIRS: function and its figures of FIGURES, one for each number of instructions. Prints each that differs, or has
 # not been measured; ends with `N passed, N failed`. With update=1 writes the headers again instead.
 
-function plain(name) { # without the build options
-    sub(/_double_[01].*/, "", name)
-    return name
-}
-
 # The first two digits of a number; not below the unit.
 function rounded(n, unit,    text) {
     while (n >= 100 * unit) unit *= 10
@@ -100,7 +95,7 @@ function check_function(name,    list, i, n) {
 FNR == 1 { file++; is_open = described = 0 }
 file == 1 { name = $1; $1 = ""; figure_of[name] = $0; names[name]; next }
 file == 2 { figure[$1] = $2; next }
-file == 3 { if ($1 == "stack") stack[plain($3)] = $4; next }
+file == 3 { if ($1 == "stack") stack[$3] = $4; next }
 
 { line[FILENAME, FNR] = $0; lines[FILENAME] = FNR }
 /^ *\/\*/ { begun = FNR; is_open = 1 }

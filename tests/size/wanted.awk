@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: MIT
 #
-# The linker options that keep the functions named in wanted, "%" for all. A name may end in a build's
-# choices: invcal_apply_double_0, invcal_session_init_double_0_max_positions_24.
+# The linker options that keep the functions named in wanted, "%" for all.
 BEGIN {
     split(wanted, names, " ")
-    for (i in names) is_wanted[plain(names[i])]
-}
-function plain(name) {
-    sub(/_double_[01](_.*)?$/, "", name)
-    return name
+    for (i in names) is_wanted[names[i]]
 }
 {
-    if (wanted == "%" || plain($2) in is_wanted) print "-Wl,--require-defined=" $2
+    if (wanted == "%" || $2 in is_wanted) print "-Wl,--require-defined=" $2
 }

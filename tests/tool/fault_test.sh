@@ -63,7 +63,7 @@ clip='{ $2 = $2 > 15500 ? 15500 : $2 < -15500 ? -15500 : $2 }'
 fault "clips at a rail that is not stated" 0 "^ +2 rests refused: $stuck" "$clip"
 right "clips at a rail that is not stated" 1.5
 # A rail that is touched in a move counts, too.
-fault "clips at a rail that is stated" 0 "^ +6 rests refused: at the end of the sensor's range" \
+fault "clips at a rail that is stated" 0 "^ +6 rests refused: at the end of the range" \
     "$clip" --clip -15500,15500
 fault "two axes exchanged" 0 '^Good: ' '{ x = $2; $2 = $3; $3 = x }'
 right "two axes exchanged, and calibrated as they read" 1.5 213
@@ -82,7 +82,7 @@ check "fault: a quarter of the samples half-way: not called good" matches "$work
 # ---- the fixture, and the hand -----------------------------------------------------------------------
 
 # 0.5 degrees a second in two rests.
-fault "rests in a slow turn" 0 '^ +[234] rests refused: it drifts: turned slowly, or not settled' \
+fault "rests in a slow turn" 0 '^ +[234] rests refused: drifts: turned slowly or not settled' \
     '$1 > 14 && $1 < 20 { $2 += 140 * ($1 - 14) } $1 > 35 && $1 < 41 { $3 += 140 * ($1 - 35) }'
 right "rests in a slow turn" 1.5
 # The case rocks by 0.06 rad at 17 Hz about z: cos has the mean 1 - 0.06^2 / 4, by which x and y read less.

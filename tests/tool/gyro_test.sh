@@ -229,7 +229,7 @@ check "moves that were not recorded" refused_as 'too few' 'too few complete move
 check "moves that were not recorded: JSON, too" test "$(grep -c '"left_out": "samples were lost in the move"' "$work/stdout")" -eq 17
 change 'function clip(x) { return x > 9000 ? 9000 : x < -9000 ? -9000 : x } { $5 = clip($5); $6 = clip($6); $7 = clip($7) }'
 run calibrate "$work/changed.csv"
-check "clipped: that move is left out and named" matches "$work/stdout" "^Left out: the move from position 1 to 2 \(line [0-9]+\): at the end of the sensor's range"
+check "clipped: that move is left out and named" matches "$work/stdout" "^Left out: the move from position 1 to 2 \(line [0-9]+\): at the end of the range"
 printf '%s\n' x,y,z 0,0,1 1,0,0 0,0,-1 -1,0,0 0,0,1 1,0,0 0,0,-1 -1,0,0 0,0,1 1,0,0 > "$work/one.csv"
 "$tool" simulate --gyro --dwell 3 --plan directions:"$work/one.csv" > "$work/one.log"
 refuses "all moves about one axis: it names what is open" 1 'The moves between them do not determine them either: .*gyro scale x.*gyro scale z' \
@@ -295,10 +295,10 @@ check "the gyroscope of another device: apart" refused_as apart 'one device and 
 # A range of 30 degrees/s clips all but one of the moves.
 "$tool" simulate --gyro --dwell 3 --plan edges --gyro-range 30 > "$work/clipped.csv"
 solve "$work/clipped.csv"
-clipped='unusable 16: at the end of the sensor.s range'
+clipped='unusable 16: at the end of the range'
 check "clipped but for one move: undetermined, and why" refused_as undetermined "\"reason\": .*gyro scale x, .*; $clipped"
 check "clipped but for one move: turn more slowly, or a larger range" matches "$work/stdout" '"remedy": "turn more slowly, or choose a larger range of the gyroscope; '
-check "clipped but for one move: JSON names all moves" test "$(grep -c '"left_out": "at the end of the sensor.s range"' "$work/stdout")" -eq 16
+check "clipped but for one move: JSON names all moves" test "$(grep -c '"left_out": "at the end of the range"' "$work/stdout")" -eq 16
 run calibrate "$work/clipped.csv"
 check "the last line names the gyroscope" test "$(tail -n 1 "$work/stdout" | grep -c '^The gyroscope is not calibrated. Next, for it: turn more slowly')" -eq 1
 # It reads -1 to 1, mostly 1, whatever the turn.

@@ -134,7 +134,7 @@ if command -v script > /dev/null && script -qec true /dev/null > /dev/null 2>&1 
     head -n 600 "$work/creep.csv" > "$work/creeps.csv"
     run watch "$work/creeps.csv"
     terminal 'invcal watch "$work/creeps.csv"'
-    check "what is refused is reported" matches "$work/typed" 'NOT GOOD.*it drifts'
+    check "what is refused is reported" matches "$work/typed" 'NOT GOOD.*drifts'
     check "and rings the bell" test "$(count "$bell")" -eq "$(grep -c '^refused:' "$work/stdout")"
 
     # With a gyroscope it asks for turns, and shows which move does not count.

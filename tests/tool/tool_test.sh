@@ -14,9 +14,9 @@ cut -d, -f1-3 "$data/xsens_mti_positions.csv" | tail -n +2 > "$work/xsens.csv"
 
 good=$work/good.csv
 accepts "--version succeeds" --version
-check "--version prints the version of invcal.h" [ "$(cat "$work/stdout")" = "invcal $(awk '
+check "--version prints the version of config.h" [ "$(cat "$work/stdout")" = "invcal $(awk '
     /^#define INVCAL_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $3; dot = "." } END { print v }' \
-    "$here/../../include/invcal/invcal.h")" ]
+    "$here/../../include/invcal/config.h")" ]
 "$tool" calibrate --help all > "$work/help"
 for o in positions gravity frame zero lsb nominal nominal-name noise prior out json quiet; do
     check "calibrate --help all explains --$o" matches "$work/help" "^  --$o "

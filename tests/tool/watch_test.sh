@@ -167,7 +167,7 @@ check "--plan: its positions, no turns" lacks "$work/stdout" ' about [xyz]$'
     NR > 1 { for (i = 5; i <= 7; i++) $i = $i > 9000 ? 9000 : $i < -9000 ? -9000 : $i } { print }' > "$work/log.csv"
 run watch "$work/log.csv"
 check "turns: the move that was clipped is named" matches "$work/stdout" \
-    "^gyroscope: the move from position 1 to 2 is refused: at the end of the sensor's range$"
+    "^gyroscope: the move from position 1 to 2 is refused: at the end of the range$"
 check "turns: once" test "$(grep -c 'from position 1 to 2 is refused' "$work/stdout")" -eq 1
 check "turns: the others count" matches "$work/stdout" '^gyroscope: 1[0-6] of 17 moves; '
 

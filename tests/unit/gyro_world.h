@@ -11,6 +11,7 @@
 
 #include "invcal/gyro.h"
 #include "support.h"
+#include "unity.h"
 
 #define DEGREE (3.14159265358979324 / 180)
 #define COUNTS 1e5 /* of the gyroscope per rad/s: rounding does not matter */
@@ -97,7 +98,8 @@ static inline void world_begin(world *w, double rate, uint32_t seed)
     for (int i = 0; i < 3; i++) {
         nominal.matrix[i][i] = (invcal_real)(1 / COUNTS);
     }
-    (void)invcal_moves_init(&w->moves, sizeof w->moves, &nominal, (invcal_real)rate);
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_moves_init(&w->moves, sizeof w->moves, &nominal, (invcal_real)rate));
     w->rests.bits = 4;
     world_unit(w->c);
 }

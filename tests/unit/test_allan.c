@@ -25,7 +25,7 @@ void tearDown(void)
 #endif
 #endif
 
-enum { TAUS = INVCAL_ALLAN_TAUS, OVERLAP = INVCAL_ALLAN_OVERLAP };
+enum { TAUS = INVCAL_ALLAN_TAUS, OVERLAP = INVCAL_PRIVATE_OVERLAP };
 
 /* ---- exact sums by other means: no totals, no rings, no products of 64 bits ----------------- */
 
@@ -167,7 +167,7 @@ static invcal_allan octaves(void)
     static invcal_allan a;
 
     memset(&a, 0xA5, sizeof a);
-    invcal_allan_init(&a, sizeof a);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_init(&a, sizeof a));
     return a;
 }
 
@@ -298,8 +298,36 @@ static void unusable_lists_are_refused(void)
 
     for (unsigned i = 0; i < sizeof list / sizeof *list; i++) {
         a.samples = 77;
-        TEST_ASSERT_EQUAL_INT(list[i].expected, invcal_allan_begin(&a, sizeof a, list[i].m, list[i].count));
+        TEST_ASSERT_EQUAL_INT(list[i].expected,
+                              invcal_allan_begin(&a, sizeof a, list[i].m, list[i].count));
         TEST_ASSERT_EQUAL_UINT32(list[i].expected == INVCAL_OK ? 0 : 77, a.samples);
+    }
+}
+
+/* Of a program that was built with other capacities: only that it was not begun is written, at the
+ * same place in every build, and no sample is used. */
+static void a_stream_of_another_size_takes_nothing(void)
+{
+    static const size_t sizes[] = {0, sizeof(invcal_allan) - 8, sizeof(invcal_allan) + 8};
+    static const uint32_t m[] = {1, 2, 3};
+    static const uint8_t fills[] = {0, 0x5A, 0xFF};
+    invcal_allan_point p = {.m = 77};
+    static invcal_allan before;
+    static invcal_allan a;
+
+    TEST_ASSERT_TRUE(offsetof(invcal_allan, taus) < offsetof(invcal_allan, tau));
+    for (unsigned i = 0; i < 18; i++) {
+        const size_t size = sizes[i % 3];
+        memset(&a, fills[i / 6], sizeof a);
+        memcpy(&before, &a, sizeof before);
+        before.taus = 0;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD, i / 3 % 2 ? invcal_allan_init(&a, size)
+                                                            : invcal_allan_begin(&a, size, m, 3));
+        TEST_ASSERT_EQUAL_MEMORY(&before, &a, sizeof before);
+        feed(&a, always_full, 100);
+        TEST_ASSERT_EQUAL_MEMORY(before.tau, a.tau, sizeof before.tau);
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TIME, invcal_allan_get(&a, 0, &p));
+        TEST_ASSERT_EQUAL_UINT32(77, p.m);
     }
 }
 
@@ -1069,6 +1097,7 @@ int main(void)
     RUN_TEST(averaging_times_may_be_dense_or_sparse);
     RUN_TEST(windows_apart_are_every_one_of_an_averaging_time);
     RUN_TEST(unusable_lists_are_refused);
+    RUN_TEST(a_stream_of_another_size_takes_nothing);
     RUN_TEST(what_is_not_known_yet_is_not_shown);
     RUN_TEST(no_difference_reaches_across_a_gap);
     RUN_TEST(totals_may_pass_any_power_of_two);

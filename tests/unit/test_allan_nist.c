@@ -1,13 +1,25 @@
 /* SPDX-License-Identifier: MIT
  *
  * The Allan deviation with more overlap than the library's default: the same source, compiled
- * again, under other names where the name does not contain the choice.
+ * again under other names. In a double library it has other names already.
  */
+#undef INVCAL_ALLAN_TAUS
+#undef INVCAL_PRIVATE_OVERLAP
 #define INVCAL_ALLAN_TAUS 8
-#define INVCAL_ALLAN_OVERLAP 128
+#define INVCAL_PRIVATE_OVERLAP 128
+#include "invcal/double.h"
+
+#undef invcal_allan_init
+#define invcal_allan_init wide_allan_init
+#undef invcal_allan_begin
+#define invcal_allan_begin wide_allan_begin
+#undef invcal_allan_apart
 #define invcal_allan_apart wide_allan_apart
+#undef invcal_allan_push
 #define invcal_allan_push wide_allan_push
+#undef invcal_allan_gap
 #define invcal_allan_gap wide_allan_gap
+#undef invcal_allan_get
 #define invcal_allan_get wide_allan_get
 #include "../../src/allan.c"
 

@@ -52,7 +52,7 @@ static void samples_are_applied_as_their_numbers_are(void)
     invcal_real expected[3];
 
     invcal_apply(&example, same[0], same[1], same[2], expected);
-    invcal_apply(&example, raw[0], raw[1], raw[2], out);
+    invcal_apply(&example, (invcal_real)raw[0], (invcal_real)raw[1], (invcal_real)raw[2], out);
     TEST_ASSERT_EQUAL_MEMORY(expected, out, sizeof out);
 }
 

@@ -177,7 +177,8 @@ static void run_session(const sensor_fault *row)
     b.truth = triad_random(&b.random, 0.02);
     memcpy(b.up, expected_plan18[0], sizeof b.up);
     TEST_ASSERT_EQUAL_INT_MESSAGE(
-        INVCAL_OK, invcal_session_init(b.session, sizeof *b.session, (invcal_real)COUNTS, RATE), row->name);
+        INVCAL_OK, invcal_session_init(b.session, sizeof *b.session, (invcal_real)COUNTS, RATE),
+        row->name);
     if (row->rails) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(b.session, -13107, 13107));
     }

@@ -36,10 +36,24 @@ static struct {
     unsigned reset_at; /* samples of the next move after which power is off for a moment; 0: none */
 } hand;
 
-static void begin(uint32_t seed)
+/* What a device states whenever it begins; its memory has any contents. */
+static void begin_both(invcal_imu_session *of)
 {
     invcal_calibration gyro = unit_nominal();
 
+    for (int i = 0; i < 3; i++) {
+        gyro.matrix[i][i] = (invcal_real)(1 / COUNTS);
+    }
+    memset(of, FILL, sizeof *of);
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_session_init(&of->session, sizeof of->session, COUNTS_PER_G, RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&of->moves, sizeof of->moves, &gyro, RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&of->session, -32768, 32767));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&of->moves, -5000000, 5000000));
+}
+
+static void begin(uint32_t seed)
+{
     memset(&hand, 0, sizeof hand);
     hand.random = random_start(seed);
     hand.triad = triad_random(&hand.random, 0.02);
@@ -48,14 +62,7 @@ static void begin(uint32_t seed)
         hand.m[i / 3][i % 3] += 0.01 * random_normal(&hand.random);
     }
     hand.up[2] = 1;
-    for (int i = 0; i < 3; i++) {
-        gyro.matrix[i][i] = (invcal_real)(1 / COUNTS);
-    }
-    memset(&both, FILL, sizeof both);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&both.session, sizeof both.session, COUNTS_PER_G, RATE));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&both.moves, sizeof both.moves, &gyro, RATE));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&both.session, -32768, 32767));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&both.moves, -5000000, 5000000));
+    begin_both(&both);
 }
 
 /* One sample of each, at the nominal rate, for this up direction. */
@@ -91,12 +98,32 @@ static uint32_t keep(const invcal_imu_session *of)
     return size;
 }
 
-/* A device whose memory has any contents except for what was saved. */
+/* A device that begins, and resumes from bytes at any alignment. */
 static invcal_status put_back(uint32_t size)
 {
-    memset(&back, FILL, sizeof back);
-    memcpy((uint8_t *)&back + FROM, kept, size < SIZE ? size : SIZE);
-    return invcal_imu_session_resume(&back, size);
+    static uint8_t odd[SIZE + 1];
+
+    memcpy(odd + 1, kept, SIZE);
+    begin_both(&back);
+    return invcal_imu_session_resume(&back, odd + 1, size);
+}
+
+/* Both are as they were begun: nothing is taken over. */
+static void assert_as_begun(void)
+{
+    static invcal_imu_session begun;
+
+    begin_both(&begun);
+    TEST_ASSERT_EQUAL_MEMORY(&begun.moves, &back.moves, sizeof begun.moves);
+    TEST_ASSERT_EQUAL_MEMORY(&begun.session, &back.session, OF_SESSION);
+    TEST_ASSERT_EQUAL_MEMORY(&begun.session.rests, &back.session.rests, sizeof begun.session.rests);
+    TEST_ASSERT_EQUAL_UINT(0, back.session.count + back.moves.count);
+}
+
+static void put_back_refused(invcal_status expected, uint32_t size)
+{
+    TEST_ASSERT_EQUAL_INT(expected, put_back(size));
+    assert_as_begun();
 }
 
 /* Turned by a quarter until `axis` (from 1; negative: down) is up, in 1.1 s; then held for 2 s. */
@@ -317,20 +344,22 @@ static void a_reset_after_each_rest_leaves_only_rests(void)
 /* ---- what is refused ---------------------------------------------------------------------------- */
 
 /* Another version, number type, order of bytes, number of moves or of segments. */
-static void another_layout_is_named_so(void)
+static void another_layout_is_of_another_build(void)
 {
+    const uint32_t layout = OF_MOVES + offsetof(invcal_session, layout);
+
     begin(5);
     take(3);
     const uint32_t size = keep(&both);
     for (unsigned bit = 0; bit < 32; bit++) {
         kept[bit / 8] ^= (uint8_t)(1u << bit % 8);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, put_back(size));
+        put_back_refused(INVCAL_OTHER_SETTINGS, size);
         kept[bit / 8] ^= (uint8_t)(1u << bit % 8);
     }
     for (unsigned bit = 0; bit < 32; bit++) { /* of the session */
-        kept[OF_MOVES + bit / 8] ^= (uint8_t)(1u << bit % 8);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, put_back(size));
-        kept[OF_MOVES + bit / 8] ^= (uint8_t)(1u << bit % 8);
+        kept[layout + bit / 8] ^= (uint8_t)(1u << bit % 8);
+        put_back_refused(INVCAL_OTHER_SETTINGS, size);
+        kept[layout + bit / 8] ^= (uint8_t)(1u << bit % 8);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(size));
 }
@@ -341,61 +370,153 @@ static void another_length_is_refused(void)
     take(3);
     const uint32_t size = keep(&both);
     for (uint32_t other = 0; other <= SIZE + 20; other++) {
-        const invcal_status wanted = other == size                   ? INVCAL_OK
-                                     : other < OF_MOVES + OF_SESSION ? INVCAL_OTHER_VERSION
-                                                                     : INVCAL_DAMAGED;
-        TEST_ASSERT_EQUAL_INT(wanted, put_back(other));
+        if (other == size) {
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(other));
+        } else {
+            put_back_refused(other < OF_MOVES ? INVCAL_OTHER_SETTINGS
+                             : other <= SIZE  ? INVCAL_DAMAGED
+                                              : INVCAL_NO_SPACE,
+                             other);
+        }
     }
+    put_back_refused(INVCAL_NO_SPACE, 0xFFFFFFFFu);
 }
 
 /* The result of resuming changed contents; then restores them. */
 static void comes_back_as(invcal_status expected, invcal_imu_session *changed)
 {
     TEST_ASSERT_EQUAL_INT(expected, put_back(keep(changed)));
+    if (expected != INVCAL_OK) {
+        assert_as_begun();
+    }
     memcpy(changed, &both, sizeof both);
+}
+
+/* Other rails, noise, time to hold: what was taken comes, and what was stated now stays. */
+static void what_was_stated_stays_as_it_was_begun(void)
+{
+    begin(14);
+    take(4);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&both.moves, -7, 8));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&both.session, -9, 10));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&both.session, INVCAL_REAL(0.001)));
+    invcal_session_hold(&both.session, 5000);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(keep(&both)));
+    TEST_ASSERT_EQUAL_UINT(3, back.session.count);
+    TEST_ASSERT_EQUAL_UINT(3, back.moves.count);
+    TEST_ASSERT_EQUAL_INT32(-5000000, back.moves.low);
+    TEST_ASSERT_EQUAL_UINT32(9999999, back.moves.between);
+    TEST_ASSERT_EQUAL_INT32(-32768, back.session.rests.low);
+    TEST_ASSERT_TRUE(back.session.noise == 0);
+    invcal_session_hold(&both.session, 0); /* as if never called */
+    TEST_ASSERT_EQUAL_UINT(both.session.rests.dwell, back.session.rests.dwell);
+}
+
+/* Of either sensor, in any bit: neither rate nor nominal calibration may be another one. */
+static void other_settings_of_either_sensor_are_refused(void)
+{
+    const size_t rates[2] = {offsetof(invcal_imu_session, moves.rate) - FROM,
+                             OF_MOVES + offsetof(invcal_session, rate)};
+    const size_t nominals[2] = {offsetof(invcal_imu_session, moves.nominal) - FROM,
+                                OF_MOVES + offsetof(invcal_session, nominal)};
+
+    begin(15);
+    take(3);
+    const uint32_t size = keep(&both);
+    for (unsigned which = 0; which < 2; which++) {
+        for (size_t i = 0; i < sizeof(invcal_real); i++) {
+            kept[rates[which] + i] ^= 1;
+            put_back_refused(INVCAL_OTHER_SETTINGS, size);
+            kept[rates[which] + i] ^= 1;
+        }
+        for (size_t i = 0; i < sizeof(invcal_calibration); i++) {
+            kept[nominals[which] + i] ^= 0x80;
+            put_back_refused(INVCAL_OTHER_SETTINGS, size);
+            kept[nominals[which] + i] ^= 0x80;
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(size));
+}
+
+/* Both must be begun: one alone takes nothing over. */
+static void what_was_not_begun_is_not_resumed(void)
+{
+    begin(16);
+    take(4);
+    const uint32_t size = keep(&both);
+    for (unsigned i = 1; i < 4; i++) {
+        begin_both(&back);
+        if (i & 1) {
+            memset(&back.moves, 0, sizeof back.moves);
+        }
+        if (i & 2) {
+            memset(&back.session, 0, sizeof back.session);
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_imu_session_resume(&back, kept, size));
+        TEST_ASSERT_EQUAL_UINT(0, back.session.count);
+        if (i & 1) { /* and stays so */
+            TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_imu_session_resume(&back, kept, size));
+        } else {
+            TEST_ASSERT_EQUAL_UINT(0, back.moves.count);
+        }
+        if (i & 2) {
+            TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_session_feed(&back.session, 1, 2, 3));
+            TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_session_reason(&back.session));
+        }
+    }
+}
+
+/* Into a session that has positions and moves already: those go, too. */
+static void refused_bytes_leave_nothing_behind(void)
+{
+    static const struct {
+        uint32_t size;
+        invcal_status status;
+    } wrong[] = {{OF_MOVES, INVCAL_DAMAGED},
+                 {OF_MOVES + OF_SESSION, INVCAL_DAMAGED},
+                 {SIZE, INVCAL_DAMAGED},
+                 {SIZE + 1, INVCAL_NO_SPACE}};
+    static uint8_t bytes[SIZE + 1];
+
+    begin(17);
+    take(4);
+    const uint32_t size = keep(&both);
+    memcpy(bytes, kept, sizeof kept);
+    for (unsigned i = 0; i < 4; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(size));
+        TEST_ASSERT_EQUAL_INT(wrong[i].status,
+                              invcal_imu_session_resume(&back, bytes, wrong[i].size));
+        assert_as_begun();
+    }
 }
 
 static void contents_that_moves_cannot_have_are_refused(void)
 {
-    static const double rates[] = {7.99, 8000.1, 0, -100, NOT_A_NUMBER, INFINITE};
+    static const double rates[] = {7.99, 8000.1, 0, -100, NOT_A_NUMBER, INFINITE, 8, 8000};
     static invcal_imu_session c;
 
     begin(7);
     take(6);
     memcpy(&c, &both, sizeof c);
     comes_back_as(INVCAL_OK, &c);
-    for (unsigned i = 0; i < 6; i++) {
+    for (unsigned i = 0; i < 8; i++) {
         c.moves.rate = (invcal_real)rates[i];
-        comes_back_as(INVCAL_BAD_RATE, &c);
-    }
-    for (unsigned i = 0; i < 2; i++) {
-        c.moves.rate = i ? 8000 : 8;
-        comes_back_as(INVCAL_OK, &c);
+        comes_back_as(INVCAL_OTHER_SETTINGS, &c);
     }
     for (unsigned i = 0; i < 9; i++) {
         c.moves.nominal.matrix[i / 3][i % 3] = (invcal_real)NOT_A_NUMBER;
-        comes_back_as(INVCAL_BAD_NOMINAL, &c);
+        comes_back_as(INVCAL_OTHER_SETTINGS, &c);
     }
     memset(c.moves.nominal.matrix, 0, sizeof c.moves.nominal.matrix);
-    comes_back_as(INVCAL_BAD_NOMINAL, &c);
+    comes_back_as(INVCAL_OTHER_SETTINGS, &c);
     for (unsigned i = 0; i < 3; i++) {
         c.moves.bias[i] = (invcal_real)INFINITE;
         comes_back_as(INVCAL_DAMAGED, &c);
+        c.moves.bias[i] = (invcal_real)NOT_A_NUMBER;
+        comes_back_as(INVCAL_DAMAGED, &c);
     }
-    c.moves.low = 1;
-    c.moves.between = INT32_MAX - 1; /* one beyond */
-    comes_back_as(INVCAL_BAD_LIMITS, &c);
-    c.moves.low = INT32_MAX;
-    c.moves.between = 0;
-    comes_back_as(INVCAL_BAD_LIMITS, &c);
-    c.moves.low = 1;
-    c.moves.between = INT32_MAX - 2;
-    comes_back_as(INVCAL_OK, &c);
-    c.moves.low = INT32_MIN;
+    c.moves.low = INT32_MAX; /* no rails at all, which are not read */
     c.moves.between = UINT32_MAX;
-    comes_back_as(INVCAL_BAD_LIMITS, &c);
-    c.moves.low = INT32_MIN;
-    c.moves.between = UINT32_MAX - 1; /* all there are */
     comes_back_as(INVCAL_OK, &c);
     c.moves.count = INVCAL_MAX_MOVES + 1;
     comes_back_as(INVCAL_DAMAGED, &c);
@@ -422,14 +543,16 @@ static void contents_that_moves_cannot_have_are_refused(void)
     comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.rest[0].move = -INVCAL_STATUS_END;
     comes_back_as(INVCAL_DAMAGED, &c);
+    c.moves.rest[0].move = INT8_MIN;
+    comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.rest[0].move = -INVCAL_MOUNTING;
     comes_back_as(INVCAL_OK, &c);
     c.moves.rest[3].when = (uint16_t)(c.moves.rest[4].when + 1);
     comes_back_as(INVCAL_DAMAGED, &c);
     c.moves.blocks = (uint16_t)(c.moves.rest[4].when - 1);
     comes_back_as(INVCAL_DAMAGED, &c);
-    c.session.noise = 1;
-    comes_back_as(INVCAL_BAD_NOISE, &c);
+    c.session.noise = (invcal_real)NOT_A_NUMBER; /* not read */
+    comes_back_as(INVCAL_OK, &c);
 }
 
 /* Valid tables, except that they are too large. */
@@ -518,7 +641,9 @@ static void any_content_does_no_harm(void)
             kept[(uint32_t)random_uniform(&random, 4, most)] =
                 (uint8_t)random_uniform(&random, 0, 256);
         }
-        if (put_back(size) == INVCAL_OK) {
+        if (put_back(size) != INVCAL_OK) {
+            assert_as_begun();
+        } else {
             accepted++;
             memcpy(&both, &back, sizeof both);
             (void)solve(&both, &imu[0]);
@@ -606,7 +731,7 @@ static void a_power_cut_at_any_byte_of_a_save_keeps_both_together(void)
         power = cut;
         saved = invcal_imu_session_save(&both, &store) == INVCAL_OK;
         power = 1000000;
-        memset(&back, FILL, sizeof back);
+        begin_both(&back);
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_session_load(&back, &store));
         const int is_new = back.session.count == both.session.count;
         const invcal_imu_session *expected = is_new ? &both : &before;
@@ -621,18 +746,42 @@ static void a_power_cut_at_any_byte_of_a_save_keeps_both_together(void)
     TEST_ASSERT_TRUE(found[0] > 500 && found[1] > 0);
 }
 
+static void load_refused(invcal_status expected)
+{
+    begin_both(&back);
+    TEST_ASSERT_EQUAL_INT(expected, invcal_imu_session_load(&back, &store));
+    assert_as_begun();
+}
+
 static void what_is_not_a_session_of_both_is_not_loaded(void)
 {
     static uint8_t large[SIZE + 1];
 
     begin(11);
     take(3);
-    TEST_ASSERT_EQUAL_INT(INVCAL_NO_RECORD, invcal_imu_session_load(&back, &store));
+    load_refused(INVCAL_NO_RECORD);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_save(&both.session, &store)); /* one sensor */
-    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_imu_session_load(&back, &store));
+    load_refused(INVCAL_OTHER_SETTINGS);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, large, 1));
+    load_refused(INVCAL_OTHER_SETTINGS);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, large, sizeof large));
-    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_imu_session_load(&back, &store));
+    load_refused(INVCAL_NO_SPACE);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_session_save(&both, &store));
+    begin_both(&back);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_session_load(&back, &store));
+    assert_back();
+}
+
+/* A memory that fails costs what was taken, but leaves both as they were begun. */
+static void a_failing_memory_leaves_both_as_they_were_begun(void)
+{
+    begin(18);
+    take(3);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_session_save(&both, &store));
+    power = 0;
+    load_refused(INVCAL_IO);
+    power = 1000000;
+    begin_both(&back);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_session_load(&back, &store));
     assert_back();
 }
@@ -644,8 +793,12 @@ int main(void)
     RUN_SLOW_TEST(both_come_back_as_they_were);
     RUN_SLOW_TEST(a_reset_in_a_move_loses_that_move);
     RUN_TEST(a_reset_after_each_rest_leaves_only_rests);
-    RUN_TEST(another_layout_is_named_so);
+    RUN_TEST(another_layout_is_of_another_build);
     RUN_SLOW_TEST(another_length_is_refused);
+    RUN_TEST(what_was_stated_stays_as_it_was_begun);
+    RUN_TEST(other_settings_of_either_sensor_are_refused);
+    RUN_TEST(what_was_not_begun_is_not_resumed);
+    RUN_TEST(refused_bytes_leave_nothing_behind);
     RUN_TEST(contents_that_moves_cannot_have_are_refused);
     RUN_TEST(one_more_than_fits_is_refused);
     RUN_TEST(the_move_of_a_reset_is_a_gap);
@@ -653,5 +806,6 @@ int main(void)
     RUN_LONG_TEST(any_content_does_no_harm);
     RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_keeps_both_together);
     RUN_TEST(what_is_not_a_session_of_both_is_not_loaded);
+    RUN_TEST(a_failing_memory_leaves_both_as_they_were_begun);
     return UNITY_END() != 0;
 }

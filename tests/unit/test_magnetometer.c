@@ -280,7 +280,8 @@ static void a_real_one_agrees_with_fits_to_all_samples(void)
         for (int i = 0; i < 3; i++) {
             raw[i] = (invcal_real)(reference_means[n][i] * 1e-6);
         }
-        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]) != INVCAL_REFUSED);
+        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]) !=
+                         INVCAL_REFUSED);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_solve(&the.magnetometer, &the.calibration,
                                                                &the.quality, &the.found));
@@ -1364,7 +1365,8 @@ static void guidance_covers_every_cell(void)
         for (int i = 0; i < 3; i++) {
             raw[i] = (invcal_real)(field_counts * ((double)along[i] + the.truth.x[i]));
         }
-        taken += invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]) == INVCAL_TAKEN;
+        taken +=
+            invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]) == INVCAL_TAKEN;
     }
     TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, taken);
 }
@@ -1437,7 +1439,8 @@ static unsigned left_of_600(uint32_t seed, double spoilt)
             raw[i] = (invcal_real)(d[i] * (n < 100 && d[0] > 0 ? 1 + spoilt : 1) +
                                    0.01 * random_normal(&random));
         }
-        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]) != INVCAL_REFUSED);
+        TEST_ASSERT_TRUE(invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]) !=
+                         INVCAL_REFUSED);
     }
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         left += (unsigned)the.magnetometer.early.count[k] + the.magnetometer.late.count[k];
@@ -1536,7 +1539,8 @@ static void a_session_of_days_stays_as_good(void)
         const unsigned k = (unsigned)n % INVCAL_CELLS;
         invcal_real raw[3] = {0, 0, 0};
         (void)invcal_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
-        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING,
+                              invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]));
         TEST_ASSERT_TRUE(the.magnetometer.samples < most);
         TEST_ASSERT_TRUE(the.magnetometer.left_out < the.magnetometer.samples / 16);
     }
@@ -1545,7 +1549,8 @@ static void a_session_of_days_stays_as_good(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, the.quality.verdict);
     the.magnetometer.left_out = most;
     const invcal_real far[3] = {30000, 0, 0};
-    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, far[0], far[1], far[2]));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED,
+                          invcal_magnetometer_feed(&the.magnetometer, far[0], far[1], far[2]));
     TEST_ASSERT_TRUE(the.magnetometer.left_out == most);
     the.status =
         invcal_magnetometer_solve(&the.magnetometer, &the.calibration, &the.quality, &the.found);
@@ -1580,17 +1585,21 @@ static void bad_input_changes_nothing(void)
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
     before = the.magnetometer;
     for (int i = 0; i < 2; i++) { /* as the very first */
-        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, bad[i][0], bad[i][1], bad[i][2]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, bad[i][0],
+                                                                       bad[i][1], bad[i][2]));
     }
     TEST_ASSERT_EQUAL_MEMORY(&before, &the.magnetometer, sizeof the.magnetometer);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_magnetometer_feed(&the.magnetometer, good[0], good[1], good[2]));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN,
+                          invcal_magnetometer_feed(&the.magnetometer, good[0], good[1], good[2]));
     before = the.magnetometer;
     for (int i = 0; i < 3; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, bad[i][0], bad[i][1], bad[i][2]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, bad[i][0],
+                                                                       bad[i][1], bad[i][2]));
     }
     TEST_ASSERT_EQUAL_MEMORY(&before, &the.magnetometer, sizeof the.magnetometer);
     for (int i = 0; i < 1000; i++) { /* it lies on the table */
-        TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, invcal_magnetometer_feed(&the.magnetometer, good[0], good[1], good[2]));
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_NOTHING, invcal_magnetometer_feed(&the.magnetometer, good[0], good[1], good[2]));
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));

@@ -156,23 +156,62 @@ static void without_space_moves_are_refused_and_rests_continue(void)
     TEST_ASSERT_TRUE(refused > 0 && refused < 20);
 }
 
+/* A failed beginning writes one word, which says that it was not begun: the same in every build. */
+static void assert_not_begun(const invcal_moves *before)
+{
+    const size_t at = offsetof(invcal_moves, layout);
+    const size_t after = at + sizeof before->layout;
+
+    TEST_ASSERT_EQUAL_UINT32(0, w.moves.layout);
+    TEST_ASSERT_EQUAL_MEMORY(before, &w.moves, at);
+    TEST_ASSERT_EQUAL_MEMORY((const uint8_t *)before + after, (const uint8_t *)&w.moves + after,
+                             sizeof *before - after);
+}
+
+/* Also if nobody looks at the status: no sample and no event is used. */
+static void moves_that_were_not_begun_take_nothing(void)
+{
+    static const uint8_t fills[] = {0, 0x5A, 0xFF};
+    static const double rates[] = {5, NOT_A_NUMBER, 7.99, 8001, INFINITE};
+    static const size_t sizes[] = {0, sizeof(invcal_moves) - 1, sizeof(invcal_moves) + 1};
+    const invcal_calibration nominal = unit_nominal();
+    static invcal_moves before;
+
+    for (unsigned i = 0; i < 8 * sizeof fills; i++) {
+        const unsigned how = i % 8;
+        begin();
+        memset(&w.moves, fills[i / 8], sizeof w.moves);
+        memcpy(&before, &w.moves, sizeof before);
+        if (how < 5) {
+            TEST_ASSERT_EQUAL_INT(
+                INVCAL_BAD_RATE,
+                invcal_moves_init(&w.moves, sizeof w.moves, &nominal, (invcal_real)rates[how]));
+        } else {
+            TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD,
+                                  invcal_moves_init(&w.moves, sizes[how - 5], &nominal, 100));
+        }
+        for (unsigned n = 0; n < 300; n++) {
+            invcal_moves_feed(&w.moves, 1000, -1000, (int32_t)n);
+            invcal_moves_follow(&w.moves, &w.rests, n % 50 == 49 ? INVCAL_TAKEN : INVCAL_MOVING);
+        }
+        invcal_moves_gap(&w.moves);
+        assert_not_begun(&before);
+    }
+}
+
 static void nonsense_is_refused_or_does_no_harm(void)
 {
     const int32_t ends[3] = {INT32_MIN, INT32_MAX, INT32_MIN};
     invcal_calibration nominal = unit_nominal();
-    invcal_moves untouched;
+    static invcal_moves untouched;
 
     begin();
-    untouched = w.moves;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 7));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, (invcal_real)NAN));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE,
-                          invcal_moves_init(&w.moves, sizeof w.moves, &nominal, (invcal_real)INFINITY));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 8001));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_moves_rails(&w.moves, 5, 5));
+    memcpy(&untouched, &w.moves, sizeof untouched);
     nominal.matrix[0][0] = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 100));
-    TEST_ASSERT_EQUAL_MEMORY(&untouched, &w.moves, sizeof untouched);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
+                          invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 100));
+    assert_not_begun(&untouched);
     nominal = unit_nominal();
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 100));
     world_rest(&w, 1.5);
@@ -324,7 +363,8 @@ static void begin_at(int rate)
     for (int i = 0; i < 3; i++) {
         nominal.matrix[i][i] = INVCAL_REAL(1.0) / 262144;
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, (invcal_real)rate));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_moves_init(&w.moves, sizeof w.moves, &nominal, (invcal_real)rate));
     w.rests.bits = 3;
 }
 
@@ -1018,7 +1058,8 @@ static void the_session_says_where_rests_are(void)
     world_draw(&w, 0.02, 0.02);
     const invcal_calibration gyro = w.moves.nominal;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &gyro, FAST));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&session, sizeof session, 16384, FAST / 4));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_session_init(&session, sizeof session, 16384, FAST / 4));
     int taken = turn_and_rest(&session, none, &random);
     for (int k = 0; k < 13; k++) {
         taken += turn_and_rest(&session, turns[k / 5], &random);
@@ -1047,6 +1088,7 @@ int main(void)
     RUN_SLOW_TEST(a_clipped_or_a_long_move_is_refused);
     RUN_TEST(a_rest_that_turns_is_not_a_rest);
     RUN_SLOW_TEST(without_space_moves_are_refused_and_rests_continue);
+    RUN_TEST(moves_that_were_not_begun_take_nothing);
     RUN_TEST(nonsense_is_refused_or_does_no_harm);
     RUN_TEST(a_move_of_more_than_seven_turns_is_refused);
     RUN_TEST(stirring_fills_a_segment);

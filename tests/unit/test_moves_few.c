@@ -4,9 +4,7 @@
  * here with that choice.
  */
 #undef INVCAL_MAX_SEGMENTS
-#undef INVCAL_MAX_MOVES
 #define INVCAL_MAX_SEGMENTS 100
-#define INVCAL_MAX_MOVES 14
 #include "gyro_tables.h"
 #include "gyro_world.h"
 #include "unity.h"

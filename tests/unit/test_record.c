@@ -622,26 +622,32 @@ static int memory_program(void *context, unsigned slot, uint32_t offset, const u
 
 static const invcal_store store = {memory_read, memory_erase, memory_program, NULL, SLOT, 8};
 
-typedef invcal_status loader(const invcal_store *from, invcal_calibration *calibration);
-
-static int is_loaded_by(loader *load, invcal_status expected, invcal_calibration *calibration)
+static void blank(invcal_calibration *calibration)
 {
-    uint8_t before[sizeof *calibration];
-
     memset(calibration, 0x5A, sizeof *calibration);
-    memset(before, 0x5A, sizeof before);
-    return load(&store, calibration) == expected &&
-           (expected == INVCAL_OK || memcmp(before, calibration, sizeof before) == 0);
+}
+
+/* What fails leaves it blank. */
+static int is_as_expected(invcal_status expected, invcal_status status,
+                          const invcal_calibration *calibration)
+{
+    invcal_calibration before;
+
+    blank(&before);
+    return status == expected &&
+           (expected == INVCAL_OK || memcmp(&before, calibration, sizeof before) == 0);
 }
 
 static int is_loaded(invcal_status expected, invcal_calibration *calibration)
 {
-    return is_loaded_by(invcal_load, expected, calibration);
+    blank(calibration);
+    return is_as_expected(expected, invcal_load(calibration, &store), calibration);
 }
 
 static int is_loaded_v1(invcal_status expected, invcal_calibration *calibration)
 {
-    return is_loaded_by(invcal_load_v1, expected, calibration);
+    blank(calibration);
+    return is_as_expected(expected, invcal_load_v1(&store, calibration), calibration);
 }
 
 /* The golden calibration, and a possible quality. */

@@ -64,7 +64,8 @@ static void setup_rails(double rate, double counts, double noise, int32_t low, i
     b.high = high;
     b.scale = 1;
     b.random = random_start((uint32_t)(rate + counts));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&b.detector, (unsigned)(rate + 0.5)));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_rests_init(&b.detector, (invcal_real)(unsigned)(rate + 0.5)));
     if (low < high) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, low, high));
     }
@@ -454,7 +455,7 @@ static unsigned block_size(unsigned rate)
     int32_t raw[3] = {7, 0, 0};
     unsigned n = 1;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, rate));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, (invcal_real)rate));
     while (invcal_rests_feed(&detector, raw) == INVCAL_NOTHING) {
         raw[0] = (int32_t)n++;
     }
@@ -1372,7 +1373,7 @@ static void no_time_to_hold_is_cut_short_at_any_rate(void)
     invcal_rests detector;
 
     for (uint32_t rate = 8; rate <= 8000; rate += TEST_SHORT) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, (unsigned)rate));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, (invcal_real)(unsigned)rate));
         const uint32_t size = UINT32_C(1) << detector.bits;
         const uint32_t least = 78 * rate / 125 / size + 1; /* 0.624 s */
         TEST_ASSERT_EQUAL_UINT32(least < 4 ? 4 : least, detector.least);
@@ -1591,7 +1592,7 @@ static void init_refuses_rates_and_rails_out_of_range(void)
     memset(&detector, 0x5A, sizeof detector);
     memcpy(&before, &detector, sizeof before);
     for (unsigned i = 0; i < 6; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_rests_init(&detector, rates[i]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_rests_init(&detector, (invcal_real)rates[i]));
     }
     TEST_ASSERT_TRUE(memcmp(&before, &detector, sizeof detector) == 0);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, 8));

@@ -60,7 +60,8 @@ static invcal_session begin(const scene *s)
 {
     invcal_session session;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&session, sizeof session, &s->nominal, RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_session_begin(&session, sizeof session, &s->nominal, RATE));
     if (s->kind == TUNED) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&session, (invcal_real)0.0011));
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
@@ -133,12 +134,13 @@ static void hold(invcal_session *session, const scene *s, unsigned n)
 }
 
 /* What is not saved: the stream starts. */
-static void forget_stream(invcal_session *session)
+static void forget_stream(invcal_session *session, const scene *s)
 {
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&session->rests, (unsigned)session->rate));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_rests_rails(&session->rests, session->low, session->high));
-    invcal_rests_hold(&session->rests, session->hold);
+    const invcal_session fresh = begin(s);
+
+    session->rests = fresh.rests;
+    session->last = fresh.last;
+    session->reason = fresh.reason;
 }
 
 static invcal_session session_after(const scene *s, unsigned positions)
@@ -146,7 +148,7 @@ static invcal_session session_after(const scene *s, unsigned positions)
     invcal_session session = begin(s);
 
     for (unsigned n = 0; n < positions; n++) {
-        forget_stream(&session);
+        forget_stream(&session, s);
         hold(&session, s, n);
     }
     return session;
@@ -154,7 +156,7 @@ static invcal_session session_after(const scene *s, unsigned positions)
 
 /* ---- keeping, and going on ---------------------------------------------------------------------- */
 
-/* The last event is not reported again. */
+/* The last event is not resumed. */
 static uint32_t keep(const invcal_session *session, uint8_t bytes[SIZE])
 {
     const uint32_t size = invcal_session_size(session);
@@ -168,32 +170,45 @@ static uint32_t keep(const invcal_session *session, uint8_t bytes[SIZE])
     return size;
 }
 
-static invcal_session resume(const uint8_t *bytes, uint32_t size)
+/* After a reset: memory has any contents, and the saved bytes any alignment. */
+static invcal_session resume(const scene *s, const uint8_t *bytes, uint32_t size)
 {
-    invcal_session out;
+    static uint8_t odd[SIZE + 1];
+    invcal_session out = begin(s);
 
-    memset(&out, FILL, sizeof out);
-    memcpy(&out, bytes, size);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_resume(&out, size));
+    memset(out.mean, FILL, sizeof out.mean);
+    memcpy(odd + 1, bytes, size);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_resume(&out, odd + 1, size));
     return out;
 }
 
-static void assert_refused(invcal_status expected, const invcal_session *session, uint32_t size)
+/* As it was begun, and with nothing in its table. */
+static void assert_as_begun(const invcal_session *begun, const invcal_session *session)
 {
-    invcal_session s = *session;
+    TEST_ASSERT_EQUAL_MEMORY(begun, session, HEAD);
+    TEST_ASSERT_EQUAL_MEMORY(&begun->rests, &session->rests, sizeof begun->rests);
+    TEST_ASSERT_EQUAL_UINT(0, session->count);
+}
 
-    TEST_ASSERT_EQUAL_INT(expected, invcal_session_resume(&s, size));
+static void assert_refused(invcal_status expected, const invcal_session *begun,
+                           const invcal_session *saved, uint32_t size)
+{
+    static uint8_t bytes[SIZE + 100];
+    invcal_session s = *begun;
+
+    memset(bytes, FILL, sizeof bytes);
+    memcpy(bytes, saved, SIZE);
+    TEST_ASSERT_EQUAL_INT(expected, invcal_session_resume(&s, bytes, size));
+    assert_as_begun(begun, &s);
 }
 
 /* Everything except its state of the stream: that is as after its start. */
-static void assert_same(const invcal_session *before, const invcal_session *after)
+static void assert_same(const scene *s, const invcal_session *before, const invcal_session *after)
 {
     invcal_session fresh = *before;
 
-    forget_stream(&fresh);
-    fresh.last = INVCAL_MOVING;
-    fresh.reason = INVCAL_OK;
-    fresh.good = after->good; /* asked again */
+    forget_stream(&fresh, s);
+    fresh.good = 0; /* to be asked again */
     TEST_ASSERT_EQUAL_MEMORY(&fresh, after, invcal_session_size(before));
     TEST_ASSERT_EQUAL_MEMORY(&fresh.rests, &after->rests, sizeof fresh.rests);
 }
@@ -218,25 +233,49 @@ static int assert_same_result(const invcal_session *before, const invcal_session
 
 /* ---- what is kept ------------------------------------------------------------------------------ */
 
-static invcal_session golden_session(void)
+static const invcal_calibration golden_nominal = {
+    {INVCAL_REAL(100.5), INVCAL_REAL(-200.25), INVCAL_REAL(50.75)},
+    {{INVCAL_REAL(0.5), INVCAL_REAL(0.0078125), INVCAL_REAL(-0.015625)},
+     {0, INVCAL_REAL(0.25), INVCAL_REAL(0.03125)},
+     {0, 0, 1}}};
+static const double golden_mean[2][3] = {{102.5, -200.5, 51.5}, {101.25, -196.5, 50.5}};
+
+/* What a device states whenever it begins. */
+static invcal_session golden_begun(void)
 {
-    static const invcal_calibration nominal = {
-        {INVCAL_REAL(100.5), INVCAL_REAL(-200.25), INVCAL_REAL(50.75)},
-        {{INVCAL_REAL(0.5), INVCAL_REAL(0.0078125), INVCAL_REAL(-0.015625)},
-         {0, INVCAL_REAL(0.25), INVCAL_REAL(0.03125)},
-         {0, 0, 1}}};
-    static const double mean[2][3] = {{102.5, -200.5, 51.5}, {101.25, -196.5, 50.5}};
     invcal_session s;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&s, sizeof s, &nominal, 125));
+    memset(&s, FILL, sizeof s);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_session_begin(&s, sizeof s, &golden_nominal, INVCAL_REAL(12.5)));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&s, -32768, 32767));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&s, INVCAL_REAL(0.0009765625)));
     invcal_session_hold(&s, 2500);
+    return s;
+}
+
+static invcal_session golden_session(void)
+{
+    invcal_session s = golden_begun();
+
     for (unsigned i = 0; i < 6; i++) {
-        s.mean[i / 3][i % 3] = (invcal_real)mean[i / 3][i % 3];
+        s.mean[i / 3][i % 3] = (invcal_real)golden_mean[i / 3][i % 3];
     }
     s.count = 2;
     return s;
+}
+
+/* The positions of the golden session are there, and everything else is as it was begun. */
+static void assert_golden_positions(const invcal_session *begun, const invcal_session *session)
+{
+    invcal_session expected = *begun;
+
+    expected.count = 2;
+    TEST_ASSERT_EQUAL_MEMORY(&expected, session, HEAD);
+    TEST_ASSERT_EQUAL_MEMORY(&expected.rests, &session->rests, sizeof expected.rests);
+    for (unsigned i = 0; i < 6; i++) {
+        TEST_ASSERT_TRUE((double)session->mean[i / 3][i % 3] == golden_mean[i / 3][i % 3]);
+    }
 }
 
 static void the_length_depends_on_the_positions(void)
@@ -255,9 +294,12 @@ static void the_length_depends_on_the_positions(void)
 /* Nothing in between is random. */
 static void what_lasts_has_no_gaps(void)
 {
-    const size_t words = 4 * sizeof(uint32_t) + sizeof(int32_t) + 4;
+    const size_t words = 4 + sizeof(uint32_t);
 
-    TEST_ASSERT_EQUAL_size_t(words + sizeof(invcal_calibration) + sizeof(invcal_real), HEAD);
+    TEST_ASSERT_EQUAL_size_t(words + 14 * sizeof(invcal_real), HEAD);
+    TEST_ASSERT_EQUAL_size_t(0, offsetof(invcal_session, reason)); /* of these, in every build */
+    TEST_ASSERT_EQUAL_size_t(4, offsetof(invcal_session, layout));
+    TEST_ASSERT_EQUAL_size_t(words, offsetof(invcal_session, rate));
     TEST_ASSERT_EQUAL_size_t(HEAD + MEAN * MOST, SIZE);
 }
 
@@ -271,8 +313,8 @@ static void a_session_comes_back_as_it_was(void)
         invcal_session session = begin(&s);
         for (unsigned n = 0; n <= s.positions; n++) {
             uint8_t bytes[SIZE];
-            invcal_session back = resume(bytes, keep(&session, bytes));
-            assert_same(&session, &back);
+            invcal_session back = resume(&s, bytes, keep(&session, bytes));
+            assert_same(&s, &session, &back);
             results += assert_same_result(&session, &back);
             TEST_ASSERT_EQUAL_INT(invcal_session_is_good(&session), invcal_session_is_good(&back));
             if (n < s.positions) {
@@ -293,9 +335,8 @@ static void a_session_goes_on_as_if_there_had_been_no_reset(void)
         const unsigned resets = s.positions - 2;
         invcal_session session = session_after(&s, resets);
         uint8_t bytes[SIZE];
-        invcal_session back = resume(bytes, keep(&session, bytes));
-        forget_stream(&session);
-        session.last = INVCAL_MOVING;
+        invcal_session back = resume(&s, bytes, keep(&session, bytes));
+        forget_stream(&session, &s);
         for (unsigned n = resets; n < s.positions; n++) {
             invcal_real next[2][3];
             invcal_session_next(&session, next[0]);
@@ -323,126 +364,215 @@ static void a_rest_that_was_going_on_is_forgotten(void)
         (void)feed(&session, &s, eta, &random);
     }
     TEST_ASSERT_EQUAL_UINT(100, invcal_session_progress(&session));
-    invcal_session back = resume(bytes, keep(&session, bytes));
+    invcal_session back = resume(&s, bytes, keep(&session, bytes));
     TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_session_finish(&back));
     TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_session_finish(&session));
 }
 
-static void rails_of_any_kind_come_back(void)
+/* ---- settings: those of the device, not those of the bytes -------------------------------------- */
+
+/* Sessions with other rails, another time to hold, another noise: all positions come, and what was
+ * stated now stays. */
+static void what_was_stated_stays_as_it_was_begun(void)
 {
     static const int32_t rail[][2] = {
         {-1, 0}, {0, 1}, {INT32_MIN, INT32_MAX}, {INT32_MIN, INT32_MIN + 1}, {-65536, 255}};
-    const scene s = make_scene(PLAIN, 6);
+    static const uint32_t milliseconds[] = {0, 600, 601, 65536, 3600001};
+    static const double noise[] = {1e-6, 0.999, 0.001, 0.0009765625, 0.5};
 
-    for (unsigned i = 0; i < 5; i++) {
-        uint8_t bytes[SIZE];
-        invcal_session session = begin(&s);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&session, rail[i][0], rail[i][1]));
-        invcal_session back = resume(bytes, keep(&session, bytes));
-        assert_same(&session, &back);
-        TEST_ASSERT_EQUAL_INT32(rail[i][0], back.low);
-        TEST_ASSERT_EQUAL_INT32(rail[i][1], back.high);
+    for (unsigned i = 0; i < 25; i++) {
+        const unsigned now = i / 5;
+        const unsigned then = i % 5;
+        invcal_session saved = golden_session();
+        invcal_session begun = golden_begun();
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_session_rails(&saved, rail[then][0], rail[then][1]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&saved, (invcal_real)noise[then]));
+        invcal_session_hold(&saved, milliseconds[then]);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&begun, rail[now][0], rail[now][1]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&begun, (invcal_real)noise[now]));
+        invcal_session_hold(&begun, milliseconds[now]);
+        invcal_session back = begun;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_resume(&back, (const uint8_t *)&saved,
+                                                               invcal_session_size(&saved)));
+        assert_golden_positions(&begun, &back);
+        TEST_ASSERT_EQUAL_INT32(rail[now][0], back.rests.low);
+        TEST_ASSERT_TRUE(back.noise == (invcal_real)noise[now]);
     }
 }
 
-/* However long the stated rest: it is restored as stated, and has the same effect. */
-static void every_rate_and_time_to_hold_comes_back(void)
+/* The end of a rest is that of the time to hold stated now, not then. */
+static void the_time_to_hold_is_that_of_now(void)
 {
-    static const uint32_t milliseconds[] = {0,     1,       599,     600,        601,
-                                            65536, 3600000, 3600001, 0xFFFFFFFFu};
-    static const unsigned rate[] = {8, 9, 12, 100, 1000, 7999, 8000};
-    const scene s = make_scene(PLAIN, 6);
+    const scene s = make_scene(PLAIN, 8);
+    const invcal_session saved = session_after(&s, 3);
+    const double eta[3] = {0.6, 0, 0.8};
 
-    for (unsigned i = 0; i < 7; i++) {
-        for (unsigned k = 0; k < 9; k++) {
-            uint8_t bytes[SIZE];
-            invcal_session session;
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&session, sizeof session, &s.nominal, rate[i]));
-            invcal_session_hold(&session, milliseconds[k]);
-            invcal_session back = resume(bytes, keep(&session, bytes));
-            TEST_ASSERT_EQUAL_UINT32(milliseconds[k], back.hold);
-            assert_same(&session, &back);
+    for (uint32_t i = 0; i < 2; i++) {
+        random_source random = random_start(11);
+        invcal_session session = begin(&s);
+        unsigned ready = 0;
+        invcal_session_hold(&session, i ? 20000 : 1000);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_resume(&session, (const uint8_t *)&saved,
+                                                               invcal_session_size(&saved)));
+        for (unsigned n = 0; n < 10 * RATE; n++) {
+            ready += feed(&session, &s, eta, &random) == INVCAL_READY;
+        }
+        TEST_ASSERT_EQUAL_UINT(1 - i, ready);
+    }
+}
+
+static void another_rate_is_refused(void)
+{
+    static const double rate[] = {8, 9, 12, 12.5, 100, 1000, 7999, 8000};
+    const scene s = make_scene(PLAIN, 6);
+    invcal_session session[8];
+
+    for (unsigned i = 0; i < 8; i++) {
+        memset(&session[i], FILL, sizeof session[i]);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&session[i], sizeof session[i],
+                                                              &s.nominal, (invcal_real)rate[i]));
+    }
+    for (unsigned i = 0; i < 8; i++) {
+        for (unsigned k = 0; k < 8; k++) {
+            assert_refused(i == k ? INVCAL_OK : INVCAL_OTHER_SETTINGS, &session[i], &session[k],
+                           HEAD);
+        }
+    }
+}
+
+/* In any bit of any number: a sensor of another range, or renewed from another calibration. */
+static void another_nominal_calibration_is_refused(void)
+{
+    const invcal_session begun = golden_begun();
+    const invcal_session good = golden_session();
+
+    for (unsigned i = 0; i < 12; i++) {
+        for (unsigned bit = 0; bit < 8 * sizeof(invcal_real); bit++) {
+            invcal_session saved = good;
+            uint8_t *bytes = (uint8_t *)&saved.nominal + i * sizeof(invcal_real);
+            bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+            assert_refused(INVCAL_OTHER_SETTINGS, &begun, &saved, invcal_session_size(&saved));
         }
     }
 }
 
 /* ---- what is refused --------------------------------------------------------------------------- */
 
-static void a_number_that_is_not_finite_is_refused(void)
+/* Damage that no CRC has noticed: of the settings that must be the same it is refused, those of the
+ * others are not read. */
+static void numbers_that_no_session_has_are_refused_or_not_read(void)
 {
-    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE};
+    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, 0, -1, 1};
+    const invcal_session begun = golden_begun();
 
-    for (unsigned k = 0; k < 3; k++) {
-        for (unsigned i = 0; i < 13; i++) {
-            invcal_session s = golden_session();
-            invcal_real *number = i < 3    ? &s.nominal.offset[i]
-                                  : i < 12 ? &s.nominal.matrix[(i - 3) / 3][i % 3]
-                                           : &s.noise;
-            *number = (invcal_real)bad[k];
-            assert_refused(i < 12 ? INVCAL_BAD_NOMINAL : INVCAL_BAD_NOISE, &s,
-                           invcal_session_size(&s));
+    for (unsigned k = 0; k < 6; k++) {
+        invcal_session saved = golden_session();
+        const uint32_t size = invcal_session_size(&saved);
+        saved.rate = (invcal_real)bad[k];
+        assert_refused(INVCAL_OTHER_SETTINGS, &begun, &saved, size);
+        for (unsigned i = 0; i < 3; i++) {
+            saved = golden_session();
+            saved.nominal.offset[i] = (invcal_real)bad[k];
+            assert_refused(INVCAL_OTHER_SETTINGS, &begun, &saved, size);
+            saved = golden_session();
+            saved.nominal.matrix[0][i] = (invcal_real)bad[k];
+            assert_refused(INVCAL_OTHER_SETTINGS, &begun, &saved, size);
         }
+        saved = golden_session();
+        saved.noise = (invcal_real)bad[k];
+        saved.reason = 0xFF;
+        saved.last = 0xFF;
+        saved.good = 0xFF;
+        memset(&saved.rests, 0xFF, sizeof saved.rests);
+        invcal_session back = begun;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_session_resume(&back, (const uint8_t *)&saved, size));
+        assert_golden_positions(&begun, &back);
     }
-}
-
-static void contents_that_a_session_cannot_have_are_refused(void)
-{
-    static const uint32_t rates[] = {0, 7, 8001, 0xFFFF};
-    const invcal_session good = golden_session();
-    const uint32_t size = invcal_session_size(&good);
-    invcal_session s;
-
-    for (unsigned i = 0; i < 4; i++) {
-        s = good;
-        s.rate = rates[i];
-        assert_refused(INVCAL_BAD_RATE, &s, size);
-    }
-    s = good;
-    s.noise = 1;
-    assert_refused(INVCAL_BAD_NOISE, &s, size);
-    s.noise = (invcal_real)-0.001;
-    assert_refused(INVCAL_BAD_NOISE, &s, size);
-    s = good;
-    s.low = s.high;
-    assert_refused(INVCAL_BAD_LIMITS, &s, size);
-    s = good;
-    s.nominal.matrix[1][1] = s.nominal.matrix[1][2] = 0;
-    assert_refused(INVCAL_BAD_NOMINAL, &s, size);
 }
 
 static void a_length_that_is_not_that_of_the_table_is_refused(void)
 {
+    const invcal_session begun = golden_begun();
     invcal_session s = golden_session();
     const uint32_t whole = invcal_session_size(&s);
 
+    TEST_ASSERT_EQUAL_UINT32(HEAD + 2 * MEAN, whole);
     for (uint32_t size = 0; size <= SIZE + 20; size++) {
         if (size != whole) {
-            assert_refused(size < HEAD ? INVCAL_OTHER_VERSION : INVCAL_DAMAGED, &s, size);
+            assert_refused(size <= SIZE ? INVCAL_DAMAGED : INVCAL_NO_SPACE, &begun, &s, size);
         }
     }
+    assert_refused(INVCAL_NO_SPACE, &begun, &s, 0xFFFFFFFFu);
     for (unsigned count = 0; count < 256; count++) {
         s.count = (uint8_t)count;
         if (count != 2) {
-            assert_refused(INVCAL_DAMAGED, &s, whole);
+            assert_refused(INVCAL_DAMAGED, &begun, &s, whole);
         }
         if (count > MOST) {
-            assert_refused(INVCAL_DAMAGED, &s, HEAD + MEAN * count);
+            assert_refused(INVCAL_NO_SPACE, &begun, &s, HEAD + MEAN * count);
         }
     }
 }
 
 /* Any bit of it: another layout, number type, order of bytes. */
-static void another_layout_is_named_so(void)
+static void another_layout_is_of_another_build(void)
 {
+    const invcal_session begun = golden_begun();
     const invcal_session good = golden_session();
 
     for (unsigned bit = 0; bit < 32; bit++) {
         invcal_session s = good;
         s.layout ^= UINT32_C(1) << bit;
-        assert_refused(INVCAL_OTHER_VERSION, &s, invcal_session_size(&s));
+        assert_refused(INVCAL_OTHER_SETTINGS, &begun, &s, invcal_session_size(&s));
     }
-    const uint32_t other = INVCAL_DOUBLE ? 4 : 8; /* bytes of a number */
-    TEST_ASSERT_TRUE((good.layout >> 8 & 0xFFu) != other && (good.layout & 0xFFu) == HEAD);
+    /* of the number type, by the size of what is before the means; in another byte order, another */
+    TEST_ASSERT_EQUAL_HEX32(INVCAL_DOUBLE ? 0x07900000 : 0x04100000, good.layout);
+}
+
+/* Into a session that has positions already: those go, too. */
+static void a_refused_load_leaves_no_positions(void)
+{
+    static const struct {
+        uint32_t size;
+        invcal_status status;
+    } wrong[] = {{HEAD - 1, INVCAL_DAMAGED},
+                 {HEAD, INVCAL_DAMAGED},
+                 {SIZE, INVCAL_DAMAGED},
+                 {SIZE + 1, INVCAL_NO_SPACE}};
+    static uint8_t bytes[SIZE + 1];
+    const invcal_session good = golden_session();
+
+    memcpy(bytes, &good, HEAD + 2 * MEAN);
+    for (unsigned i = 0; i < 4; i++) {
+        invcal_session session = golden_session();
+        TEST_ASSERT_EQUAL_INT(wrong[i].status,
+                              invcal_session_resume(&session, bytes, wrong[i].size));
+        TEST_ASSERT_EQUAL_UINT(0, session.count);
+    }
+}
+
+/* Before it is begun, or if that failed: nothing is taken over, and every sample is refused. */
+static void a_session_that_was_not_begun_is_not_resumed(void)
+{
+    const invcal_session saved = golden_session();
+    const uint32_t size = invcal_session_size(&saved);
+    invcal_session session;
+
+    for (unsigned i = 0; i < 3; i++) {
+        static const invcal_status why[] = {INVCAL_NOT_BEGUN, INVCAL_BAD_RATE, INVCAL_OTHER_BUILD};
+        memset(&session, 0, sizeof session);
+        if (i > 0) {
+            TEST_ASSERT_EQUAL_INT(why[i], invcal_session_begin(&session, sizeof session + i - 1,
+                                                               &golden_nominal, i == 1 ? 5 : 100));
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN,
+                              invcal_session_resume(&session, (const uint8_t *)&saved, size));
+        TEST_ASSERT_EQUAL_UINT(0, session.count);
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_session_feed(&session, 1, 2, 3));
+        TEST_ASSERT_EQUAL_INT(why[i], invcal_session_reason(&session));
+    }
 }
 
 /* What is accepted can be fed, solved and guided. */
@@ -453,30 +583,31 @@ static void any_content_does_no_harm(void)
     random_source random = random_start(3);
     uint8_t sound[SIZE];
     const uint32_t size = keep(&session, sound);
+    const invcal_session begun = begin(&s);
     unsigned accepted = 0;
 
     for (unsigned k = 0; k < 20000; k++) {
         uint8_t bytes[SIZE];
-        invcal_session out;
+        invcal_session out = begun;
         invcal_calibration calibration;
         invcal_quality quality;
         invcal_real next[3];
-        const int32_t raw[3] = {1, -2, 3};
         memcpy(bytes, sound, size);
         for (unsigned i = 0; i < 1 + k % 3; i++) {
-            bytes[(uint32_t)random_uniform(&random, 4, k % 2 ? HEAD : size)] =
+            bytes[(uint32_t)random_uniform(&random, 0, k % 2 ? HEAD : size)] =
                 (uint8_t)random_uniform(&random, 0, 256);
         }
-        memset(&out, 0, sizeof out);
-        memcpy(&out, bytes, size);
-        if (invcal_session_resume(&out, size) == INVCAL_OK) {
-            accepted++;
-            (void)invcal_session_solve(&out, &calibration, &quality);
-            invcal_session_next(&out, next);
-            TEST_ASSERT_DOUBLE_WITHIN(
-                1e-6, 1, length3((double[3]){(double)next[0], (double)next[1], (double)next[2]}));
-            (void)invcal_session_feed(&out, raw[0], raw[1], raw[2]);
+        const invcal_status status = invcal_session_resume(&out, bytes, size);
+        if (status != INVCAL_OK) {
+            assert_as_begun(&begun, &out);
+            continue;
         }
+        accepted++;
+        (void)invcal_session_solve(&out, &calibration, &quality);
+        invcal_session_next(&out, next);
+        TEST_ASSERT_DOUBLE_WITHIN(
+            1e-6, 1, length3((double[3]){(double)next[0], (double)next[1], (double)next[2]}));
+        (void)invcal_session_feed(&out, 1, -2, 3);
     }
     TEST_ASSERT_TRUE(accepted > 1000 && accepted < 19500);
 }
@@ -605,7 +736,7 @@ static void live(int kind, uint32_t seed)
 
     for (unsigned n = 0; n <= lived.scene.positions && n <= LONGEST; n++) {
         lived.size[n] = keep(&session, lived.bytes[n]);
-        session = resume(lived.bytes[n], lived.size[n]);
+        session = resume(&lived.scene, lived.bytes[n], lived.size[n]);
         if (n < lived.scene.positions) {
             hold(&session, &lived.scene, n);
         }
@@ -614,7 +745,7 @@ static void live(int kind, uint32_t seed)
 
 static int save(unsigned n)
 {
-    const invcal_session session = resume(lived.bytes[n], lived.size[n]);
+    const invcal_session session = resume(&lived.scene, lived.bytes[n], lived.size[n]);
 
     return invcal_session_save(&session, &store) == INVCAL_OK;
 }
@@ -624,6 +755,7 @@ static unsigned load(unsigned n, invcal_session *session)
 {
     static uint8_t bytes[SIZE];
 
+    *session = begin(&lived.scene);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_load(session, &store));
     const uint32_t size = keep(session, bytes);
     const int is_new = size == lived.size[n + 1] && memcmp(bytes, lived.bytes[n + 1], size) == 0;
@@ -713,7 +845,7 @@ static void a_power_cut_in_any_step_of_a_save_loses_no_position(void)
         live(seed % 25 == 24 ? OVERFULL : (int)(seed % 2), 100 + seed);
         const unsigned end = lived.scene.positions;
         const invcal_session never = session_after(&lived.scene, end);
-        const invcal_session last = resume(lived.bytes[end], lived.size[end]);
+        const invcal_session last = resume(&lived.scene, lived.bytes[end], lived.size[end]);
         TEST_ASSERT_EQUAL_UINT(never.count, last.count);
         assert_same_result(&never, &last);
         taken += last.count;
@@ -741,7 +873,7 @@ static void a_power_cut_in_the_first_save_leaves_nothing_or_the_session(void)
 
     live(PLAIN, 301);
     for (int cut = 0; cut < SLOT + SIZE; cut += step) {
-        invcal_session session;
+        invcal_session session = begin(&lived.scene);
         new_flash(4);
         power = cut;
         (void)save(0);
@@ -757,7 +889,7 @@ static void a_power_cut_in_the_first_save_leaves_nothing_or_the_session(void)
     TEST_ASSERT_GREATER_THAN_UINT((unsigned)(SLOT / step), none);
 }
 
-/* And with any other contents. */
+/* The session is then as it was begun, and can be used: to ignore the failure is to begin again. */
 static void what_is_not_a_session_is_not_loaded(void)
 {
     static const uint8_t large[SIZE + 1] = {0xC5, 1}; /* as release 0.1.0 began */
@@ -766,23 +898,72 @@ static void what_is_not_a_session_is_not_loaded(void)
         uint32_t size;
         invcal_status status;
     } stored[] = {{NULL, 0, INVCAL_NO_RECORD},
-                  {large, 1, INVCAL_OTHER_VERSION},
-                  {large, HEAD, INVCAL_OTHER_VERSION},
-                  {large, SIZE, INVCAL_OTHER_VERSION},
+                  {large, 1, INVCAL_DAMAGED},
+                  {large, HEAD, INVCAL_OTHER_SETTINGS},
+                  {large, SIZE, INVCAL_OTHER_SETTINGS},
                   {large, SIZE + 1, INVCAL_NO_SPACE}};
-    const invcal_session before = golden_session();
-    invcal_session session = before;
+    const scene s = make_scene(TUNED, 14);
+    const invcal_session begun = begin(&s);
 
     new_flash(8);
     for (unsigned i = 0; i < 5; i++) {
+        invcal_session session = begun;
         if (stored[i].size > 0) {
             TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                                   invcal_store_save(&store, stored[i].bytes, stored[i].size));
         }
         TEST_ASSERT_EQUAL_INT(stored[i].status, invcal_session_load(&session, &store));
+        assert_as_begun(&begun, &session);
+        hold(&session, &s, 0);
+        TEST_ASSERT_EQUAL_UINT(1, session.count);
+        TEST_ASSERT_EQUAL_INT(stored[i].status, invcal_session_load(&session, &store));
+        TEST_ASSERT_EQUAL_UINT(0, session.count);
     }
     store.granularity = 3;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_STORE, invcal_session_save(&before, &store));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_STORE, invcal_session_save(&begun, &store));
+}
+
+static void a_session_of_other_settings_is_not_loaded(void)
+{
+    const invcal_session saved = golden_session();
+    const invcal_session begun = golden_begun();
+    invcal_session session = begun;
+
+    new_flash(8);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_save(&saved, &store));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_load(&session, &store));
+    assert_golden_positions(&begun, &session);
+    for (unsigned i = 0; i < 2; i++) {
+        invcal_calibration nominal = golden_nominal;
+        nominal.matrix[2][1] = i == 0 ? INVCAL_REAL(1e-6) : 0;
+        memset(&session, FILL, sizeof session);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&session, sizeof session, &nominal,
+                                                              i == 0 ? INVCAL_REAL(12.5) : 12));
+        const invcal_session other = session;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_SETTINGS, invcal_session_load(&session, &store));
+        assert_as_begun(&other, &session);
+    }
+}
+
+static void what_was_not_begun_is_not_loaded(void)
+{
+    const invcal_session saved = golden_session();
+    invcal_session session;
+
+    new_flash(8);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_save(&saved, &store));
+    for (unsigned i = 0; i < 2; i++) {
+        memset(&session, 0, sizeof session);
+        if (i > 0) {
+            TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE,
+                                  invcal_session_init(&session, sizeof session, 16384, 5));
+        }
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_session_load(&session, &store));
+        TEST_ASSERT_EQUAL_UINT(0, session.count);
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_session_feed(&session, 1, 2, 3));
+        TEST_ASSERT_EQUAL_INT(i > 0 ? INVCAL_BAD_RATE : INVCAL_NOT_BEGUN,
+                              invcal_session_reason(&session));
+    }
 }
 
 int main(void)
@@ -793,16 +974,21 @@ int main(void)
     RUN_SLOW_TEST(a_session_comes_back_as_it_was);
     RUN_TEST(a_session_goes_on_as_if_there_had_been_no_reset);
     RUN_TEST(a_rest_that_was_going_on_is_forgotten);
-    RUN_TEST(rails_of_any_kind_come_back);
-    RUN_TEST(every_rate_and_time_to_hold_comes_back);
-    RUN_TEST(a_number_that_is_not_finite_is_refused);
-    RUN_TEST(contents_that_a_session_cannot_have_are_refused);
+    RUN_TEST(what_was_stated_stays_as_it_was_begun);
+    RUN_TEST(the_time_to_hold_is_that_of_now);
+    RUN_TEST(another_rate_is_refused);
+    RUN_TEST(another_nominal_calibration_is_refused);
+    RUN_TEST(numbers_that_no_session_has_are_refused_or_not_read);
     RUN_TEST(a_length_that_is_not_that_of_the_table_is_refused);
-    RUN_TEST(another_layout_is_named_so);
+    RUN_TEST(another_layout_is_of_another_build);
+    RUN_TEST(a_refused_load_leaves_no_positions);
+    RUN_TEST(a_session_that_was_not_begun_is_not_resumed);
     RUN_LONG_TEST(any_content_does_no_harm);
     RUN_LONG_TEST(a_power_cut_in_any_step_of_a_save_loses_no_position);
     RUN_LONG_TEST(a_power_cut_at_any_byte_of_a_save_loses_no_position);
     RUN_TEST(a_power_cut_in_the_first_save_leaves_nothing_or_the_session);
     RUN_TEST(what_is_not_a_session_is_not_loaded);
+    RUN_TEST(a_session_of_other_settings_is_not_loaded);
+    RUN_TEST(what_was_not_begun_is_not_loaded);
     return UNITY_END() != 0;
 }

@@ -114,7 +114,8 @@ static void a_rotation_of_the_case_does_not_change_lengths(void)
             double length[2];
             for (int k = 0; k < 2; k++) {
                 invcal_real v[3];
-                invcal_apply(&calibration[k], k ? turned.u[i] : set.u[i], v);
+                const invcal_real *u = k ? turned.u[i] : set.u[i];
+                invcal_apply(&calibration[k], u[0], u[1], u[2], v);
                 const double d[3] = {(double)v[0], (double)v[1], (double)v[2]};
                 length[k] = length3(d);
             }

@@ -13,49 +13,115 @@ void tearDown(void)
 {
 }
 
-static void every_status_has_a_text_of_its_own(void)
+/* Programs store these values and send them: none ever changes. */
+static const struct {
+    invcal_status status;
+    unsigned value;
+    const char *text;
+} all[] = {
+    {INVCAL_OK, 0, "done"},
+    {INVCAL_NOT_FINITE, 0x10, "a reading is not a finite number"},
+    {INVCAL_TOO_FEW, 0x11, "too few positions"},
+    {INVCAL_UNDETERMINED, 0x12, "the positions leave parameters undetermined"},
+    {INVCAL_NOT_ELLIPSOID, 0x13, "the readings do not lie on an ellipsoid"},
+    {INVCAL_MOUNTING, 0x14, "gyroscope and accelerometer differ: axes, signs or unit"},
+    {INVCAL_OUT_OF_RANGE, 0x20, "far from the field: wrong scale or offset"},
+    {INVCAL_REST_SHORT, 0x21, "too short: hold it still longer"},
+    {INVCAL_REST_DRIFT, 0x22, "drifts: turned slowly or not settled"},
+    {INVCAL_REST_CLIPPED, 0x23, "at the end of the range"},
+    {INVCAL_REST_FROZEN, 0x24, "readings never change: is the sensor read?"},
+    {INVCAL_REST_GAP, 0x25, "too short: samples were lost"},
+    {INVCAL_REST_SAME, 0x26, "nothing new: same place"},
+    {INVCAL_NOT_BEGUN, 0x27, "not begun"},
+    {INVCAL_OTHER_BUILD, 0x28, "other build"},
+    {INVCAL_BAD_NOMINAL, 0x29, "invalid scale"},
+    {INVCAL_BAD_RATE, 0x2A, "invalid rate"},
+    {INVCAL_MOVE_GAP, 0x30, "samples were lost in the move"},
+    {INVCAL_MOVE_LONG, 0x31, "the move took more than 10 s"},
+    {INVCAL_MOVE_APART, 0x32, "the move contradicts the others"},
+    {INVCAL_BAD_LIMITS, 0x40, "low is not below high"},
+    {INVCAL_BAD_NOISE, 0x41, "the noise is out of range"},
+    {INVCAL_BAD_PRIOR, 0x42, "the prior is invalid"},
+    {INVCAL_BAD_FIELD, 0x43, "the field is not a length"},
+    {INVCAL_BAD_COUNT, 0x44, "the count is out of range"},
+    {INVCAL_BAD_DIRECTION, 0x45, "the direction is not a unit vector"},
+    {INVCAL_BAD_ANGLE, 0x46, "the program has no such position"},
+    {INVCAL_BAD_TEMPERATURE, 0x47, "the temperature is invalid"},
+    {INVCAL_BAD_TIME, 0x48, "the time is out of range"},
+    {INVCAL_BAD_STORE, 0x49, "the memory's slot or granularity is invalid"},
+    {INVCAL_NO_RECORD, 0x60, "nothing is stored"},
+    {INVCAL_DAMAGED, 0x61, "the stored bytes are damaged"},
+    {INVCAL_OTHER_VERSION, 0x62, "stored in an unknown format"},
+    {INVCAL_OTHER_SETTINGS, 0x63, "stored with other settings"},
+    {INVCAL_NO_SPACE, 0x64, "not enough space"},
+    {INVCAL_IO, 0x65, "the memory cannot be read or written"},
+};
+enum { ALL = sizeof all / sizeof all[0] };
+
+static void every_status_has_its_value_and_its_text(void)
 {
-    for (int a = 0; a < INVCAL_STATUS_END; a++) {
-        const char *text = invcal_status_text((invcal_status)a);
-        TEST_ASSERT_TRUE(strlen(text) > 3);
-        TEST_ASSERT_TRUE(strcmp(text, "unknown status") != 0);
-        for (int b = 0; b < a; b++) {
-            TEST_ASSERT_TRUE(strcmp(text, invcal_status_text((invcal_status)b)) != 0);
+    for (unsigned i = 0; i < ALL; i++) {
+        TEST_ASSERT_EQUAL_HEX32_MESSAGE(all[i].value, (uint32_t)all[i].status, all[i].text);
+        TEST_ASSERT_EQUAL_STRING(all[i].text, invcal_status_text(all[i].status));
+        for (unsigned k = 0; k < i; k++) {
+            TEST_ASSERT_TRUE(strcmp(all[i].text, all[k].text) != 0);
         }
+    }
+    TEST_ASSERT_EQUAL_HEX32(0x70, INVCAL_STATUS_END);
+}
+
+/* The gaps between the groups, too. */
+static void any_other_value_is_unknown(void)
+{
+    unsigned next = 0;
+
+    for (unsigned value = 0; value < 1000; value++) {
+        if (next < ALL && value == all[next].value) {
+            next++;
+        } else {
+            TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text((invcal_status)value));
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT(ALL, next);
+    TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text((invcal_status)-1));
+}
+
+/* A session stores its reason in a byte, and moves theirs in seven bits. */
+static void every_status_fits_where_it_is_stored(void)
+{
+    for (unsigned i = 0; i < ALL; i++) {
+        TEST_ASSERT_TRUE(all[i].status < INVCAL_STATUS_END && -(int)all[i].status >= INT8_MIN);
     }
 }
 
-static void a_text_belongs_to_its_status(void)
+static void an_unknown_verdict_has_a_text_too(void)
 {
-    TEST_ASSERT_EQUAL_STRING("done", invcal_status_text(INVCAL_OK));
-    TEST_ASSERT_EQUAL_STRING("the readings do not lie on an ellipsoid",
-                             invcal_status_text(INVCAL_NOT_ELLIPSOID));
-    TEST_ASSERT_EQUAL_STRING("nothing new: the same place as before",
-                             invcal_status_text(INVCAL_REST_SAME));
-    TEST_ASSERT_EQUAL_STRING("the nominal calibration is invalid",
-                             invcal_status_text(INVCAL_BAD_NOMINAL));
-    TEST_ASSERT_EQUAL_STRING("the direction is not a unit vector",
-                             invcal_status_text(INVCAL_BAD_DIRECTION));
-    TEST_ASSERT_EQUAL_STRING("the memory cannot be read or written", invcal_status_text(INVCAL_IO));
-}
-
-static void an_unknown_status_has_a_text_too(void)
-{
-    TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text(INVCAL_STATUS_END));
-    TEST_ASSERT_EQUAL_STRING("unknown status", invcal_status_text((invcal_status)-1));
     TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)-1));
     TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)6));
 }
 
-/* A mean that is not finite was refused for the same reason as one that is too large. */
-static void any_other_refusal_is_a_reading_far_from_the_field(void)
+/* Why a session refuses a sample: in the words that any status has. */
+static void a_refusal_has_the_text_of_its_status(void)
 {
-    const char *far_away = invcal_refusal_text(INVCAL_OUT_OF_RANGE);
+    static const invcal_status reasons[] = {
+        INVCAL_OUT_OF_RANGE, INVCAL_REST_SHORT,  INVCAL_REST_DRIFT, INVCAL_REST_CLIPPED,
+        INVCAL_REST_FROZEN,  INVCAL_REST_GAP,    INVCAL_REST_SAME,  INVCAL_NOT_BEGUN,
+        INVCAL_OTHER_BUILD,  INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE};
 
-    TEST_ASSERT_EQUAL_STRING(far_away, invcal_refusal_text(INVCAL_NOT_FINITE));
-    TEST_ASSERT_EQUAL_STRING(far_away, invcal_refusal_text(INVCAL_STATUS_END));
-    TEST_ASSERT_TRUE(strcmp(far_away, invcal_refusal_text(INVCAL_REST_SAME)) != 0);
-    TEST_ASSERT_EQUAL_STRING("", invcal_refusal_text(INVCAL_OK));
+    for (unsigned i = 0; i < sizeof reasons / sizeof reasons[0]; i++) {
+        TEST_ASSERT_EQUAL_STRING(invcal_status_text(reasons[i]), invcal_refusal_text(reasons[i]));
+    }
+}
+
+/* And no other status has one: before the first refusal there is nothing to say. */
+static void any_other_status_is_no_refusal(void)
+{
+    for (unsigned value = 0; value < 1000; value++) {
+        if (value < 0x20 || value > 0x2A) {
+            TEST_ASSERT_EQUAL_STRING("", invcal_refusal_text((invcal_status)value));
+        }
+    }
+    TEST_ASSERT_EQUAL_STRING("", invcal_refusal_text((invcal_status)-1));
 }
 
 static void parameters_are_named_in_the_order_of_the_paper(void)
@@ -82,10 +148,12 @@ static void verdicts_are_named_as_in_the_report(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(every_status_has_a_text_of_its_own);
-    RUN_TEST(a_text_belongs_to_its_status);
-    RUN_TEST(an_unknown_status_has_a_text_too);
-    RUN_TEST(any_other_refusal_is_a_reading_far_from_the_field);
+    RUN_TEST(every_status_has_its_value_and_its_text);
+    RUN_TEST(any_other_value_is_unknown);
+    RUN_TEST(every_status_fits_where_it_is_stored);
+    RUN_TEST(an_unknown_verdict_has_a_text_too);
+    RUN_TEST(a_refusal_has_the_text_of_its_status);
+    RUN_TEST(any_other_status_is_no_refusal);
     RUN_TEST(parameters_are_named_in_the_order_of_the_paper);
     RUN_TEST(verdicts_are_named_as_in_the_report);
     return UNITY_END() != 0;

@@ -657,17 +657,36 @@ static void raw_counts_give_the_right_lengths_at_every_temperature(void)
     }
 }
 
-/* Programs and libraries with different choices do not link. */
-static void the_names_contain_the_choices(void)
+/* A program evaluates a calibration of any degree, such as one from a record, even if its library
+ * can fit only lower ones. */
+static void a_calibration_of_any_degree_holds_in_every_build(void)
 {
-#define NAME(function) INVCAL_TEXT(function)
-    static const char choices[] =
-        "_double_" INVCAL_TEXT(INVCAL_DOUBLE) "_max_positions_" INVCAL_TEXT(
-            INVCAL_MAX_POSITIONS) "_thermal_degree_" INVCAL_TEXT(INVCAL_THERMAL_DEGREE);
+    static const double none[INVCAL_PARAMETERS];
+    random_source unused = random_start(1);
 
-    TEST_ASSERT_NOT_NULL(strstr(NAME(invcal_thermal_at), choices));
-    TEST_ASSERT_NOT_NULL(strstr(NAME(invcal_thermal_calibrate), choices));
-    TEST_ASSERT_NOT_NULL(strstr(NAME(invcal_thermal_start), choices));
+    TEST_ASSERT_EQUAL_size_t(3 * INVCAL_PARAMETERS * sizeof(invcal_real), sizeof found.x);
+    for (uint8_t degree = 0; degree <= 2; degree++) {
+        const sensor s = {expected_thermal_constant, degree > 0 ? expected_thermal_slope[1] : none,
+                          degree > 1 ? expected_thermal_bent : none};
+        found = base_at(25, 45);
+        found.degree = degree;
+        found.min = -20;
+        found.max = 70;
+        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+            found.x[0][r] = (invcal_real)s.constant[r];
+            found.x[1][r] = (invcal_real)s.slope[r];
+            found.x[2][r] = (invcal_real)s.bent[r];
+        }
+        take_three(&s, 0, &unused);
+        for (unsigned i = 0; i < all.count; i++) {
+            const invcal_calibration calibration = calibration_at((double)all.temperature[i]);
+            const invcal_real *raw = &all.raw[3 * i];
+            invcal_real v[3];
+            invcal_apply(&calibration, raw[0], raw[1], raw[2], v);
+            const double d[3] = {(double)v[0], (double)v[1], (double)v[2]};
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(5e-7, 1e-7), 1, length3(d));
+        }
+    }
 }
 
 /* ---- judgement ---------------------------------------------------------------------------- */
@@ -1238,6 +1257,12 @@ static void unusable_arguments_are_named(void)
     invcal_thermal_positions p = positions(1e-4);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
                           invcal_thermal_fit(&p, NULL, &base, DEGREE + 1, &found, &quality));
+    for (uint8_t degree = 0; degree <= 4; degree++) { /* that of the base must be one to fit, too */
+        invcal_thermal of = base;
+        of.degree = degree;
+        TEST_ASSERT_EQUAL_INT(degree <= DEGREE ? INVCAL_OK : INVCAL_BAD_COUNT,
+                              invcal_thermal_fit(&p, NULL, &of, 0, &out, &quality));
+    }
     p.count = UINT16_MAX; /* which are not checked */
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
                           invcal_thermal_fit(&p, NULL, &base, DEGREE, &found, &quality));
@@ -1587,7 +1612,7 @@ int main(void)
     RUN_TEST(a_damaged_calibration_is_refused_at_any_temperature);
     RUN_TEST(what_is_not_a_triad_is_refused_at_any_temperature);
     RUN_TEST(raw_counts_give_the_right_lengths_at_every_temperature);
-    RUN_TEST(the_names_contain_the_choices);
+    RUN_TEST(a_calibration_of_any_degree_holds_in_every_build);
     RUN_LONG_TEST(sigma_at_every_temperature_is_that_of_the_error);
     RUN_TEST(sigma_of_a_line_has_its_closed_form);
     RUN_TEST(beyond_the_range_it_is_judged_at_its_edge);

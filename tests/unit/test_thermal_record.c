@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * For every INVCAL_THERMAL_DEGREE.
+ * Records are of degree 0, 1 or 2 in every build, whichever it can fit.
  */
 #include <float.h>
 #include <string.h>
@@ -18,7 +18,7 @@ void tearDown(void)
 }
 
 enum {
-    DEGREE = INVCAL_THERMAL_DEGREE,
+    DEGREE = 2, /* the highest one */
     SIZE = INVCAL_THERMAL_RECORD_SIZE,
     FLAT = INVCAL_THERMAL_RECORD_BYTES(0), /* of degree 0 */
     OLD = FLAT + 48,                       /* the same of version 1 */
@@ -384,6 +384,31 @@ static void a_record_comes_back_as_it_was(void)
     }
 }
 
+/* Whichever degree this build can fit; of a lower degree the other coefficients are 0. */
+static void a_record_of_every_degree_comes_back(void)
+{
+    static const uint32_t lengths[] = {248, 284, 320}; /* of the table */
+    random_source random = random_start(7);
+
+    TEST_ASSERT_EQUAL_UINT32(320, SIZE);
+    for (unsigned degree = 0; degree <= 2; degree++) {
+        invcal_thermal_record r = random_record(&random);
+        static invcal_thermal_record back;
+        uint8_t bytes[SIZE];
+        r.thermal.degree = (uint8_t)degree;
+        r.thermal.fitted = (uint8_t)degree;
+        for (unsigned k = degree + 1; k <= 2; k++) {
+            memset(r.thermal.x[k], 0, sizeof r.thermal.x[k]);
+        }
+        TEST_ASSERT_EQUAL_UINT32(lengths[degree], assert_encodes(&r, bytes));
+        memset(&back, 0x5A, sizeof back);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_thermal_record_decode(bytes, lengths[degree], &back));
+        assert_equal_thermals(&r.thermal, &back.thermal);
+        assert_equal_judgements(&r.record, &back.record);
+    }
+}
+
 /* A device that does not know its temperature reads the rest at byte 4. Its readings have the
  * field's length where the errors are those of t = 0. */
 static void what_holds_at_the_reference_is_a_record_of_its_own(void)
@@ -678,6 +703,7 @@ int main(void)
     RUN_TEST(a_triangular_record_of_version_1_is_read_and_kept);
     RUN_TEST(the_coefficients_of_every_power_are_where_the_table_says);
     RUN_TEST(a_record_comes_back_as_it_was);
+    RUN_TEST(a_record_of_every_degree_comes_back);
     RUN_TEST(what_holds_at_the_reference_is_a_record_of_its_own);
     RUN_TEST(bytes_after_a_record_are_ignored);
     RUN_TEST(a_record_begins_with_what_was_fitted);

@@ -24,13 +24,16 @@ static invcal_session session;
 
 static invcal_status begin_session(void)
 {
-    const invcal_status status = invcal_session_init(&session, sizeof session, IMU_COUNTS, IMU_RATE);
+    const invcal_status status =
+        invcal_session_init(&session, sizeof session, IMU_COUNTS, IMU_RATE);
 
     if (status == INVCAL_OK) {
         (void)invcal_session_rails(&session, IMU_LOW, IMU_HIGH);
         (void)invcal_session_noise(&session, 0.00015f); /* g, of the mean of a position */
     }
-    report("new session", status == INVCAL_OK ? "begun" : invcal_status_text(status));
+    if (status != INVCAL_OK) {
+        report("new session", invcal_status_text(status));
+    }
     return status;
 }
 
@@ -112,7 +115,9 @@ static int calibrate(invcal_calibration *calibration)
     if (begin_session() != INVCAL_OK) {
         return 0;
     }
-    (void)storage_load_session(&session); /* reported; if there is none, it begins anew */
+    if (storage_load_session(&session) != INVCAL_OK) {
+        report("new session", "begun");
+    }
     for (;;) {
         const imu_status status = take_positions();
         if (status != IMU_ACCELEROMETER) {
@@ -126,6 +131,7 @@ static int calibrate(invcal_calibration *calibration)
         if (begin_session() != INVCAL_OK) {
             return 0;
         }
+        report("new session", "begun");
     }
 }
 

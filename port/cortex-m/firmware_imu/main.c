@@ -113,6 +113,7 @@ static void load_session(void)
         report_count("stored session found, positions", both.session.count);
     } else {
         report("stored session", invcal_status_text(status));
+        report("new session", "begun");
     }
 }
 
@@ -120,7 +121,8 @@ static invcal_status begin_session(void)
 {
     const invcal_calibration gyro = {
         {0, 0, 0}, {{IMU_GYRO_UNIT, 0, 0}, {0, IMU_GYRO_UNIT, 0}, {0, 0, IMU_GYRO_UNIT}}};
-    invcal_status status = invcal_session_init(&both.session, sizeof both.session, IMU_COUNTS, IMU_RATE);
+    invcal_status status =
+        invcal_session_init(&both.session, sizeof both.session, IMU_COUNTS, IMU_RATE);
 
     if (status == INVCAL_OK) {
         status = invcal_moves_init(&both.moves, sizeof both.moves, &gyro, IMU_GYRO_RATE);
@@ -129,7 +131,9 @@ static invcal_status begin_session(void)
         (void)invcal_session_rails(&both.session, IMU_LOW, IMU_HIGH);
         (void)invcal_moves_rails(&both.moves, IMU_LOW, IMU_HIGH);
     }
-    report("new session", status == INVCAL_OK ? "begun" : invcal_status_text(status));
+    if (status != INVCAL_OK) {
+        report("new session", invcal_status_text(status));
+    }
     return status;
 }
 

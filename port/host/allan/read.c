@@ -27,7 +27,7 @@ static uint32_t stride_of(uint32_t m)
 {
     uint32_t stride = 1;
 
-    while (m > stride * INVCAL_ALLAN_OVERLAP) {
+    while (m > stride * INVCAL_PRIVATE_OVERLAP) {
         stride *= 2;
     }
     return stride;
@@ -69,9 +69,10 @@ static int begin_streams(const allan_settings *settings, double rate)
         }
     }
     for (unsigned i = 0; i < 3; i++) {
-        if (settings->taus == 0) {
-            invcal_allan_init(&stream[i], sizeof stream[i]);
-        } else if (invcal_allan_begin(&stream[i], sizeof stream[i], m, settings->taus) != INVCAL_OK) {
+        const invcal_status status =
+            settings->taus > 0 ? invcal_allan_begin(&stream[i], sizeof stream[i], m, settings->taus)
+                               : invcal_allan_init(&stream[i], sizeof stream[i]);
+        if (status != INVCAL_OK) {
             return message_usage("allan", "--tau: must ascend, at most %u times",
                                  (unsigned)INVCAL_ALLAN_TAUS);
         }

@@ -26,7 +26,8 @@ static void measure_residuals(const calibrate_result *result, invcal_quality *q)
 
     for (unsigned k = 0; k < kept->kept_count; k++) {
         double v[3];
-        invcal_apply(&result->gyro.imu.accelerometer, kept->kept[3 * (size_t)k], kept->kept[3 * (size_t)k + 1], kept->kept[3 * (size_t)k + 2], v);
+        invcal_apply(&result->gyro.imu.accelerometer, kept->kept[3 * (size_t)k],
+                     kept->kept[3 * (size_t)k + 1], kept->kept[3 * (size_t)k + 2], v);
         const double r = fabs(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1);
         squares += r * r;
         if (!(r <= q->max)) {

@@ -155,7 +155,9 @@ static void explain_out_of_range(const calibrate_result *r, refusal *why)
     const int by_option = by_unit && r->data->seen.unit_from == UNIT_FROM_OPTION;
     double v[3];
 
-    invcal_apply(&r->settings.nominal, r->data->mean[3 * (size_t)why->position], r->data->mean[3 * (size_t)why->position + 1], r->data->mean[3 * (size_t)why->position + 2], v);
+    invcal_apply(&r->settings.nominal, r->data->mean[3 * (size_t)why->position],
+                 r->data->mean[3 * (size_t)why->position + 1],
+                 r->data->mean[3 * (size_t)why->position + 2], v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     why->is_of_position = 1;
     if (!(length <= REJECTION_LENGTH_MAX)) {

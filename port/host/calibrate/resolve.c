@@ -93,7 +93,8 @@ static int check_sensor(const request *r, calibrate_result *result)
     /* the geometric mean, as single readings may be far off */
     for (unsigned k = 0; k < data->count; k++) {
         double v[3];
-        invcal_apply(c, data->mean[3 * (size_t)k], data->mean[3 * (size_t)k + 1], data->mean[3 * (size_t)k + 2], v);
+        invcal_apply(c, data->mean[3 * (size_t)k], data->mean[3 * (size_t)k + 1],
+                     data->mean[3 * (size_t)k + 2], v);
         sum += log(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / r->settings.field);
     }
     return sensors_fit(&r->sensor, exp(sum / data->count), reason, remedy)
@@ -161,7 +162,8 @@ static double median_length(const positions *data, const invcal_calibration *nom
 
     for (unsigned k = 0; length && k < data->count; k++) {
         double v[3];
-        invcal_apply(nominal, data->mean[3 * (size_t)k], data->mean[3 * (size_t)k + 1], data->mean[3 * (size_t)k + 2], v);
+        invcal_apply(nominal, data->mean[3 * (size_t)k], data->mean[3 * (size_t)k + 1],
+                     data->mean[3 * (size_t)k + 2], v);
         length[k] = fmin(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), DBL_MAX); /* no NaN */
     }
     if (length) {

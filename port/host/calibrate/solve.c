@@ -22,7 +22,8 @@ static double residual_of_nominal(const positions *data, const invcal_calibratio
 
     for (unsigned n = 0; n < data->count; n++) {
         double v[3];
-        invcal_apply(nominal, data->mean[3 * (size_t)n], data->mean[3 * (size_t)n + 1], data->mean[3 * (size_t)n + 2], v);
+        invcal_apply(nominal, data->mean[3 * (size_t)n], data->mean[3 * (size_t)n + 1],
+                     data->mean[3 * (size_t)n + 2], v);
         const double r = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
         squares += r * r;
     }

@@ -54,12 +54,13 @@ static void write_c(FILE *file, const export_job *job)
     const char *name = name_of(job);
 
     begin(file, job);
-    export_comment(file, EXPORT_COMMENT_C, "Use: invcal_apply(&%s, raw[0], raw[1], raw[2], calibrated);", name);
+    export_comment(file, EXPORT_COMMENT_C,
+                   "Use: invcal_apply(&%s, raw[0], raw[1], raw[2], calibrated);", name);
     export_comment(file, EXPORT_COMMENT_C, "raw in %s, calibrated in %s.", export_input_unit(job),
                    export_field_unit(job));
     if (job->file.has_gyro) {
-        export_comment(file, EXPORT_COMMENT_C, "     invcal_apply(&%s_gyro, raw[0], raw[1], raw[2], rate); in rad/s",
-                       name);
+        export_comment(file, EXPORT_COMMENT_C,
+                       "     invcal_apply(&%s_gyro, raw[0], raw[1], raw[2], rate); in rad/s", name);
     }
     write_use_of_g(file, job);
     fprintf(file, " */\n#ifndef INVCAL_EXPORT_%s_H\n#define INVCAL_EXPORT_%s_H\n\n", name, name);

@@ -40,7 +40,8 @@ static unsigned long calibrate(const magnetometer_log *log, const invcal_calibra
         if (accelerometer) {
             invcal_apply(accelerometer, at->up[0], at->up[1], at->up[2], at->up);
         }
-        invcal_apply(&log->calibration, log->instant[n].field[0], log->instant[n].field[1], log->instant[n].field[2], at->field);
+        invcal_apply(&log->calibration, log->instant[n].field[0], log->instant[n].field[1],
+                     log->instant[n].field[2], at->field);
         length[0][count] = length_of(at->up);
         length[1][count] = length_of(at->field);
         count += isfinite(length[0][count]) && isfinite(length[1][count]);

@@ -225,7 +225,9 @@ static void fill_rests(gyro_fit *g, long lag, const positions *p, const invcal_c
 {
     for (unsigned i = 0; i < g->rests; i++) {
         gyro_rest *rest = &g->rest[i];
-        invcal_apply(start, p->mean[3 * (size_t)rest->position], p->mean[3 * (size_t)rest->position + 1], p->mean[3 * (size_t)rest->position + 2], rest->up);
+        invcal_apply(start, p->mean[3 * (size_t)rest->position],
+                     p->mean[3 * (size_t)rest->position + 1],
+                     p->mean[3 * (size_t)rest->position + 2], rest->up);
         const double length =
             sqrt(rest->up[0] * rest->up[0] + rest->up[1] * rest->up[1] + rest->up[2] * rest->up[2]);
         for (unsigned k = 0; k < 3; k++) {

@@ -207,7 +207,9 @@ void gyro_measure(gyro_fit *g, long lag, const positions *p)
         for (unsigned k = 0; k < 3; k++) {
             rest->bias[k] = g->rate_unit * x[k];
         }
-        invcal_apply(&g->imu.accelerometer, p->mean[3 * (size_t)rest->position], p->mean[3 * (size_t)rest->position + 1], p->mean[3 * (size_t)rest->position + 2], rest->up);
+        invcal_apply(&g->imu.accelerometer, p->mean[3 * (size_t)rest->position],
+                     p->mean[3 * (size_t)rest->position + 1],
+                     p->mean[3 * (size_t)rest->position + 2], rest->up);
         const double length = sqrt(dot(rest->up, rest->up));
         for (unsigned k = 0; k < 3; k++) {
             rest->up[k] /= length;

@@ -78,7 +78,8 @@ static double find_sample_rms(const magnetometer_log *log)
 
     for (unsigned long n = 0; n < log->instants; n++) {
         double v[3];
-        invcal_apply(&log->calibration, log->instant[n].field[0], log->instant[n].field[1], log->instant[n].field[2], v);
+        invcal_apply(&log->calibration, log->instant[n].field[0], log->instant[n].field[1],
+                     log->instant[n].field[2], v);
         const double off = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - 1;
         squares += off * off;
     }

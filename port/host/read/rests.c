@@ -44,7 +44,7 @@ const char *rests_reason_text(invcal_status reason)
     case INVCAL_REST_SHORT:
         return "too short: hold it still longer";
     case INVCAL_REST_CLIPPED:
-        return "at the end of the sensor's range";
+        return "at the end of the range";
     case INVCAL_REST_FROZEN:
         return "readings, or those of an axis, never change: is the sensor read?";
     case INVCAL_REST_GAP:

@@ -22,7 +22,8 @@ static void find_positions(report_facts *f)
     for (unsigned n = 0; n < f->count; n++) {
         report_position *at = &f->position[n];
         double v[3];
-        invcal_apply(&r->settings.nominal, r->data->mean[3 * (size_t)n], r->data->mean[3 * (size_t)n + 1], r->data->mean[3 * (size_t)n + 2], v);
+        invcal_apply(&r->settings.nominal, r->data->mean[3 * (size_t)n],
+                     r->data->mean[3 * (size_t)n + 1], r->data->mean[3 * (size_t)n + 2], v);
         at->before = f->scale * (length(v) - 1);
         const invcal_calibration here = calibrate_at_position(r, n);
         calibrate_linear_reading(r, n, v);

@@ -256,7 +256,8 @@ static void write_constant(page *p, const calibrate_result *r)
         taken[i / 3][i % 3] = g->g[i / 3][i % 3] / r->settings.field;
     }
 
-    page_say(p, "As a constant, for invcal_apply(&calibration_gyro, raw[0], raw[1], raw[2], rate), rad/s; invcal "
+    page_say(p, "As a constant, for invcal_apply(&calibration_gyro, raw[0], raw[1], raw[2], rate), "
+                "rad/s; invcal "
                 "export writes both:");
     if (constant_fits(c->offset, (const double(*)[3])c->matrix)) {
         page_code_begin(p);

@@ -265,7 +265,9 @@ static double residual_of(const report_facts *f, unsigned n, terms which)
     if (which == WITH || f->result->temperature != CALIBRATE_THERMAL) {
         return f->position[n].after;
     }
-    invcal_apply(&fit->nine.calibration, f->result->data->mean[3 * (size_t)n], f->result->data->mean[3 * (size_t)n + 1], f->result->data->mean[3 * (size_t)n + 2], v);
+    invcal_apply(&fit->nine.calibration, f->result->data->mean[3 * (size_t)n],
+                 f->result->data->mean[3 * (size_t)n + 1], f->result->data->mean[3 * (size_t)n + 2],
+                 v);
     const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     return f->scale * (length - 1);
 }

@@ -29,7 +29,8 @@ double refusal_length(const calibrate_result *r, const invcal_calibration *view,
 {
     double v[3];
 
-    invcal_apply(view, r->data->mean[3 * (size_t)position], r->data->mean[3 * (size_t)position + 1], r->data->mean[3 * (size_t)position + 2], v);
+    invcal_apply(view, r->data->mean[3 * (size_t)position], r->data->mean[3 * (size_t)position + 1],
+                 r->data->mean[3 * (size_t)position + 2], v);
     return length(v);
 }
 
@@ -93,7 +94,8 @@ int refusal_up(const calibrate_result *r, const invcal_calibration *view, unsign
 {
     double v[3];
 
-    invcal_apply(view, r->data->mean[3 * (size_t)position], r->data->mean[3 * (size_t)position + 1], r->data->mean[3 * (size_t)position + 2], v);
+    invcal_apply(view, r->data->mean[3 * (size_t)position], r->data->mean[3 * (size_t)position + 1],
+                 r->data->mean[3 * (size_t)position + 2], v);
     const double size = length(v);
     for (unsigned i = 0; i < 3; i++) {
         up[i] = v[i] / size;

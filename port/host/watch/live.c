@@ -204,7 +204,7 @@ static int reaches_target(const live_options *options)
         is_wanted = is_wanted || options->target[i] > 0;
         target[i] = options->target[i] > 0 ? options->target[i] : INVCAL_REAL_MAX;
     }
-    if (options->need > 0 && !invcal_session_meets(&session, options->need, options->field_sigma)) {
+    if (options->need > 0 && !(invcal_session_is_good(&session) && now.accuracy <= options->need)) {
         return 0;
     }
     return !is_wanted || invcal_session_reaches(&session, target);
@@ -371,7 +371,8 @@ static int begin_session(state *s)
         return message_usage("watch", "%s: %s; %s", live_log.table.name, text, remedy);
     }
     if (!zero_begin(&s->zero, options, &live_log, s->p, &followed, &s->known) ||
-        invcal_session_begin(&session, sizeof session, &s->known, samples_whole_rate(&live_log)) != INVCAL_OK ||
+        invcal_session_begin(&session, sizeof session, &s->known, samples_whole_rate(&live_log)) !=
+            INVCAL_OK ||
         (clip && invcal_session_rails(&session, samples_count(&live_log, clip[0]),
                                       samples_count(&live_log, clip[1])) != INVCAL_OK)) {
         message("%s: %.6g samples per second, or the nominal calibration, cannot be used",
@@ -418,7 +419,8 @@ static int feed(state *s, const sample *latest)
     if (s->gyro && gyro_log_add(s->gyro, &live_log, latest)) {
         return EXIT_FILE;
     }
-    const invcal_event event = invcal_session_feed(&session, latest->raw[0], latest->raw[1], latest->raw[2]);
+    const invcal_event event =
+        invcal_session_feed(&session, latest->raw[0], latest->raw[1], latest->raw[2]);
     if (event != INVCAL_NOTHING) {
         recording_filled(&live_recording);
         failure = handle_event(s, event);

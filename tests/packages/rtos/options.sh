@@ -22,8 +22,8 @@ read_options() {
 
 same_defaults() {
     awk '$1 == "#ifndef" { name = $2; next }
-        $1 == "#define" && $2 == name && $3 ~ /^[0-9]+$/ { print name, $3 }' \
-        include/invcal/*.h | sort > "$out/defaults"
+        $1 == "#define" && $2 == name && name !~ /_PRIVATE_/ && $3 ~ /^[0-9]+$/ { value[name] = $3 }
+        END { for (name in value) print name, value[name] }' include/invcal/config.h | sort > "$out/defaults"
     cut -d ' ' -f 1,4 "$out/options" | diff "$out/defaults" -
 }
 

@@ -71,15 +71,15 @@ static const __FlashStringHelper *refusal_text()
     case INVCAL_REST_SHORT:
         return F("too short: hold it still longer");
     case INVCAL_REST_DRIFT:
-        return F("it drifts: turned slowly, or not settled");
+        return F("drifts: turned slowly or not settled");
     case INVCAL_REST_CLIPPED:
-        return F("at the end of the sensor's range");
+        return F("at the end of the range");
     case INVCAL_REST_FROZEN:
         return F("readings never change: is the sensor read?");
     case INVCAL_REST_GAP:
         return F("too short: samples were lost");
     case INVCAL_REST_SAME:
-        return F("nothing new: the same place as before");
+        return F("nothing new: same place");
     default:
         return F("far from 1 g: wrong scale, or a broken sensor");
     }

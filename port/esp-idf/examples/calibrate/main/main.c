@@ -95,7 +95,8 @@ static void print_next(void)
 
 static invcal_status begin_session(void)
 {
-    invcal_status status = invcal_session_init(&session, sizeof session, SENSOR_COUNTS, SENSOR_RATE);
+    invcal_status status =
+        invcal_session_init(&session, sizeof session, SENSOR_COUNTS, SENSOR_RATE);
 
     if (status == INVCAL_OK) {
         status = invcal_session_rails(&session, SENSOR_LOW, SENSOR_HIGH);
