@@ -25,7 +25,7 @@ refuses() { # FUNCTION LIBRARY [FLAG]
     ! links "$@" > "$out/said" 2>&1 && grep -q "undefined reference to .$1_.*${option}_" "$out/said"
 }
 
-for function in invcal_apply invcal_nominal invcal_load invcal_load_v1 invcal_record_init \
+for function in invcal_apply invcal_nominal invcal_load invcal_record_init \
     invcal_record_decode invcal_plan_position_at invcal_imu_record_init invcal_imu_record_decode \
     invcal_load_imu invcal_turns_begin invcal_sums_init invcal_linear_init invcal_full_vector_init \
     invcal_frame_init invcal_magnetometer_init invcal_dip_init; do
@@ -44,7 +44,7 @@ for function in invcal_calibrate invcal_calibrate_judged invcal_session_init inv
         -DINVCAL_MAX_POSITIONS=64
 done
 for function in invcal_thermal_at invcal_thermal_calibrate invcal_thermal_start invcal_thermal_fit \
-    invcal_thermal_judge invcal_thermal_record_decode invcal_thermal_record_decode_v1; do
+    invcal_thermal_judge invcal_thermal_record_decode; do
     check "$function links as the library was compiled" links $function "$build/float/libinvcal.a"
     for choice in THERMAL_DEGREE=2 MAX_POSITIONS=64 DOUBLE=1; do
         check "$function: not with $choice" refuses $function "$build/float/libinvcal.a" -DINVCAL_$choice
