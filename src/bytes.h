@@ -53,9 +53,7 @@ uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count);
 enum { INVCAL_CRC_SIZE = 4 };
 enum {
     INVCAL_RECORD_KIND = 0x02CA, /* version and kind */
-    INVCAL_RECORD_KIND_V1 = 0x01CA,
     INVCAL_THERMAL_KIND = 0x02CB,
-    INVCAL_THERMAL_KIND_V1 = 0x01CB,
     INVCAL_IMU_KIND = 0x01CC
 };
 void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length);
@@ -63,8 +61,5 @@ void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length);
 /* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for sound bytes of another kind or
  * version. */
 invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, unsigned kind);
-
-/* The matrix of a record of version 1, which is in the unit of its field. */
-void invcal_over_field(invcal_real *matrix, invcal_real field);
 
 #endif

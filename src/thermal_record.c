@@ -7,8 +7,8 @@
 #include <stddef.h>
 
 #include "bytes.h"
+#include "invcal/thermal.h"
 #include "polynomials.h"
-#include "thermal_record.h"
 #include "vector.h"
 
 #define AGREED INVCAL_REAL(1e-4) /* over field: max difference of two calibrations */
@@ -53,7 +53,8 @@ static int agree_in_length(const invcal_calibration *a, const invcal_calibration
     return 1;
 }
 
-invcal_status invcal_thermal_check(const invcal_thermal_record *r)
+/* Is it a calibration, and the record within that of its reference? */
+static INVCAL_ONCE invcal_status check_thermal(const invcal_thermal_record *r)
 {
     const invcal_thermal *t = &r->thermal;
     invcal_thermal_place place;
@@ -71,17 +72,19 @@ invcal_status invcal_thermal_check(const invcal_thermal_record *r)
                                                                                : status;
 }
 
-invcal_status invcal_thermal_check_length(const uint8_t *bytes, unsigned at)
+/* Does the stated length fit the degree? */
+static INVCAL_ONCE invcal_status check_length(const uint8_t *bytes)
 {
     const unsigned length = invcal_get_u16(bytes + 2);
 
-    if (length <= at || length != at + REALS_AFTER + 4 * count_reals(bytes[at]) + INVCAL_CRC_SIZE) {
+    if (length <= AFTER_RECORD || length != INVCAL_THERMAL_RECORD_BYTES(bytes[AFTER_RECORD])) {
         return INVCAL_DAMAGED;
     }
-    return bytes[at] < INVCAL_THERMAL_ROWS ? INVCAL_OK : INVCAL_OTHER_VERSION;
+    return bytes[AFTER_RECORD] < INVCAL_THERMAL_ROWS ? INVCAL_OK : INVCAL_OTHER_VERSION;
 }
 
-invcal_status invcal_thermal_read(const uint8_t *tail, invcal_thermal_record *r)
+/* Reads the part after the record within. */
+static INVCAL_ONCE invcal_status read_tail(const uint8_t *tail, invcal_thermal_record *r)
 {
     invcal_zero(&r->thermal, sizeof r->thermal);
     r->thermal.degree = tail[0];
@@ -98,15 +101,15 @@ static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_th
 {
     invcal_status status = invcal_unseal(bytes, size, INVCAL_THERMAL_KIND);
     if (status == INVCAL_OK) {
-        status = invcal_thermal_check_length(bytes, AFTER_RECORD);
+        status = check_length(bytes);
     }
     if (status == INVCAL_OK) {
         status = invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE, &r->record);
     }
     if (status == INVCAL_OK) {
-        status = invcal_thermal_read(bytes + AFTER_RECORD, r);
+        status = read_tail(bytes + AFTER_RECORD, r);
     }
-    return status == INVCAL_OK ? invcal_thermal_check(r) : status;
+    return status == INVCAL_OK ? check_thermal(r) : status;
 }
 
 invcal_status invcal_thermal_record_init(invcal_thermal_record *record,

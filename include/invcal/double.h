@@ -68,7 +68,6 @@
 #define invcal_linear_init invcald_linear_init
 #define invcal_linear_solve invcald_linear_solve
 #define invcal_load invcald_load
-#define invcal_load_v1 invcald_load_v1
 #define invcal_magnetometer_cell invcald_magnetometer_cell
 #define invcal_magnetometer_feed invcald_magnetometer_feed
 #define invcal_magnetometer_init invcald_magnetometer_init
@@ -92,7 +91,6 @@
 #define invcal_plan_starts invcald_plan_starts
 #define invcal_prospect invcald_prospect
 #define invcal_record_decode invcald_record_decode
-#define invcal_record_decode_v1 invcald_record_decode_v1
 #define invcal_record_encode invcald_record_encode
 #define invcal_record_init invcald_record_init
 #define invcal_rests_feed invcald_rests_feed
@@ -144,7 +142,6 @@
 #define invcal_thermal_fit invcald_thermal_fit
 #define invcal_thermal_judge invcald_thermal_judge
 #define invcal_thermal_record_decode invcald_thermal_record_decode
-#define invcal_thermal_record_decode_v1 invcald_thermal_record_decode_v1
 #define invcal_thermal_record_encode invcald_thermal_record_encode
 #define invcal_thermal_record_init invcald_thermal_record_init
 #define invcal_thermal_start invcald_thermal_start
@@ -204,7 +201,6 @@
 #define invcal_next_of_sums invcald_next_of_sums
 #define invcal_nominal_check invcald_nominal_check
 #define invcal_outliers_search invcald_outliers_search
-#define invcal_over_field invcald_over_field
 #define invcal_polynomials invcald_polynomials
 #define invcal_positions_calibrate invcald_positions_calibrate
 #define invcal_positions_check invcald_positions_check
@@ -225,10 +221,7 @@
 #define invcal_sum_readings invcald_sum_readings
 #define invcal_test_for invcald_test_for
 #define invcal_text invcald_text
-#define invcal_thermal_check invcald_thermal_check
-#define invcal_thermal_check_length invcald_thermal_check_length
 #define invcal_thermal_find invcald_thermal_find
-#define invcal_thermal_read invcald_thermal_read
 #define invcal_thermal_triad invcald_thermal_triad
 #define invcal_transposed invcald_transposed
 #define invcal_triad invcald_triad

@@ -84,12 +84,6 @@ invcal_status invcal_save(const invcal_calibration *calibration, const invcal_qu
 INVCAL_NODISCARD invcal_status invcal_load(invcal_calibration *calibration,
                                            const invcal_store *store);
 
-/* The same for a calibration saved by release 0.1.0: call it if invcal_load fails, in a device in
- * use since then. Over field, as all calibrations. The next save is one that invcal_load reads.
- *
- * Returns as invcal_load. Stack: about 900 bytes. */
-invcal_status invcal_load_v1(const invcal_store *store, invcal_calibration *calibration);
-
 /* Saves the lasting part of a session: see invcal_session_size.
  *
  * Returns as invcal_store_save. Cost: 22,000 instructions for 18 positions,
@@ -182,7 +176,8 @@ invcal_status invcal_store_erase(const invcal_store *store);
  * It begins with its kind, its version (now 2) and its length, and ends with the CRC-32 (IEEE
  * 802.3, as zlib) of all before it. Later versions may change everything else. So any version can
  * distinguish sound bytes of another one from damaged ones. Any change, even a new verdict, gets a
- * new version number, and later releases keep a function to read every version released before.
+ * new version number, and later releases keep a function to read every version released before;
+ * except version 1, of release 0.1.0, which is refused as another version.
  *
  * The CRC detects one to four wrong bits, any run of up to 32 wrong bits, and any two bytes
  * exchanged. Other damage passes once in 2^32 times.
@@ -199,11 +194,8 @@ invcal_status invcal_store_erase(const invcal_store *store);
  *      22   1     verdict                      132   4     CRC
  *      23   1     temperature_known
  *      24   4     field
- *
- * Version 1, of release 0.1.0, has 48 bytes more before sigma, and its matrix gives the unit of its
- * field. */
-#define INVCAL_RECORD_SIZE 136u    /* bytes of a record */
-#define INVCAL_RECORD_SIZE_V1 184u /* of one of version 1 */
+ */
+#define INVCAL_RECORD_SIZE 136u /* bytes of a record */
 
 /* Unknown values are 0. */
 typedef struct {
@@ -252,13 +244,6 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
  *   as invcal_record_encode, for a content that it refuses.
  * Stack as above. */
 invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out);
-
-/* The same for a record of version 1, from release 0.1.0: the result is over field, as all are now;
- * `field` still gives the unit it was in.
- *
- * Returns as invcal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about 520
- * bytes. */
-invcal_status invcal_record_decode_v1(const uint8_t *bytes, uint32_t size, invcal_record *out);
 
 /* ---- the lasting part of a session --------------------------------------------------------------
  *

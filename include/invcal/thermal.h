@@ -194,21 +194,17 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
  *     208   36    the coefficients x of t^0; then of each further power up to the degree
  *     ...   4     CRC-32 of all before it
  *
- * A device that does not know its temperature finds a plain record at byte 4. In version 1, of
- * 0.1.0, the record has 184 bytes, and matrices are in the unit of the field. */
+ * A device that does not know its temperature finds a plain record at byte 4. */
 #define INVCAL_THERMAL_RECORD_BYTES(degree) (212u + 36u * ((degree) + 1u))
 /* The largest. */
 #define INVCAL_THERMAL_RECORD_SIZE INVCAL_THERMAL_RECORD_BYTES(INVCAL_THERMAL_ROWS - 1u)
-/* The same for version 1. */
-#define INVCAL_THERMAL_RECORD_SIZE_V1                                                              \
-    (INVCAL_THERMAL_RECORD_SIZE + INVCAL_RECORD_SIZE_V1 - INVCAL_RECORD_SIZE)
 
 /* The content of the bytes. */
 typedef struct {
     invcal_thermal thermal; /* the calibration for every temperature */
     invcal_record record;   /* at the reference, or the nearest temperature seen; fill in what you
                                know */
-    uint8_t is_triangular;  /* 1: turned by invcal_make_triangular, as 0.1.0 offered */
+    uint8_t is_triangular;  /* 1: turned by invcal_make_triangular */
 } invcal_thermal_record;
 
 /* Makes a record of the result of invcal_thermal_calibrate. Returns as invcal_thermal_at. */
@@ -233,13 +229,6 @@ invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
  * degree above 2; as invcal_thermal_record_encode otherwise. Stack: as above. */
 invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
                                            invcal_thermal_record *out);
-
-/* The same for a record of version 1, from release 0.1.0: the result is over field, as all are now.
- *
- * Returns as invcal_thermal_record_decode; INVCAL_OTHER_VERSION for any version but 1. Stack: about
- * 850 bytes. */
-invcal_status invcal_thermal_record_decode_v1(const uint8_t *bytes, uint32_t size,
-                                              invcal_thermal_record *out);
 
 #ifdef __cplusplus
 }

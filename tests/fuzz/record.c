@@ -30,32 +30,13 @@ static void repair(uint8_t *bytes, size_t size)
     }
 }
 
-/* Records of version 1 were in the unit of their field: made again they may be other bytes, and, as
- * reals are stored as float, from a double build even none. */
-static int is_old(const uint8_t *bytes, uint32_t size)
-{
-    return size >= 2 && bytes[1] == 1;
-}
-
-static invcal_status decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
-{
-    return is_old(bytes, size) ? invcal_record_decode_v1(bytes, size, out)
-                               : invcal_record_decode(bytes, size, out);
-}
-
-static invcal_status decode_thermal(const uint8_t *bytes, uint32_t size, invcal_thermal_record *out)
-{
-    return is_old(bytes, size) ? invcal_thermal_record_decode_v1(bytes, size, out)
-                               : invcal_thermal_record_decode(bytes, size, out);
-}
-
 static void look_at_record(const uint8_t *bytes, uint32_t size)
 {
     uint8_t again[INVCAL_RECORD_SIZE];
     invcal_record r;
 
     mark(&r, sizeof r);
-    if (decode(bytes, size, &r) != INVCAL_OK) {
+    if (invcal_record_decode(bytes, size, &r) != INVCAL_OK) {
         require_mark(&r, sizeof r);
         return;
     }
@@ -70,20 +51,17 @@ static void look_at_record(const uint8_t *bytes, uint32_t size)
     REQUIRE((r.verdict == INVCAL_WEAK) == (r.weak != 0) && r.verdict <= INVCAL_WEAK);
     REQUIRE(r.weak < 1u << INVCAL_PARAMETERS && r.from_prior < 1u << INVCAL_PARAMETERS);
     REQUIRE(r.temperature_known <= 1 && (r.temperature_known || r.temperature == 0));
-    const invcal_status status = invcal_record_encode(&r, again);
-    REQUIRE(status == INVCAL_OK || (INVCAL_DOUBLE && is_old(bytes, size)));
-    REQUIRE(is_old(bytes, size) || memcmp(bytes, again, sizeof again) == 0);
-    REQUIRE(status != INVCAL_OK || invcal_record_decode(again, sizeof again, &r) == INVCAL_OK);
+    REQUIRE(invcal_record_encode(&r, again) == INVCAL_OK);
+    REQUIRE(size >= sizeof again && memcmp(bytes, again, sizeof again) == 0);
 }
 
 static void look_at_thermal(const uint8_t *bytes, uint32_t size)
 {
     uint8_t again[INVCAL_THERMAL_RECORD_SIZE];
-    uint8_t once_more[INVCAL_THERMAL_RECORD_SIZE];
     invcal_thermal_record r;
 
     mark(&r, sizeof r);
-    if (decode_thermal(bytes, size, &r) != INVCAL_OK) {
+    if (invcal_thermal_record_decode(bytes, size, &r) != INVCAL_OK) {
         require_mark(&r, sizeof r);
         return;
     }
@@ -93,16 +71,9 @@ static void look_at_thermal(const uint8_t *bytes, uint32_t size)
     require_regular(&r.thermal.nominal);
     require_finite(&r.thermal.x[0][0], INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS);
     const uint32_t length = INVCAL_THERMAL_RECORD_BYTES(r.thermal.degree);
-    const invcal_status status = invcal_thermal_record_encode(&r, again);
-    REQUIRE(status == INVCAL_OK || (INVCAL_DOUBLE && is_old(bytes, size)));
-    if (status != INVCAL_OK) {
-        return;
-    }
-    REQUIRE(is_old(bytes, size) || (length <= size && memcmp(bytes, again, length) == 0));
-    look_at_record(again + RECORD_AT, INVCAL_RECORD_SIZE);
-    REQUIRE(invcal_thermal_record_decode(again, length, &r) == INVCAL_OK);
-    REQUIRE(invcal_thermal_record_encode(&r, once_more) == INVCAL_OK);
-    REQUIRE(memcmp(again, once_more, length) == 0);
+    REQUIRE(invcal_thermal_record_encode(&r, again) == INVCAL_OK);
+    REQUIRE(length <= size && memcmp(bytes, again, length) == 0);
+    look_at_record(bytes + RECORD_AT, INVCAL_RECORD_SIZE);
 }
 
 static void look_at_imu(const uint8_t *bytes, uint32_t size)

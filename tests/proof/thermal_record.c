@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "any_thermal_record.h"
+#include "arbitrary.h"
+#include "invcal/thermal.h"
 #include "solve.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcal_crc32:0 -eva-split-return full
@@ -58,6 +59,70 @@ invcal_status invcal_nominal_check(const invcal_calibration *nominal)
 
 /* ---- the record ------------------------------------------------------------------------------- */
 
+enum { LARGEST = INVCAL_THERMAL_RECORD_BYTES(255u), DEGREE_AT = 4 + INVCAL_RECORD_SIZE };
+
+/* From a buffer of exactly that many bytes, which state a length (its lower byte from
+ * range[0] to range[1], its upper one from range[2] to range[3]) and a degree from least to most. */
+static void decode(uint32_t size, const unsigned range[4], unsigned least, unsigned most)
+{
+    static uint8_t buffer[LARGEST + 1];
+    uint8_t *bytes = &buffer[sizeof buffer - size];
+    invcal_thermal_record record;
+
+    ANY(buffer);
+    if (size > DEGREE_AT) {
+        bytes[DEGREE_AT] = (uint8_t)BETWEEN(least, most);
+    }
+    if (size >= 4) {
+        bytes[2] = (uint8_t)BETWEEN(range[0], range[1]);
+        bytes[3] = (uint8_t)BETWEEN(range[2], range[3]);
+    }
+    (void)invcal_thermal_record_decode(bytes, size, &record);
+}
+
+/* The same for all lengths of a range below 512; lengths that fit the buffer separately from the others. */
+static void decode_lengths(uint32_t size, unsigned low, unsigned high)
+{
+    while (low <= high) {
+        unsigned last = low | 255;
+        last = last > size && low <= size ? size : last;
+        last = last < high ? last : high;
+        const unsigned range[4] = {low % 256, last % 256, low / 256, low / 256};
+        decode(size, range, 0, 255);
+        low = last + 1;
+    }
+}
+
+/* The length of each degree that this build reads, with any degree; and all other lengths. */
+static void decode_all(uint32_t size)
+{
+    unsigned next = 0;
+
+    for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE; degree++) {
+        const unsigned length = INVCAL_THERMAL_RECORD_BYTES(degree);
+        const unsigned exact[4] = {length % 256, length % 256, length / 256, length / 256};
+        decode_lengths(size, next, length - 1);
+        for (unsigned stated = 0; stated <= INVCAL_THERMAL_DEGREE; stated++) {
+            decode(size, exact, stated, stated);
+        }
+        decode(size, exact, INVCAL_THERMAL_DEGREE + 1, 255);
+        next = length + 1;
+    }
+    decode_lengths(size, next, 511);
+    decode(size, (const unsigned[4]){0, 255, 2, 255}, 0, 255);
+}
+
+/* Sizes of no record, and of one of each degree. */
+static void decode_any(void)
+{
+    static const uint32_t size[] = {0, 1, 7, 8, 140, 248, 284, 320};
+
+    for (unsigned i = 0; i < sizeof size / sizeof *size; i++) {
+        decode_all(size[i]);
+    }
+    decode_all(LARGEST);
+}
+
 static void encode(unsigned least, unsigned most)
 {
     uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE];
@@ -81,7 +146,7 @@ static void init(void)
 
 void main(void)
 {
-    decode_any((version){invcal_thermal_record_decode, 0});
+    decode_any();
     for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE; degree++) {
         encode(degree, degree);
     }

@@ -36,22 +36,6 @@ static const uint8_t golden[SIZE] = {
     0xFA, 0xED, 0x6B, 0x3A, 0x70, 0x3D, 0x06, 0x34,
 };
 
-/* As version 1 wrote it: with 48 more bytes before sigma. */
-static const uint8_t golden_1[SIZE + 48] = {
-    0xCA, 0x01, 0xB8, 0x00, 0x53, 0x4E, 0x2D, 0x30, 0x30, 0x30, 0x34, 0x32, 0x0F, 0x21, 0x43, 0x65,
-    0x12, 0x00, 0x01, 0x01, 0x82, 0x00, 0x02, 0x01, 0x00, 0x00, 0x1D, 0x41, 0x00, 0x00, 0x00, 0x3B,
-    0x00, 0x00, 0x48, 0xC1, 0x00, 0x00, 0x80, 0x3A, 0x00, 0x00, 0x80, 0x39, 0x00, 0x00, 0x04, 0x41,
-    0x80, 0x63, 0x01, 0x47, 0x40, 0xFC, 0x01, 0xC7, 0x80, 0xD1, 0xFC, 0x46, 0x52, 0x49, 0x1D, 0x3B,
-    0x82, 0xA8, 0x7B, 0x37, 0xAC, 0xC5, 0x27, 0xB6, 0xAC, 0xC5, 0x27, 0xB7, 0x0A, 0xD7, 0x23, 0x3B,
-    0x9C, 0x53, 0x49, 0x36, 0xBD, 0x37, 0x86, 0x36, 0xAC, 0xC5, 0xA7, 0xB6, 0xC3, 0x64, 0x2A, 0xBB,
-    0x0A, 0xD7, 0x23, 0x3C, 0x0A, 0xD7, 0xA3, 0xBC, 0x8F, 0xC2, 0xF5, 0x3C, 0x6F, 0x12, 0x83, 0x3A,
-    0x6F, 0x12, 0x03, 0xBB, 0xA6, 0x9B, 0x44, 0x3B, 0x17, 0xB7, 0xD1, 0xB8, 0x17, 0xB7, 0x51, 0x39,
-    0x52, 0x49, 0x9D, 0xB9, 0x00, 0x00, 0x80, 0x3E, 0x00, 0x00, 0x00, 0x3F, 0x00, 0x00, 0x40, 0x3F,
-    0x17, 0xB7, 0xD1, 0x38, 0x17, 0xB7, 0x51, 0x39, 0x52, 0x49, 0x9D, 0x39, 0x17, 0xB7, 0xD1, 0x39,
-    0x6F, 0x12, 0x03, 0x3A, 0x52, 0x49, 0x1D, 0x3A, 0x34, 0x80, 0x37, 0x3A, 0x17, 0xB7, 0x51, 0x3A,
-    0xFA, 0xED, 0x6B, 0x3A, 0x9C, 0x1E, 0x9F, 0x51,
-};
-
 /* field, field_sigma, temperature, noise, rms, condition; offset, matrix; sigma. */
 static const double golden_reals[REALS] = {
     9.8125, 0.001953125, -12.5,   0.0009765625, 0.000244140625, 8.25, 33123.5, -33276.25, 32360.75,
@@ -126,20 +110,13 @@ static void assert_not_encoded(invcal_status expected, const invcal_record *r)
     TEST_ASSERT_EQUAL_INT(expected, invcal_record_encode(r, bytes));
 }
 
-/* Like a program that may find either version. */
-static invcal_status decode(const uint8_t *bytes, uint32_t size, invcal_record *out)
-{
-    return size >= 2 && bytes[1] == 1 ? invcal_record_decode_v1(bytes, size, out)
-                                      : invcal_record_decode(bytes, size, out);
-}
-
 static void assert_decodes(const uint8_t *bytes, uint32_t size, invcal_record *out)
 {
     uint8_t buffer[SIZE + MARGIN + 1];
 
     memcpy(buffer + 1, bytes, size);
     memset(out, 0x5A, sizeof *out);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, decode(buffer + 1, size, out));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_record_decode(buffer + 1, size, out));
 }
 
 static int is_refused(invcal_status expected, const uint8_t *bytes, uint32_t size)
@@ -149,7 +126,8 @@ static int is_refused(invcal_status expected, const uint8_t *bytes, uint32_t siz
 
     memset(&out, 0x5A, sizeof out);
     memset(before, 0x5A, sizeof before);
-    return decode(bytes, size, &out) == expected && memcmp(&out, before, sizeof out) == 0;
+    return invcal_record_decode(bytes, size, &out) == expected &&
+           memcmp(&out, before, sizeof out) == 0;
 }
 
 static invcal_record random_record(random_source *random)
@@ -269,42 +247,6 @@ static void a_new_record_holds_what_is_known_and_marks_the_rest_as_unknown(void)
     assert_equal_records(&expected, &r);
 }
 
-/* 48 bytes more, and a matrix in units of the field. */
-static void a_record_of_version_1_is_read_over_field(void)
-{
-    invcal_record expected = golden_record();
-    invcal_record r;
-
-    assert_decodes(golden_1, sizeof golden_1, &r);
-    for (unsigned i = MATRIX; i < SIGMA; i++) {
-        const double over_field = (double)(float)golden_reals[i] / golden_reals[FIELD];
-        TEST_ASSERT_DOUBLE_WITHIN(fabs(over_field) * (double)INVCAL_EPSILON, over_field,
-                                  (double)*real_of(&r, i));
-        *real_of(&r, i) = (invcal_real)(float)golden_reals[i];
-    }
-    assert_equal_records(&expected, &r);
-}
-
-static void an_invalid_field_of_version_1_is_refused(void)
-{
-    uint8_t bytes[sizeof golden_1];
-
-    memcpy(bytes, golden_1, sizeof bytes);
-    memset(bytes + REALS_AT, 0, 4);
-    seal_bytes(bytes, sizeof bytes - 4);
-    TEST_ASSERT_TRUE(is_refused(INVCAL_BAD_NOMINAL, bytes, sizeof bytes));
-}
-
-/* A program does not link what it does not call: each function knows one version. */
-static void each_version_has_its_function(void)
-{
-    invcal_record r;
-
-    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION,
-                          invcal_record_decode(golden_1, sizeof golden_1, &r));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_record_decode_v1(golden, SIZE, &r));
-}
-
 static void bytes_after_a_record_are_ignored(void)
 {
     uint8_t bytes[SIZE + MARGIN];
@@ -335,15 +277,11 @@ static void a_number_that_is_not_finite_is_neither_encoded_nor_decoded(void)
             assert_not_encoded(INVCAL_NOT_FINITE, &r);
         }
         for (unsigned k = 0; k < 4; k++) {
-            uint8_t bytes[sizeof golden_1];
+            uint8_t bytes[SIZE];
             memcpy(bytes, golden, SIZE);
             memcpy(bytes + REALS_AT + 4 * i, bits[k], 4);
             seal_bytes(bytes, SIZE - 4);
             TEST_ASSERT_TRUE(is_refused(INVCAL_NOT_FINITE, bytes, SIZE));
-            memcpy(bytes, golden_1, sizeof bytes);
-            memcpy(bytes + REALS_AT + 4 * i + (i < SIGMA ? 0 : 48), bits[k], 4);
-            seal_bytes(bytes, sizeof bytes - 4);
-            TEST_ASSERT_TRUE(is_refused(INVCAL_NOT_FINITE, bytes, sizeof bytes));
         }
     }
 }
@@ -392,8 +330,8 @@ static void a_singular_matrix_is_neither_encoded_nor_decoded(void)
     }
 }
 
-/* A verdict that there is not (the fifth is weak, in version 1 the second), or that the weak parameters do not bear out; a parameter that there
- * is not, a temperature that is not known and yet stated: encoded or decoded, of either version. */
+/* A verdict that there is not (the fifth is weak), or that the weak parameters do not bear out; a
+ * parameter that there is not, a temperature that is not known and yet stated. */
 static void a_record_that_contradicts_itself_is_neither_encoded_nor_decoded(void)
 {
     for (unsigned k = 0; k < 3 * 16 * 16 * 8; k += SLOW(1, 7)) {
@@ -403,28 +341,23 @@ static void a_record_that_contradicts_itself_is_neither_encoded_nor_decoded(void
         const uint8_t known = (uint8_t)(k / 2048);
         const int others_are = weak < 512 && from_prior < 512 && known == 1;
         const int is_good = verdict <= 5 && (verdict == 5) == (weak > 0) && others_are;
-        const int was_good = verdict <= 2 && (verdict == 2) == (weak > 0) && others_are;
         invcal_record r = golden_record();
-        uint8_t bytes[sizeof golden_1];
+        uint8_t bytes[SIZE];
         r.verdict = verdict;
         r.weak = (uint16_t)weak;
         r.from_prior = (uint16_t)from_prior;
         r.temperature_known = known;
         TEST_ASSERT_EQUAL_INT(is_good ? INVCAL_OK : INVCAL_DAMAGED,
                               invcal_record_encode(&r, bytes));
-        for (unsigned version = 1; version <= 2; version++) {
-            const uint32_t size = version == 1 ? sizeof golden_1 : SIZE;
-            memcpy(bytes, version == 1 ? golden_1 : golden, size);
-            bytes[18] = (uint8_t)(weak & 0xFF);
-            bytes[19] = (uint8_t)(weak >> 8);
-            bytes[20] = (uint8_t)(from_prior & 0xFF);
-            bytes[21] = (uint8_t)(from_prior >> 8);
-            bytes[22] = verdict;
-            bytes[23] = known;
-            seal_bytes(bytes, size - 4);
-            TEST_ASSERT_EQUAL_INT(version == 1 ? was_good : is_good,
-                                  !is_refused(INVCAL_DAMAGED, bytes, size));
-        }
+        memcpy(bytes, golden, SIZE);
+        bytes[18] = (uint8_t)(weak & 0xFF);
+        bytes[19] = (uint8_t)(weak >> 8);
+        bytes[20] = (uint8_t)(from_prior & 0xFF);
+        bytes[21] = (uint8_t)(from_prior >> 8);
+        bytes[22] = verdict;
+        bytes[23] = known;
+        seal_bytes(bytes, SIZE - 4);
+        TEST_ASSERT_EQUAL_INT(is_good, !is_refused(INVCAL_DAMAGED, bytes, SIZE));
     }
 }
 
@@ -561,17 +494,15 @@ static void a_sound_record_of_another_kind_or_version_is_named_so(void)
             for (unsigned value = 0; value < 256; value++) {
                 uint8_t bytes[SIZE + MARGIN] = {0};
                 const uint16_t length = lengths[k];
-                memcpy(bytes, golden_1, sizeof golden_1);
-                bytes[1] = 2;
+                memcpy(bytes, golden, SIZE);
                 bytes[at] = (uint8_t)value;
                 bytes[2] = (uint8_t)(length & 0xFF);
                 bytes[3] = (uint8_t)(length >> 8);
                 seal_bytes(bytes, length - 4u);
-                if (at == 0 ? value != golden[0] : value < 1 || value > 2) {
+                if (value != golden[at]) {
                     TEST_ASSERT_TRUE(is_refused(INVCAL_OTHER_VERSION, bytes, length));
                     TEST_ASSERT_TRUE(is_refused(INVCAL_OTHER_VERSION, bytes, sizeof bytes));
-                } else if (length !=
-                           (bytes[1] == 1 ? sizeof golden_1 : SIZE)) { /* it has but one */
+                } else if (length != SIZE) { /* it has but one */
                     TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, sizeof bytes));
                 }
                 TEST_ASSERT_TRUE(is_refused(INVCAL_DAMAGED, bytes, length - 1u));
@@ -583,7 +514,7 @@ static void a_sound_record_of_another_kind_or_version_is_named_so(void)
 static void a_length_shorter_than_any_record_is_refused(void)
 {
     for (uint8_t length = 0; length < 8; length++) {
-        uint8_t bytes[8] = {0xCA, 1, 0, 0, 0, 0, 0, 0};
+        uint8_t bytes[8] = {0xCA, 2, 0, 0, 0, 0, 0, 0};
         bytes[2] = length;
         if (length >= 4) {
             seal_bytes(bytes, length - 4u);
@@ -622,32 +553,12 @@ static int memory_program(void *context, unsigned slot, uint32_t offset, const u
 
 static const invcal_store store = {memory_read, memory_erase, memory_program, NULL, SLOT, 8};
 
-static void blank(invcal_calibration *calibration)
-{
-    memset(calibration, 0x5A, sizeof *calibration);
-}
-
-/* What fails leaves it blank. */
-static int is_as_expected(invcal_status expected, invcal_status status,
-                          const invcal_calibration *calibration)
-{
-    invcal_calibration before;
-
-    blank(&before);
-    return status == expected &&
-           (expected == INVCAL_OK || memcmp(&before, calibration, sizeof before) == 0);
-}
-
 static int is_loaded(invcal_status expected, invcal_calibration *calibration)
 {
-    blank(calibration);
-    return is_as_expected(expected, invcal_load(calibration, &store), calibration);
-}
-
-static int is_loaded_v1(invcal_status expected, invcal_calibration *calibration)
-{
-    blank(calibration);
-    return is_as_expected(expected, invcal_load_v1(&store, calibration), calibration);
+    memset(calibration, 0x5A, sizeof *calibration);
+    memset(before, 0x5A, sizeof before);
+    return invcal_load(calibration, &store) == expected &&
+           (expected == INVCAL_OK || memcmp(before, calibration, sizeof before) == 0);
 }
 
 /* The golden calibration, and a possible quality. */
@@ -667,7 +578,7 @@ static void a_calibration_that_was_saved_is_loaded_and_so_is_its_record(void)
     invcal_record expected = golden_record();
     invcal_calibration c;
     invcal_record r;
-    uint8_t bytes[INVCAL_RECORD_SIZE_V1];
+    uint8_t bytes[SIZE];
     uint32_t size = 0;
 
     memset(memory, 0xFF, sizeof memory);
@@ -713,7 +624,7 @@ static void what_is_saved_is_the_record_that_init_makes(void)
 
 static void a_failure_of_either_side_is_reported_and_changes_nothing(void)
 {
-    static const uint8_t other[INVCAL_RECORD_SIZE_V1 + 1] = {1};
+    uint8_t other[SIZE + 1] = {0};
     invcal_calibration c;
     uint8_t before[sizeof memory];
 
@@ -728,27 +639,13 @@ static void a_failure_of_either_side_is_reported_and_changes_nothing(void)
     TEST_ASSERT_TRUE(is_loaded(INVCAL_OK, &c));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, golden, 20)); /* part of one */
     TEST_ASSERT_TRUE(is_loaded(INVCAL_DAMAGED, &c));
+    memcpy(other, golden, SIZE);
+    other[1] = 1;
+    seal_bytes(other, SIZE - 4);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, other, SIZE));
+    TEST_ASSERT_TRUE(is_loaded(INVCAL_OTHER_VERSION, &c));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, other, sizeof other));
     TEST_ASSERT_TRUE(is_loaded(INVCAL_NO_SPACE, &c));
-    TEST_ASSERT_TRUE(is_loaded_v1(INVCAL_NO_SPACE, &c));
-}
-
-static void what_0_1_0_saved_is_loaded_by_its_own_function(void)
-{
-    invcal_calibration c;
-    invcal_record r;
-
-    memset(memory, 0xFF, sizeof memory);
-    TEST_ASSERT_TRUE(is_loaded_v1(INVCAL_NO_RECORD, &c));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, golden_1, sizeof golden_1));
-    TEST_ASSERT_TRUE(is_loaded(INVCAL_NO_SPACE, &c)); /* it is larger */
-    TEST_ASSERT_TRUE(is_loaded_v1(INVCAL_OK, &c));
-    assert_decodes(golden_1, sizeof golden_1, &r);
-    TEST_ASSERT_EQUAL_MEMORY(&r.calibration, &c, sizeof c);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, golden_1, 20));
-    TEST_ASSERT_TRUE(is_loaded_v1(INVCAL_DAMAGED, &c));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, save_golden(INVCAL_GOOD));
-    TEST_ASSERT_TRUE(is_loaded_v1(INVCAL_OTHER_VERSION, &c));
 }
 
 int main(void)
@@ -759,9 +656,6 @@ int main(void)
     RUN_TEST(a_record_comes_back_as_it_was);
     RUN_TEST(reals_at_the_limits_of_float_come_back);
     RUN_TEST(a_new_record_holds_what_is_known_and_marks_the_rest_as_unknown);
-    RUN_TEST(a_record_of_version_1_is_read_over_field);
-    RUN_TEST(an_invalid_field_of_version_1_is_refused);
-    RUN_TEST(each_version_has_its_function);
     RUN_TEST(bytes_after_a_record_are_ignored);
     RUN_TEST(a_number_that_is_not_finite_is_neither_encoded_nor_decoded);
     RUN_TEST(a_number_beyond_float_is_not_encoded);
@@ -778,6 +672,5 @@ int main(void)
     RUN_TEST(a_calibration_that_was_saved_is_loaded_and_so_is_its_record);
     RUN_TEST(what_is_saved_is_the_record_that_init_makes);
     RUN_TEST(a_failure_of_either_side_is_reported_and_changes_nothing);
-    RUN_TEST(what_0_1_0_saved_is_loaded_by_its_own_function);
     return UNITY_END() != 0;
 }

@@ -21,7 +21,6 @@ enum {
     DEGREE = 2, /* the highest one */
     SIZE = INVCAL_THERMAL_RECORD_SIZE,
     FLAT = INVCAL_THERMAL_RECORD_BYTES(0), /* of degree 0 */
-    OLD = FLAT + 48,                       /* the same of version 1 */
     MARGIN = 16,
     RECORD_AT = 4,
     DEGREE_AT = 140,
@@ -60,29 +59,6 @@ static const uint8_t golden[FLAT] = {
     0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
     0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
     0x00, 0x00, 0x00, 0x00, 0xAC, 0xDD, 0x4F, 0xAF,
-};
-
-/* The same numbers as 0.1.0 encoded them, in m/s^2: 0xCA, 1, 184 and 0xCB, 1, 296. */
-static const uint8_t golden_of_version_1[OLD] = {
-    0xCB, 0x01, 0x28, 0x01, 0xCA, 0x01, 0xB8, 0x00, 0x53, 0x4E, 0x2D, 0x30, 0x30, 0x30, 0x34, 0x32,
-    0x0F, 0x21, 0x43, 0x65, 0x36, 0x00, 0x01, 0x01, 0x82, 0x00, 0x02, 0x01, 0x00, 0x00, 0x1D, 0x41,
-    0x00, 0x00, 0x00, 0x3B, 0x00, 0x00, 0xC8, 0x41, 0x00, 0x00, 0x80, 0x3A, 0x00, 0x00, 0x80, 0x39,
-    0x00, 0x00, 0x04, 0x41, 0x80, 0x63, 0x01, 0x47, 0x40, 0xFC, 0x01, 0xC7, 0x80, 0xD1, 0xFC, 0x46,
-    0x0A, 0xD7, 0x23, 0x3B, 0x82, 0xA8, 0x7B, 0x37, 0xAC, 0xC5, 0x27, 0xB6, 0xAC, 0xC5, 0x27, 0xB7,
-    0x8F, 0xC2, 0x75, 0x3B, 0x9C, 0x53, 0x49, 0x36, 0xBD, 0x37, 0x86, 0x36, 0xAC, 0xC5, 0xA7, 0xB6,
-    0x0A, 0xD7, 0xA3, 0xBB, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
-    0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
-    0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x80, 0x3E, 0x00, 0x00, 0x00, 0x3F,
-    0x00, 0x00, 0x40, 0x3F, 0x17, 0xB7, 0xD1, 0x38, 0x17, 0xB7, 0x51, 0x39, 0x52, 0x49, 0x9D, 0x39,
-    0x17, 0xB7, 0xD1, 0x39, 0x6F, 0x12, 0x03, 0x3A, 0x52, 0x49, 0x1D, 0x3A, 0x34, 0x80, 0x37, 0x3A,
-    0x17, 0xB7, 0x51, 0x3A, 0xFA, 0xED, 0x6B, 0x3A, 0x5B, 0xF3, 0x8F, 0x6F, 0x00, 0x00, 0x01, 0x00,
-    0x00, 0x00, 0xC8, 0x41, 0x00, 0x00, 0x34, 0x42, 0x00, 0x00, 0xA4, 0xC1, 0x00, 0x80, 0x8C, 0x42,
-    0x80, 0x63, 0x01, 0x47, 0x40, 0xFC, 0x01, 0xC7, 0x80, 0xD1, 0xFC, 0x46, 0x0A, 0xD7, 0x23, 0x3B,
-    0x82, 0xA8, 0x7B, 0x37, 0xAC, 0xC5, 0x27, 0xB6, 0xAC, 0xC5, 0x27, 0xB7, 0x8F, 0xC2, 0x75, 0x3B,
-    0x9C, 0x53, 0x49, 0x36, 0xBD, 0x37, 0x86, 0x36, 0xAC, 0xC5, 0xA7, 0xB6, 0x0A, 0xD7, 0xA3, 0xBB,
-    0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
-    0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
-    0x00, 0x00, 0x00, 0x00, 0xC7, 0xB0, 0x7B, 0xA8,
 };
 
 static void take_three(invcal_real to[3], double a, double b, double c)
@@ -186,19 +162,12 @@ static void assert_not_encoded(invcal_status expected, const invcal_thermal_reco
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, bytes + SIZE, MARGIN);
 }
 
-/* Like a program that may find either version. */
-static invcal_status decode(const uint8_t *bytes, uint32_t size, invcal_thermal_record *out)
-{
-    return size >= 2 && bytes[1] == 1 ? invcal_thermal_record_decode_v1(bytes, size, out)
-                                      : invcal_thermal_record_decode(bytes, size, out);
-}
-
 static void assert_refused(invcal_status expected, const uint8_t *bytes, uint32_t size)
 {
     static invcal_thermal_record out;
 
     memset(&out, 0x5A, sizeof out);
-    TEST_ASSERT_EQUAL_INT(expected, decode(bytes, size, &out));
+    TEST_ASSERT_EQUAL_INT(expected, invcal_thermal_record_decode(bytes, size, &out));
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &out, sizeof out);
 }
 
@@ -267,58 +236,9 @@ static void the_bytes_of_the_table_give_the_record(void)
     TEST_ASSERT_EQUAL_UINT(0, r.is_triangular);
 }
 
-/* The same numbers, but matrices in m/s^2: over field they are 1 / 9.8125 of it. */
-static void the_bytes_of_version_1_give_the_record_over_field(void)
-{
-    const invcal_real field = INVCAL_REAL(9.8125);
-    invcal_thermal_record now;
-    invcal_thermal_record r;
-    uint8_t bytes[OLD + MARGIN] = {0};
-
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_record_decode(golden, FLAT, &now));
-    memcpy(bytes, golden_of_version_1, OLD);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, decode(bytes, sizeof bytes, &r));
-    assert_equal_judgements(&now.record, &r.record);
-    for (unsigned i = 0; i < 3; i++) {
-        for (unsigned k = 0; k < 3; k++) {
-            const invcal_real over_field = now.thermal.nominal.matrix[i][k] / field;
-            TEST_ASSERT_TRUE(r.thermal.nominal.matrix[i][k] == over_field);
-            TEST_ASSERT_TRUE(r.record.calibration.matrix[i][k] == over_field);
-        }
-    }
-    memcpy(r.thermal.nominal.matrix, now.thermal.nominal.matrix, sizeof r.thermal.nominal.matrix);
-    assert_equal_thermals(&now.thermal, &r.thermal);
-    TEST_ASSERT_EQUAL_UINT(0, r.is_triangular);
-}
-
-static void each_version_has_its_function(void)
-{
-    invcal_thermal_record r;
-    uint8_t bytes[OLD];
-
-    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION,
-                          invcal_thermal_record_decode(golden_of_version_1, OLD, &r));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_VERSION, invcal_thermal_record_decode_v1(golden, FLAT, &r));
-    memcpy(bytes, golden_of_version_1, OLD);
-    bytes[OLD - 5] ^= 1; /* a coefficient */
-    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_decode_v1(bytes, OLD, &r));
-    memcpy(bytes, golden_of_version_1, OLD);
-    bytes[DEGREE_AT + 48] = 1; /* which has another length */
-    seal_bytes(bytes, OLD - 4);
-    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_decode_v1(bytes, OLD, &r));
-    memcpy(bytes, golden_of_version_1, OLD);
-    bytes[DEGREE_AT + 48 + 2] = 4; /* no reason for a lower degree */
-    seal_bytes(bytes, OLD - 4);
-    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_decode_v1(bytes, OLD, &r));
-    memcpy(bytes, golden_of_version_1, OLD);
-    bytes[RECORD_AT + 20] ^= 1; /* of the record within */
-    seal_bytes(bytes, OLD - 4);
-    TEST_ASSERT_EQUAL_INT(INVCAL_DAMAGED, invcal_thermal_record_decode_v1(bytes, OLD, &r));
-}
-
-/* 0.1.0 turned calibrations to the triangular frame if asked: what holds at the reference differs
- * from what invcal_thermal_at gives by that, and no lengths do. */
-static void a_triangular_record_of_version_1_is_read_and_kept(void)
+/* Turned to the triangular frame, what holds at the reference differs from what invcal_thermal_at
+ * gives, but no length does. */
+static void a_triangular_record_is_read_and_kept(void)
 {
     random_source random = random_start(6);
     invcal_thermal_record r = random_record(&random);
@@ -561,8 +481,8 @@ static void what_is_never_encoded_is_not_decoded(void)
     }
 }
 
-/* Whose record is it? 0.1.0 did not check: a device that knows its temperature read one
- * calibration, and one that does not another. */
+/* Whose record is it? A device that knows its temperature would read one calibration, and one that
+ * does not another. */
 static void a_record_of_another_calibration_is_refused(void)
 {
     random_source random = random_start(7);
@@ -621,34 +541,15 @@ static void a_damaged_part_is_damage(void)
     assert_refused(INVCAL_DAMAGED, bytes, FLAT);
 }
 
-/* A record of version 1 within version 2, or vice versa, has another size. */
-static void versions_are_not_mixed(void)
-{
-    uint8_t bytes[OLD];
-
-    memcpy(bytes, golden_of_version_1, OLD);
-    bytes[1] = 2;
-    seal_bytes(bytes, OLD - 4);
-    assert_refused(INVCAL_DAMAGED, bytes, OLD);
-    memcpy(bytes, golden, FLAT);
-    bytes[1] = 1;
-    seal_bytes(bytes, FLAT - 4);
-    assert_refused(INVCAL_DAMAGED, bytes, FLAT);
-}
-
 static void a_sound_record_that_is_too_short_is_damaged(void)
 {
-    uint8_t bytes[OLD];
+    uint8_t bytes[FLAT];
 
-    for (unsigned version = 1; version <= 2; version++) {
-        const unsigned size = version == 1 ? OLD : FLAT;
-        for (unsigned length = 8; length < size; length++) {
-            memcpy(bytes, version == 1 ? golden_of_version_1 : golden, size);
-            bytes[2] = (uint8_t)(length & 0xFFu);
-            bytes[3] = (uint8_t)(length >> 8);
-            seal_bytes(bytes, length - 4);
-            assert_refused(INVCAL_DAMAGED, bytes, length);
-        }
+    for (unsigned length = 8; length < FLAT; length++) {
+        memcpy(bytes, golden, FLAT);
+        bytes[2] = (uint8_t)length;
+        seal_bytes(bytes, length - 4);
+        assert_refused(INVCAL_DAMAGED, bytes, length);
     }
 }
 
@@ -662,12 +563,13 @@ static void another_kind_version_or_a_higher_degree_is_named(void)
     seal_bytes(bytes, FLAT - 4);
     assert_refused(INVCAL_OTHER_VERSION, bytes, FLAT);
     bytes[0] = 0xCB;
-    bytes[1] = 3;
-    seal_bytes(bytes, FLAT - 4);
-    assert_refused(INVCAL_OTHER_VERSION, bytes, FLAT);
-    bytes[1] = 0;
-    seal_bytes(bytes, FLAT - 4);
-    assert_refused(INVCAL_OTHER_VERSION, bytes, FLAT);
+    for (unsigned version = 0; version < 256; version++) {
+        bytes[1] = (uint8_t)version;
+        seal_bytes(bytes, FLAT - 4);
+        if (version != golden[1]) {
+            assert_refused(INVCAL_OTHER_VERSION, bytes, FLAT);
+        }
+    }
     bytes[1] = 2;
     bytes[2] = (uint8_t)(HIGHER & 0xFFu);
     bytes[3] = (uint8_t)(HIGHER >> 8);
@@ -698,9 +600,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(a_record_has_the_bytes_of_the_table);
     RUN_TEST(the_bytes_of_the_table_give_the_record);
-    RUN_TEST(the_bytes_of_version_1_give_the_record_over_field);
-    RUN_TEST(each_version_has_its_function);
-    RUN_TEST(a_triangular_record_of_version_1_is_read_and_kept);
+    RUN_TEST(a_triangular_record_is_read_and_kept);
     RUN_TEST(the_coefficients_of_every_power_are_where_the_table_says);
     RUN_TEST(a_record_comes_back_as_it_was);
     RUN_TEST(a_record_of_every_degree_comes_back);
@@ -714,7 +614,6 @@ int main(void)
     RUN_TEST(a_record_of_another_calibration_is_refused);
     RUN_TEST(a_calibration_without_inverse_is_refused);
     RUN_TEST(a_damaged_part_is_damage);
-    RUN_TEST(versions_are_not_mixed);
     RUN_TEST(a_sound_record_that_is_too_short_is_damaged);
     RUN_TEST(another_kind_version_or_a_higher_degree_is_named);
     RUN_TEST(any_wrong_bit_is_damage);

@@ -337,17 +337,7 @@ static const uint8_t store_0_2_0[] = {0x5c, 0x01, 0x88, 0x00, 0x00, 0x00, 0x00, 
     0x00, 0x00, 0x00, 0x00, 0x00, 0x00};
 
 static const stored_record records[] = {
-    {"record of 0.1.0", record_0_1_0, sizeof record_0_1_0, {.sensor = {17, 34, 51, 68, 85, 102, 119,
-    136}, .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385, .verdict = 2,
-    .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024),
-    .temperature = FLOAT(-12.5), .noise = FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05),
-    .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75), FLOAT(33275.125),
-    FLOAT(32364.5)}, .matrix = {{FLOAT(0.000245481505), FLOAT(-4.20170637e-07),
-    FLOAT(-1.12045503e-06)}, {FLOAT(-4.26791484e-07), FLOAT(0.000246500109),
-    FLOAT(-2.62797633e-06)}, {FLOAT(-1.13064097e-06), FLOAT(-2.6177903e-06),
-    FLOAT(0.000247518712)}}}, .sigma = {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05),
-    FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999), FLOAT(0.000107),
-    FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}},
+    {"record of 0.1.0", record_0_1_0, sizeof record_0_1_0, {.date = 0}},
     {"record of 0.2.0", record_0_2_0, sizeof record_0_2_0, {.sensor = {17, 34, 51, 68, 85, 102, 119,
     136}, .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385, .verdict = 5,
     .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024),
@@ -374,68 +364,11 @@ static const stored_record records[] = {
 
 static const stored_thermal thermals[] = {
     {"thermal_record_0 of 0.1.0", thermal_record_0_0_1_0, sizeof thermal_record_0_0_1_0, {.record =
-    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
-    322, .from_prior = 385, .verdict = 2, .temperature_known = 1, .field = FLOAT(9.81744003),
-    .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(-12.5), .noise =
-    FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
-    {.offset = {FLOAT(32772.582), FLOAT(32775.1094), FLOAT(32778.1094)}, .matrix =
-    {{FLOAT(0.000243497565), FLOAT(-1.64787069e-06), FLOAT(-1.97420244e-06)},
-    {FLOAT(1.03433745e-07), FLOAT(0.00025298165), FLOAT(-2.24627174e-06)}, {FLOAT(1.07325222e-07),
-    FLOAT(1.08337739e-07), FLOAT(0.000262440597)}}}, .sigma = {FLOAT(7.59999966e-05),
-    FLOAT(7.89999976e-05), FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999),
-    FLOAT(0.000107), FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}, .thermal
-    = {.degree = 0, .fitted = 0, .fallback = 0, .reference = FLOAT(22.5), .span = FLOAT(47.25), .min
-    = FLOAT(-20.75), .max = FLOAT(69.5), .nominal = {.offset = {FLOAT(32768.5), FLOAT(32767.25),
-    FLOAT(32766.75)}, .matrix = {{FLOAT(0.000244462926), FLOAT(1.02878144e-07),
-    FLOAT(1.0389674e-07)}, {FLOAT(1.04915336e-07), FLOAT(0.000254241422), FLOAT(1.06952517e-07)},
-    {FLOAT(1.07971113e-07), FLOAT(1.08989721e-07), FLOAT(0.000264019966)}}}}, .is_triangular = 1, .x
-    = {{FLOAT(0.00100000005), FLOAT(0.00200000009), FLOAT(0.00300000003), FLOAT(0.00400000019),
-    FLOAT(0.00500000035), FLOAT(0.00600000005), FLOAT(0.00700000022), FLOAT(0.00800000038),
-    FLOAT(0.00900000054)}}}},
+    {.date = 0}}},
     {"thermal_record_1 of 0.1.0", thermal_record_1_0_1_0, sizeof thermal_record_1_0_1_0, {.record =
-    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
-    322, .from_prior = 385, .verdict = 2, .temperature_known = 1, .field = FLOAT(9.81744003),
-    .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(-12.5), .noise =
-    FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
-    {.offset = {FLOAT(32772.582), FLOAT(32775.1094), FLOAT(32778.1094)}, .matrix =
-    {{FLOAT(0.000243497565), FLOAT(-1.64787069e-06), FLOAT(-1.97420244e-06)},
-    {FLOAT(1.03433745e-07), FLOAT(0.00025298165), FLOAT(-2.24627174e-06)}, {FLOAT(1.07325222e-07),
-    FLOAT(1.08337739e-07), FLOAT(0.000262440597)}}}, .sigma = {FLOAT(7.59999966e-05),
-    FLOAT(7.89999976e-05), FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999),
-    FLOAT(0.000107), FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}, .thermal
-    = {.degree = 1, .fitted = 0, .fallback = 2, .reference = FLOAT(22.5), .span = FLOAT(47.25), .min
-    = FLOAT(-20.75), .max = FLOAT(69.5), .nominal = {.offset = {FLOAT(32768.5), FLOAT(32767.25),
-    FLOAT(32766.75)}, .matrix = {{FLOAT(0.000244462926), FLOAT(1.02878144e-07),
-    FLOAT(1.0389674e-07)}, {FLOAT(1.04915336e-07), FLOAT(0.000254241422), FLOAT(1.06952517e-07)},
-    {FLOAT(1.07971113e-07), FLOAT(1.08989721e-07), FLOAT(0.000264019966)}}}}, .is_triangular = 1, .x
-    = {{FLOAT(0.00100000005), FLOAT(0.00200000009), FLOAT(0.00300000003), FLOAT(0.00400000019),
-    FLOAT(0.00500000035), FLOAT(0.00600000005), FLOAT(0.00700000022), FLOAT(0.00800000038),
-    FLOAT(0.00900000054)}, {FLOAT(0.00109999999), FLOAT(0.00210000016), FLOAT(0.00310000009),
-    FLOAT(0.00410000002), FLOAT(0.00510000018), FLOAT(0.00609999988), FLOAT(0.00710000005),
-    FLOAT(0.00810000021), FLOAT(0.00910000037)}}}},
+    {.date = 0}}},
     {"thermal_record_2 of 0.1.0", thermal_record_2_0_1_0, sizeof thermal_record_2_0_1_0, {.record =
-    {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
-    322, .from_prior = 385, .verdict = 2, .temperature_known = 1, .field = FLOAT(9.81744003),
-    .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(-12.5), .noise =
-    FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
-    {.offset = {FLOAT(32772.582), FLOAT(32775.1094), FLOAT(32778.1094)}, .matrix =
-    {{FLOAT(0.000243497565), FLOAT(-1.64787069e-06), FLOAT(-1.97420244e-06)},
-    {FLOAT(1.03433745e-07), FLOAT(0.00025298165), FLOAT(-2.24627174e-06)}, {FLOAT(1.07325222e-07),
-    FLOAT(1.08337739e-07), FLOAT(0.000262440597)}}}, .sigma = {FLOAT(7.59999966e-05),
-    FLOAT(7.89999976e-05), FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999),
-    FLOAT(0.000107), FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}, .thermal
-    = {.degree = 2, .fitted = 2, .fallback = 0, .reference = FLOAT(22.5), .span = FLOAT(47.25), .min
-    = FLOAT(-20.75), .max = FLOAT(69.5), .nominal = {.offset = {FLOAT(32768.5), FLOAT(32767.25),
-    FLOAT(32766.75)}, .matrix = {{FLOAT(0.000244462926), FLOAT(1.02878144e-07),
-    FLOAT(1.0389674e-07)}, {FLOAT(1.04915336e-07), FLOAT(0.000254241422), FLOAT(1.06952517e-07)},
-    {FLOAT(1.07971113e-07), FLOAT(1.08989721e-07), FLOAT(0.000264019966)}}}}, .is_triangular = 1, .x
-    = {{FLOAT(0.00100000005), FLOAT(0.00200000009), FLOAT(0.00300000003), FLOAT(0.00400000019),
-    FLOAT(0.00500000035), FLOAT(0.00600000005), FLOAT(0.00700000022), FLOAT(0.00800000038),
-    FLOAT(0.00900000054)}, {FLOAT(0.00109999999), FLOAT(0.00210000016), FLOAT(0.00310000009),
-    FLOAT(0.00410000002), FLOAT(0.00510000018), FLOAT(0.00609999988), FLOAT(0.00710000005),
-    FLOAT(0.00810000021), FLOAT(0.00910000037)}, {FLOAT(0.00120000006), FLOAT(0.00219999999),
-    FLOAT(0.00319999992), FLOAT(0.00420000032), FLOAT(0.00520000048), FLOAT(0.00620000018),
-    FLOAT(0.00720000034), FLOAT(0.00820000004), FLOAT(0.0092000002)}}}},
+    {.date = 0}}},
     {"thermal_record_0 of 0.2.0", thermal_record_0_0_2_0, sizeof thermal_record_0_0_2_0, {.record =
     {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
     322, .from_prior = 385, .verdict = 5, .temperature_known = 1, .field = FLOAT(9.81744003),
@@ -539,17 +472,7 @@ static const stored_session sessions[] = {
 };
 
 static const stored_flash flashes[] = {
-    {"store of 0.1.0", store_0_1_0, sizeof store_0_1_0, {.sensor = {17, 34, 51, 68, 85, 102, 119, 136},
-    .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385, .verdict = 2,
-    .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024),
-    .temperature = FLOAT(-12.5), .noise = FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05),
-    .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75), FLOAT(33275.125),
-    FLOAT(32364.5)}, .matrix = {{FLOAT(0.000245481505), FLOAT(-4.20170637e-07),
-    FLOAT(-1.12045503e-06)}, {FLOAT(-4.26791484e-07), FLOAT(0.000246500109),
-    FLOAT(-2.62797633e-06)}, {FLOAT(-1.13064097e-06), FLOAT(-2.6177903e-06),
-    FLOAT(0.000247518712)}}}, .sigma = {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05),
-    FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999), FLOAT(0.000107),
-    FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}},
+    {"store of 0.1.0", store_0_1_0, sizeof store_0_1_0, {.date = 0}},
     {"store of 0.2.0", store_0_2_0, sizeof store_0_2_0, {.sensor = {17, 34, 51, 68, 85, 102, 119, 136},
     .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385, .verdict = 5,
     .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What stands in the bytes that released versions wrote, read by the tables of their headers (0.1.0:
-record.h, thermal_record.h, resume.h, store.h; since then store.h, thermal.h and gyro.h), apart from the library.
+"""What stands in the bytes that released versions wrote, read by the tables of their headers (store.h,
+thermal.h and gyro.h), apart from the library. Records and sessions of version 1, of 0.1.0, are not read any more.
 
     cd tests/reference/releases && python3 values.py > values.h
 """
@@ -14,8 +14,8 @@ class Reader:
     """Takes numbers from bytes, the least significant byte first."""
 
     def __init__(self, data, kind):
-        self.version, size = data[1], struct.unpack_from("<H", data, 2)[0]
-        assert data[0] == kind and self.version in (1, 2), "kind and version"
+        size = struct.unpack_from("<H", data, 2)[0]
+        assert data[0] == kind and data[1] == (1 if kind == 0xCC else 2), "kind and version"
         assert size <= len(data), "length"
         assert zlib.crc32(data[:size - 4]) == struct.unpack_from("<I", data, size - 4)[0], "CRC"
         self.data, self.size, self.at = data, size, 4
@@ -52,36 +52,40 @@ def rows(numbers):
 
 # ---- the formats ----------------------------------------------------------------------------------
 
-def calibration(r, field=1):
-    """What was in the unit of its field, as in version 1 of records."""
+REFUSED = {"date": 0}  # no value matters
+
+
+def calibration(r):
     offset, matrix = r.take("f", 3), r.take("f", 9)
-    return {"offset": offset, "matrix": rows([x / field for x in matrix])}
+    return {"offset": offset, "matrix": rows(matrix)}
 
 
 def record(data):
+    if data[1] == 1:
+        return REFUSED
     r = Reader(data, 0xCA)
     out = {"sensor": r.take("B", 8), "date": r.take("I"), "positions": r.take("H"),
            "weak": r.take("H"), "from_prior": r.take("H"), "verdict": r.take("B"),
            "temperature_known": r.take("B")}
     for name in ("field", "field_sigma", "temperature", "noise", "rms", "condition"):
         out[name] = r.take("f")
-    out["calibration"] = calibration(r, out["field"] if r.version == 1 else 1)
-    if r.version == 1:
-        r.take("f", 12) # delta, dk, gamma, sigma_offset: the calibration and sigma tell
+    out["calibration"] = calibration(r)
     out["sigma"] = r.take("f", 9)
     r.end()
     return out
 
 
 def thermal_record(data):
+    if data[1] == 1:
+        return {"record": REFUSED}
     r = Reader(data, 0xCB)
-    inner = record(data[4:4 + struct.unpack_from("<H", data, 6)[0]])
-    r.at = 4 + struct.unpack_from("<H", data, 6)[0]
+    inner = record(data[4:140])
+    r.at = 140
     out = {name: r.take("B") for name in ("degree", "fitted", "fallback")}
     triangular = r.take("B")
     for name in ("reference", "span", "min", "max"):
         out[name] = r.take("f")
-    out["nominal"] = calibration(r, inner["field"] if r.version == 1 else 1)
+    out["nominal"] = calibration(r)
     x = [r.take("f", 9) for _ in range(out["degree"] + 1)]
     r.end()
     return {"record": inner, "thermal": out, "is_triangular": triangular, "x": x}
