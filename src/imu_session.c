@@ -101,16 +101,20 @@ uint32_t invcal_imu_session_size(const invcal_imu_session *both)
 invcal_status invcal_imu_session_resume(invcal_imu_session *both, const uint8_t *bytes,
                                         uint32_t size)
 {
+    invcal_status status = INVCAL_OK;
     settings begun;
 
     INVCAL_ASSERT(both && bytes);
     if (!is_begun(both)) {
         return INVCAL_NOT_BEGUN;
     }
-    const int fits = size <= INVCAL_IMU_SESSION_SIZE;
+    if (size > INVCAL_IMU_SESSION_SIZE) {
+        status = INVCAL_NO_SPACE;
+        size = 0;
+    }
     remember(both, &begun);
-    invcal_copy((uint8_t *)both + INVCAL_IMU_SESSION_FROM, bytes, fits ? size : 0);
-    return take(both, &begun, fits ? INVCAL_OK : INVCAL_NO_SPACE, size);
+    invcal_copy((uint8_t *)both + INVCAL_IMU_SESSION_FROM, bytes, size);
+    return take(both, &begun, status, size);
 }
 
 /* ---- in a memory ----------------------------------------------------------------------------- */

@@ -120,16 +120,20 @@ invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
 
 invcal_status invcal_session_resume(invcal_session *session, const uint8_t *bytes, uint32_t size)
 {
+    invcal_status status = INVCAL_OK;
     uint8_t begun[HEAD];
 
     INVCAL_ASSERT(session && bytes);
     if (!invcal_session_is_begun(session)) {
         return INVCAL_NOT_BEGUN;
     }
-    const int fits = size <= INVCAL_SESSION_SIZE;
+    if (size > INVCAL_SESSION_SIZE) {
+        status = INVCAL_NO_SPACE;
+        size = 0;
+    }
     invcal_copy(begun, session, HEAD);
-    invcal_copy(session, bytes, fits ? size : 0);
-    return invcal_session_take(session, begun, fits ? INVCAL_OK : INVCAL_NO_SPACE, size);
+    invcal_copy(session, bytes, size);
+    return invcal_session_take(session, begun, status, size);
 }
 
 /* ---- samples --------------------------------------------------------------------------------- */

@@ -24,10 +24,12 @@ static inline int invcal_session_is_begun(const invcal_session *session)
 /* Are they the same bytes? */
 static INVCAL_ONCE int invcal_is_same(const uint8_t *a, const uint8_t *b, unsigned size)
 {
-    while (size > 0 && *a++ == *b++) { /* at most INVCAL_SESSION_HEAD times */
-        size--;
+    for (unsigned i = 0; i < size; i++) {
+        if (a[i] != b[i]) {
+            return 0;
+        }
     }
-    return size == 0;
+    return 1;
 }
 
 /* The session was begun, and then its first bytes were loaded: takes over their positions, if they

@@ -65,7 +65,7 @@ static void look_at_thermal(const uint8_t *bytes, uint32_t size)
         require_mark(&r, sizeof r);
         return;
     }
-    REQUIRE(r.thermal.fitted <= r.thermal.degree && r.thermal.degree <= INVCAL_THERMAL_DEGREE);
+    REQUIRE(r.thermal.fitted <= r.thermal.degree && r.thermal.degree < INVCAL_THERMAL_ROWS);
     REQUIRE(r.thermal.fallback <= INVCAL_THERMAL_OPEN && r.is_triangular <= 1);
     REQUIRE(r.thermal.span > 0 && r.thermal.min <= r.thermal.max);
     require_regular(&r.thermal.nominal);

@@ -44,13 +44,6 @@ uint32_t invcal_session_size(const invcal_session *session)
     return BETWEEN(1, INVCAL_SESSION_SIZE);
 }
 
-int invcal_is_same(const uint8_t *a, const uint8_t *b, size_t size)
-{
-    (void)a[size - 1];
-    (void)b[size - 1];
-    return BETWEEN(0, 1);
-}
-
 invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
                                   invcal_status status, uint32_t size)
 {

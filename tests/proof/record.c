@@ -79,7 +79,7 @@ static void read(uint32_t size, unsigned low, unsigned high)
     loaded[0] = size;
     loaded[1] = low;
     loaded[2] = high;
-    (void)invcal_load(&store, &calibration);
+    (void)invcal_load(&calibration, &store);
 }
 
 /* Sizes near the right one, which fits a byte, and lengths of two bytes. */

@@ -5,8 +5,6 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcal_crc32:0 -eva-split-return full
 // stubs: record solve nominal
-// config: -DINVCAL_THERMAL_DEGREE=0
-// config: -DINVCAL_THERMAL_DEGREE=2
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
@@ -98,14 +96,14 @@ static void decode_all(uint32_t size)
 {
     unsigned next = 0;
 
-    for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE; degree++) {
+    for (unsigned degree = 0; degree < INVCAL_THERMAL_ROWS; degree++) {
         const unsigned length = INVCAL_THERMAL_RECORD_BYTES(degree);
         const unsigned exact[4] = {length % 256, length % 256, length / 256, length / 256};
         decode_lengths(size, next, length - 1);
-        for (unsigned stated = 0; stated <= INVCAL_THERMAL_DEGREE; stated++) {
+        for (unsigned stated = 0; stated < INVCAL_THERMAL_ROWS; stated++) {
             decode(size, exact, stated, stated);
         }
-        decode(size, exact, INVCAL_THERMAL_DEGREE + 1, 255);
+        decode(size, exact, INVCAL_THERMAL_ROWS, 255);
         next = length + 1;
     }
     decode_lengths(size, next, 511);
@@ -147,9 +145,9 @@ static void init(void)
 void main(void)
 {
     decode_any();
-    for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE; degree++) {
+    for (unsigned degree = 0; degree < INVCAL_THERMAL_ROWS; degree++) {
         encode(degree, degree);
     }
-    encode(INVCAL_THERMAL_DEGREE + 1, 255);
+    encode(INVCAL_THERMAL_ROWS, 255);
     init();
 }

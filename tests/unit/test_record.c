@@ -555,6 +555,8 @@ static const invcal_store store = {memory_read, memory_erase, memory_program, NU
 
 static int is_loaded(invcal_status expected, invcal_calibration *calibration)
 {
+    uint8_t before[sizeof *calibration];
+
     memset(calibration, 0x5A, sizeof *calibration);
     memset(before, 0x5A, sizeof before);
     return invcal_load(calibration, &store) == expected &&
