@@ -41,9 +41,9 @@ typedef struct {
     int32_t low;
     uint32_t between;
     uint8_t session[INVCAL_SESSION_HEAD];
-} settings;
+} both_settings;
 
-static void remember(const invcal_imu_session *both, settings *begun)
+static void remember(const invcal_imu_session *both, both_settings *begun)
 {
     begun->nominal = both->moves.nominal;
     begun->rate = both->moves.rate;
@@ -52,12 +52,12 @@ static void remember(const invcal_imu_session *both, settings *begun)
     invcal_copy(begun->session, &both->session, sizeof begun->session);
 }
 
-static invcal_status check_moves(const invcal_moves *m, const settings *begun, uint32_t size)
+static invcal_status check_moves(const invcal_moves *m, const both_settings *begun, uint32_t size)
 {
     if (size < OF_MOVES || m->layout != INVCAL_MOVES_LAYOUT ||
         !invcal_is_same((const uint8_t *)&m->nominal, (const uint8_t *)&begun->nominal,
-                        sizeof m->nominal) ||
-        !invcal_is_same((const uint8_t *)&m->rate, (const uint8_t *)&begun->rate, sizeof m->rate)) {
+                        (unsigned)sizeof m->nominal) ||
+        !invcal_is_same((const uint8_t *)&m->rate, (const uint8_t *)&begun->rate, (unsigned)sizeof m->rate)) {
         return INVCAL_OTHER_SETTINGS;
     }
     return m->count > INVCAL_MAX_MOVES || m->first > INVCAL_MAX_SEGMENTS || !are_moves(m) ||
@@ -66,13 +66,13 @@ static invcal_status check_moves(const invcal_moves *m, const settings *begun, u
                : INVCAL_OK;
 }
 
-static int is_begun(const invcal_imu_session *both)
+static int both_are_begun(const invcal_imu_session *both)
 {
     return both->moves.layout == INVCAL_MOVES_LAYOUT && invcal_session_is_begun(&both->session);
 }
 
 /* As invcal_session_take, of both: all is taken over, or nothing. */
-static invcal_status take(invcal_imu_session *both, const settings *begun, invcal_status status,
+static invcal_status take(invcal_imu_session *both, const both_settings *begun, invcal_status status,
                           uint32_t size)
 {
     invcal_moves *m = &both->moves;
@@ -102,10 +102,10 @@ invcal_status invcal_imu_session_resume(invcal_imu_session *both, const uint8_t 
                                         uint32_t size)
 {
     invcal_status status = INVCAL_OK;
-    settings begun;
+    both_settings begun;
 
     INVCAL_ASSERT(both && bytes);
-    if (!is_begun(both)) {
+    if (!both_are_begun(both)) {
         return INVCAL_NOT_BEGUN;
     }
     if (size > INVCAL_IMU_SESSION_SIZE) {
@@ -129,10 +129,10 @@ invcal_status invcal_imu_session_save(const invcal_imu_session *both, const invc
 invcal_status invcal_imu_session_load(invcal_imu_session *both, const invcal_store *store)
 {
     uint32_t size = 0;
-    settings begun;
+    both_settings begun;
 
     INVCAL_ASSERT(both);
-    if (!is_begun(both)) {
+    if (!both_are_begun(both)) {
         return INVCAL_NOT_BEGUN;
     }
     remember(both, &begun);

@@ -17,7 +17,7 @@
 #include "cells.h"
 #include "judge.h"
 #include "solve.h"
-#include "status.h"
+#include "texts.h"
 #include "sums.h"
 #include "vector.h"
 

@@ -328,7 +328,7 @@ void invcal_moves_restart(invcal_moves *m)
 /* ---- public functions ------------------------------------------------------------------------ */
 
 /* Else nothing is fed: it may be shorter than here. */
-static int is_begun(const invcal_moves *moves)
+static int are_begun(const invcal_moves *moves)
 {
     return moves->layout == INVCAL_MOVES_LAYOUT;
 }
@@ -372,7 +372,7 @@ void invcal_moves_feed(invcal_moves *moves, int32_t x, int32_t y, int32_t z)
     invcal_real th[3];
 
     INVCAL_ASSERT(moves);
-    if (!is_begun(moves)) {
+    if (!are_begun(moves)) {
         return;
     }
     invcal_apply(&moves->nominal, (invcal_real)x, (invcal_real)y, (invcal_real)z, th);
@@ -394,7 +394,7 @@ void invcal_moves_feed(invcal_moves *moves, int32_t x, int32_t y, int32_t z)
 void invcal_moves_gap(invcal_moves *moves)
 {
     INVCAL_ASSERT(moves);
-    if (!is_begun(moves)) {
+    if (!are_begun(moves)) {
         return;
     }
     moves->spoilt = INVCAL_MOVE_GAP;
@@ -404,7 +404,7 @@ void invcal_moves_gap(invcal_moves *moves)
 void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_event event)
 {
     INVCAL_ASSERT(moves && rests);
-    if (event == INVCAL_NOTHING || !is_begun(moves)) {
+    if (event == INVCAL_NOTHING || !are_begun(moves)) {
         return;
     }
     close_segment(moves, 1);

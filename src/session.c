@@ -12,7 +12,7 @@
 #include "judge.h"
 #include "session.h"
 #include "solve.h"
-#include "status.h"
+#include "texts.h"
 #include "vector.h"
 
 #define CLOSE INVCAL_REAL(0.9396926) /* cosine of 20 degrees */
@@ -99,12 +99,13 @@ uint32_t invcal_session_size(const invcal_session *session)
 invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
                                   invcal_status status, uint32_t size)
 {
-    const unsigned same = offsetof(invcal_session, layout);
+    const unsigned same = (unsigned)offsetof(invcal_session, layout);
+    const unsigned end = (unsigned)offsetof(invcal_session, noise);
     const uint8_t *loaded = (const uint8_t *)session;
     uint8_t count = 0;
 
     if (status == INVCAL_OK) {
-        if (!invcal_is_same(&loaded[same], &begun[same], offsetof(invcal_session, noise) - same)) {
+        if (!invcal_is_same(&loaded[same], &begun[same], end - same)) {
             status = INVCAL_OTHER_SETTINGS;
         } else if (session->count > INVCAL_MAX_POSITIONS || size != invcal_session_size(session)) {
             status = INVCAL_DAMAGED;

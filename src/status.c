@@ -3,7 +3,7 @@
  * Texts of statuses, parameters and verdicts. Each list is in the order of its enumeration.
  * Why a session refuses a sample is a list of its own, which it links without the others.
  */
-#include "status.h"
+#include "texts.h"
 
 const char *invcal_text(const char *texts, unsigned n)
 {

@@ -6,7 +6,7 @@
 #include "invcal/store.h"
 #include "judge.h"
 #include "session.h"
-#include "status.h"
+#include "texts.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 100 -eva-split-return full
 // stubs: rests judge judged guidance words status

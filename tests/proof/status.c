@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "status.h"
+#include "texts.h"
 
 #include "arbitrary.h"
 

@@ -2,8 +2,8 @@
  *
  * Internal: texts. The sentences for refusals of a session are linked without the others.
  */
-#ifndef INVCAL_STATUS_TEXTS_H
-#define INVCAL_STATUS_TEXTS_H
+#ifndef INVCAL_TEXTS_H
+#define INVCAL_TEXTS_H
 
 #include "invcal/invcal.h"
 
