@@ -696,21 +696,21 @@ static invcal_real as_real(uint64_t x)
 
 /* ---- public functions ------------------------------------------------------------------------ */
 
-invcal_status invcal_rests_init(invcal_rests *rests, invcal_real samples_per_second)
+invcal_status invcal_rests_init(invcal_rests *rests, invcal_real rate)
 {
     INVCAL_ASSERT(rests);
-    if (!(samples_per_second >= INVCAL_RATE_MIN && samples_per_second <= INVCAL_RATE_MAX)) {
+    if (!(rate >= INVCAL_RATE_MIN && rate <= INVCAL_RATE_MAX)) {
         return INVCAL_BAD_RATE;
     }
-    const uint32_t rate = (uint32_t)samples_per_second;
+    const uint32_t whole = (uint32_t)rate;
     invcal_zero(rests, sizeof *rests);
     rests->bits = BITS_MIN;
-    while (11u << rests->bits < rate) { /* at most 8 steps: a block is 1/11 to 2/11 s */
+    while (11u << rests->bits < whole) { /* at most 8 steps: a block is 1/11 to 2/11 s */
         rests->bits++;
     }
     /* blocks in 1/125 s, times 65536: 33555 / 2^6 is 65536 / 125 */
-    rests->pace = (uint16_t)((rate * UINT32_C(33555) >> (6 + rests->bits)) + 1);
-    const uint32_t least = (rate * SHORTEST >> (18 + rests->bits)) + 1;
+    rests->pace = (uint16_t)((whole * UINT32_C(33555) >> (6 + rests->bits)) + 1);
+    const uint32_t least = (whole * SHORTEST >> (18 + rests->bits)) + 1;
     rests->least = (uint8_t)(least > LEAST ? least : LEAST);
     rests->dwell = rests->least;
     clear_rest(rests);
