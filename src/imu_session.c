@@ -112,7 +112,7 @@ invcal_status invcal_imu_session_resume(invcal_imu_session *both, const uint8_t 
         size = 0;
     }
     remember(both, &begun);
-    invcal_copy((uint8_t *)both + INVCAL_IMU_SESSION_FROM, bytes, size);
+    invcal_copy((uint8_t *)both + INVCAL_IMU_SESSION_FROM, bytes, (size_t)size);
     return take(both, &begun, status, size);
 }
 

@@ -133,7 +133,7 @@ invcal_status invcal_session_resume(invcal_session *session, const uint8_t *byte
         size = 0;
     }
     invcal_copy(begun, session, HEAD);
-    invcal_copy(session, bytes, size);
+    invcal_copy(session, bytes, (size_t)size);
     return invcal_session_take(session, begun, status, size);
 }
 

@@ -60,7 +60,7 @@ typedef enum {
  *
  * Returns INVCAL_OK; INVCAL_BAD_TEMPERATURE if it is not finite; INVCAL_BAD_NOMINAL,
  * INVCAL_NOT_ELLIPSOID if thermal is damaged.
- * Cost: 1,100 instructions. Call it again only after a relevant change of T: at 1 mg/K, 0.05 K are
+ * Cost: 1,300 instructions. Call it again only after a relevant change of T: at 1 mg/K, 0.05 K are
  * 5e-5 of the field. Stack: about 250 bytes. */
 invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real temperature,
                                 invcal_calibration *calibration, invcal_thermal_place *place);

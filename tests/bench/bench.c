@@ -32,6 +32,14 @@ static invcal_session session;
 static uint32_t idle; /* the cost of two readings of the counter */
 static uint32_t begun;
 
+/* Of what must not fail. */
+static void require(invcal_status status)
+{
+    if (status != INVCAL_OK) {
+        board_exit(1);
+    }
+}
+
 static void begin(void)
 {
     begun = board_count();
@@ -347,7 +355,7 @@ static uint32_t solve_session(unsigned positions, unsigned wrong)
     invcal_quality quality;
     unsigned left_out = 0;
 
-    (void)invcal_session_begin(&session, sizeof session, &nominal, RATE);
+    require(invcal_session_begin(&session, sizeof session, &nominal, RATE));
     for (unsigned i = 0; i < positions; i++) {
         for (unsigned k = 0; k < RATE * SECONDS; k++) {
             next_sample(sample);
@@ -460,7 +468,7 @@ static void bench_background(void)
     int32_t sample[3];
     uint32_t most = 0;
 
-    (void)invcal_background_init(&background, sizeof background, &nominal, RATE);
+    require(invcal_background_init(&background, sizeof background, &nominal, RATE));
     background.session.count = INVCAL_MAX_POSITIONS - 1;
     for (unsigned i = 0; i + 1 < INVCAL_MAX_POSITIONS; i++) {
         memcpy(background.session.mean[i], raw[i % POSITIONS], sizeof raw[0]);
@@ -569,7 +577,7 @@ static void bench_gyro(void)
     static invcal_imu imu;
     invcal_calibration gyro = nominal;
 
-    (void)invcal_moves_init(&moves, sizeof moves, &gyro, 400);
+    require(invcal_moves_init(&moves, sizeof moves, &gyro, 400));
     uint32_t count = 0;
     for (unsigned i = 0; i < BLOCK; i++) {
         begin();
@@ -588,7 +596,7 @@ static void bench_gyro(void)
         count = one > count ? one : count;
     }
     report("gyro_follow", count);
-    (void)invcal_moves_init(&moves, sizeof moves, &gyro, 400);
+    require(invcal_moves_init(&moves, sizeof moves, &gyro, 400));
     make_moves();
     begin();
     const invcal_status status =
