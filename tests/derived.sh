@@ -63,6 +63,9 @@ suites() {
         s|^package-\([^ ]*\) .*|tests/packages/\1.sh|p; s|^edges-\([^ ]*\) .*|tests/fuzz/\1.c|p' tests/floors.txt |
         while read -r file; do [ -e "$file" ] || echo "there is no $file"; done | grep .
 }
+double() {
+    sh port/double.sh | diff include/invcal/double.h -
+}
 manual() {
     mandoc -Tlint -W warning "$build/invcal.1" &&
         test -z "$(LC_ALL=C.UTF-8 man --warnings -l -Tutf8 "$build/invcal.1" 2>&1 > /dev/null)"
@@ -87,6 +90,8 @@ gate "releases' files and values are what their scripts print" releases
 gate "the tool writes every key that its last release wrote" python3 tests/reference/releases/tool.py "$build/invcal" --check
 gate "nothing else is at the top level" top_level
 gate "no suite of tests/floors.txt is gone" suites
+gate "double.h has the names that the headers declare" double
+gate "migration.md has a row for every function that has changed since 0.2.0" sh tests/migration.sh "$build"
 gate "shellcheck accepts the shell scripts" scripts
 gate "text and comments have no misspelt word, and none of tests/words.txt" sh tests/words.sh
 gate "man and mandoc accept the man page" manual

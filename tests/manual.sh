@@ -25,7 +25,7 @@ gate() { # SENTENCE COMMAND...
 }
 
 version=$(awk '/^#define INVCAL_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $3; dot = "." } END { print v }' \
-    include/invcal/invcal.h)
+    include/invcal/config.h)
 
 pages() {
     rm -rf "$build/manual" && mkdir -p "$build/manual" && doxygen -l "$build/manual/default.xml" &&

@@ -69,11 +69,11 @@ function unbroken(code,    n, i, word, out) {
 }
 
 # A code span that is a name of the library becomes a link, which is an error if there is no such name.
-# (INVCAL_CONFIG_HEADER is defined only by users.)
+# (INVCAL_CONFIG_HEADER is defined only by users; migration.md names what is gone: tests/migration.sh checks it.)
 function names(text,    out, name) {
     while (match(text, /`(invcal|INVCAL)_[A-Za-z0-9_]+`/)) {
         name = substr(text, RSTART + 1, RLENGTH - 2)
-        out = out substr(text, 1, RSTART - 1) "<tt>" (name == "INVCAL_CONFIG_HEADER" ? "" : "#") name "</tt>"
+        out = out substr(text, 1, RSTART - 1) "<tt>" (name == "INVCAL_CONFIG_HEADER" || FILENAME ~ /migration/ ? "" : "#") name "</tt>"
         text = substr(text, RSTART + RLENGTH)
     }
     return out text

@@ -497,7 +497,7 @@ static void bench_allan(void)
     uint32_t total = 0;
     enum { SAMPLES = 2048 };
 
-    invcal_allan_init(&allan, sizeof allan);
+    require(invcal_allan_init(&allan, sizeof allan));
     for (unsigned i = 0; i < SAMPLES; i++) {
         next_sample(sample);
         begin();

@@ -101,7 +101,7 @@ file == 3 { if ($1 == "stack") stack[$3] = $4; next }
 /^ *\/\*/ { begun = FNR; is_open = 1 }
 is_open && /\*\// { read_comment(begun, FNR); is_open = 0; described = FNR; next }
 is_open { next }
-/^[a-z].* \*?invcal_[a-z0-9_]+\(/ && described {
+/^(INVCAL_NODISCARD )?[a-z].* \*?invcal_[a-z0-9_]+\(/ && described {
     match($0, /invcal_[a-z0-9_]+\(/)
     check_function(substr($0, RSTART, RLENGTH - 1))
 }

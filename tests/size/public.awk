@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # The functions that headers declare, a line each, after the header: "invcal invcal_apply".
-# Reads the output of the preprocessor (cc -E), as some names contain a build's choices. A declaration
+# Reads the output of the preprocessor (cc -E), as which are declared depends on the build. A declaration
 # begins at the left margin; the name may be on its second line.
 /^# [0-9]+ "/ {
     header = ""
@@ -11,7 +11,7 @@
     }
     next
 }
-header != "" && /^([a-z].*[ *])?invcal_[a-z0-9_]+\(/ && !/^(static|typedef) / {
+header != "" && /^([a-z_].*[ *])?invcal_[a-z0-9_]+\(/ && !/^(static|typedef) / {
     match($0, /invcal_[a-z0-9_]+\(/)
     print header, substr($0, RSTART, RLENGTH - 1)
 }
