@@ -327,19 +327,21 @@ void invcal_moves_restart(invcal_moves *m)
 
 /* ---- public functions ------------------------------------------------------------------------ */
 
-/* Else nothing is fed: it may be shorter than here. */
+/* Else nothing is fed: they may be shorter than here. */
 static int are_begun(const invcal_moves *moves)
 {
-    return moves->layout == INVCAL_MOVES_LAYOUT;
+    return moves->layout != 0;
 }
 
 invcal_status invcal_moves_init(invcal_moves *moves, size_t size, const invcal_calibration *nominal,
                                 invcal_real rate)
 {
     INVCAL_ASSERT(moves && nominal);
-    const invcal_status status =
-        size == sizeof *moves ? invcal_nominal_check(nominal) : INVCAL_OTHER_BUILD;
     moves->layout = 0; /* not begun; at the same place in every build */
+    if (size != sizeof *moves) {
+        return INVCAL_OTHER_BUILD;
+    }
+    const invcal_status status = invcal_nominal_check(nominal);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -368,21 +370,22 @@ invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high)
 /* A sample is the rate since the sample before: right end point rule. */
 void invcal_moves_feed(invcal_moves *moves, int32_t x, int32_t y, int32_t z)
 {
-    const int32_t raw[3] = {x, y, z};
+    const uint32_t first = (uint32_t)moves->low + 1u;
     invcal_real th[3];
 
     INVCAL_ASSERT(moves);
     if (!are_begun(moves)) {
         return;
     }
+    if ((uint32_t)x - first >= moves->between || (uint32_t)y - first >= moves->between ||
+        (uint32_t)z - first >= moves->between) {
+        moves->spoilt = INVCAL_REST_CLIPPED;
+    }
     invcal_apply(&moves->nominal, (invcal_real)x, (invcal_real)y, (invcal_real)z, th);
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
         th[i] = (th[i] - moves->bias[i]) / moves->rate;
         moves->v[i] += th[i];
-        if ((uint32_t)raw[i] - (uint32_t)moves->low - 1u >= moves->between) {
-            moves->spoilt = INVCAL_REST_CLIPPED;
-        }
     }
     turn(moves->rho, th);
     moves->missing++;
