@@ -113,7 +113,7 @@ INVCAL_NODISCARD invcal_status invcal_moves_init(invcal_moves *moves, size_t siz
  * Returns INVCAL_OK; INVCAL_BAD_LIMITS unless low < high. */
 invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high);
 
-/* Feeds one sample, moving or not, raw counts. Cost: 290 instructions. Stack: about 110 bytes. */
+/* Feeds one sample, moving or not, raw counts. Cost: 290 instructions. Stack: about 100 bytes. */
 void invcal_moves_feed(invcal_moves *moves, int32_t x, int32_t y, int32_t z);
 
 /* Reports lost samples: the current move is refused, rests are kept. A move lasts until the rest
