@@ -57,7 +57,8 @@ static invcal_status check_moves(const invcal_moves *m, const both_settings *beg
     if (size < OF_MOVES || m->layout != INVCAL_MOVES_LAYOUT ||
         !invcal_is_same((const uint8_t *)&m->nominal, (const uint8_t *)&begun->nominal,
                         (unsigned)sizeof m->nominal) ||
-        !invcal_is_same((const uint8_t *)&m->rate, (const uint8_t *)&begun->rate, (unsigned)sizeof m->rate)) {
+        !invcal_is_same((const uint8_t *)&m->rate, (const uint8_t *)&begun->rate,
+                        (unsigned)sizeof m->rate)) {
         return INVCAL_OTHER_SETTINGS;
     }
     return m->count > INVCAL_MAX_MOVES || m->first > INVCAL_MAX_SEGMENTS || !are_moves(m) ||
@@ -72,8 +73,8 @@ static int both_are_begun(const invcal_imu_session *both)
 }
 
 /* As invcal_session_take, of both: all is taken over, or nothing. */
-static invcal_status take(invcal_imu_session *both, const both_settings *begun, invcal_status status,
-                          uint32_t size)
+static invcal_status take(invcal_imu_session *both, const both_settings *begun,
+                          invcal_status status, uint32_t size)
 {
     invcal_moves *m = &both->moves;
 

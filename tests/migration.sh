@@ -10,7 +10,7 @@ export LC_ALL=C
 awk -f tests/prototypes.awk include/invcal/*.h | sort > "$out/now"
 names() { sed 's/(.*//; s/.*[ *]//' "$1" | sort -u; }
 
-comm -23 tests/reference/releases/0.2.0-functions.txt "$out/now" > "$out/changed"
+comm -23 tests/reference/functions_of_0.2.0.txt "$out/now" > "$out/changed"
 names "$out/changed" > "$out/changed.names"
 names "$out/now" > "$out/now.names"
 # A row: | `old`, `old` | `new(...)` | why |

@@ -94,7 +94,7 @@ invcal_status invcal_session_save(const invcal_session *session, const invcal_st
  *
  * Returns as invcal_store_load, then as invcal_session_resume. INVCAL_OTHER_SETTINGS: also if it
  * holds something else. If it fails, the session is as it was
- * begun: to ignore that is to begin anew. Cost: 17,000 instructions for 18 positions. Stack as
+ * begun: to ignore that is to begin again. Cost: 17,000 instructions for 18 positions. Stack as
  * these. */
 invcal_status invcal_session_load(invcal_session *session, const invcal_store *store);
 

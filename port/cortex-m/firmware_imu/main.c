@@ -104,7 +104,7 @@ static void save_session(void)
     }
 }
 
-/* If there is none, it begins anew. */
+/* If there is none, it begins again. */
 static void load_session(void)
 {
     const invcal_status status = invcal_imu_session_load(&both, &session_store);
