@@ -92,7 +92,7 @@ invcal_status invcal_allan_init(invcal_allan *allan, size_t size)
     return INVCAL_OK;
 }
 
-invcal_status invcal_allan_begin(invcal_allan *allan, size_t size, const uint32_t *m,
+invcal_status invcal_allan_init_taus(invcal_allan *allan, size_t size, const uint32_t *m,
                                  unsigned count)
 {
     INVCAL_ASSERT(allan && m);
@@ -132,7 +132,7 @@ static void add_difference(invcal_allan_tau *tau, uint64_t total, uint32_t lag, 
     tau->count++;
 }
 
-void invcal_allan_push(invcal_allan *allan, int32_t raw)
+void invcal_allan_feed(invcal_allan *allan, int32_t raw)
 {
     invcal_allan_tau *tau = allan->tau;
     unsigned t = 0;

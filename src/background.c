@@ -21,7 +21,7 @@ invcal_status invcal_background_init(invcal_background *background, size_t size,
     const size_t of_session =
         size == sizeof *background ? sizeof background->session : 0; /* 0: it refuses */
     const invcal_status status =
-        invcal_session_begin(&background->session, of_session, nominal, rate);
+        invcal_session_init_nominal(&background->session, of_session, nominal, rate);
     if (status == INVCAL_OK) {
         invcal_zero(background->age, sizeof background->age);
     }

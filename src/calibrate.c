@@ -7,7 +7,7 @@
 #include "invcal/expert.h"
 #include "vector.h"
 
-invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
+invcal_status invcal_calibrate_plain(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality)
 {

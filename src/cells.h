@@ -107,7 +107,7 @@ typedef struct {
     invcal_quality quality; /* cells are its positions */
 } invcal_cell_fit;
 
-/* Solves the tables: p and triad. Returns as invcal_calibrate. */
+/* Solves the tables: p and triad. Returns as invcal_calibrate_plain. */
 invcal_status invcal_cells_solve(invcal_cell_fit *fit);
 
 /* Solves them, with the quality. */

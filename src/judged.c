@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal_calibrate_judged: calibrates, diagnoses, leaves out what contradicts the others, and
+ * invcal_calibrate: calibrates, diagnoses, leaves out what contradicts the others, and
  * repeats this until nothing more is found (mathematics_judgement.md, "Choosing between
  * hypotheses"). In the end repeated directions are taken off the degrees of freedom ("What cannot
  * be tested").
@@ -77,7 +77,7 @@ static INVCAL_ONCE invcal_status leave_out_groups(invcal_positions *p, invcal_ca
     }
 }
 
-invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
+invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                       const invcal_calibration *nominal, invcal_real noise,
                                       invcal_calibration *out, invcal_quality *quality)
 {

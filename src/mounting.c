@@ -114,7 +114,7 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
     return status;
 }
 
-const char *invcal_imu_parameter_name(unsigned parameter)
+const char *invcal_imu_parameter_text(unsigned parameter)
 {
     enum { LENGTH = 8 };
     static const char names[] = "gyro_xx\0gyro_xy\0gyro_xz\0"
@@ -123,5 +123,5 @@ const char *invcal_imu_parameter_name(unsigned parameter)
 
     return parameter < INVCAL_GYRO_PARAMETERS
                ? &names[(size_t)LENGTH * parameter]
-               : invcal_parameter_name(parameter - INVCAL_GYRO_PARAMETERS);
+               : invcal_parameter_text(parameter - INVCAL_GYRO_PARAMETERS);
 }

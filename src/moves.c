@@ -353,10 +353,10 @@ invcal_status invcal_moves_init(invcal_moves *moves, size_t size, const invcal_c
     moves->nominal = *nominal;
     moves->rate = rate;
     invcal_moves_restart(moves);
-    return invcal_moves_rails(moves, INT32_MIN, INT32_MAX);
+    return invcal_moves_set_limits(moves, INT32_MIN, INT32_MAX);
 }
 
-invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high)
+invcal_status invcal_moves_set_limits(invcal_moves *moves, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(moves);
     if (low >= high) {

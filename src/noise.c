@@ -221,7 +221,7 @@ static void fit_visible(const curve *c, mixture *x)
     }
 }
 
-invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_noise *noise)
+invcal_status invcal_allan_solve(const invcal_allan *allan, invcal_real rate, invcal_noise *noise)
 {
     curve c;
     mixture x;

@@ -185,7 +185,7 @@ static invcal_status calibrate_twice(const invcal_positions *positions, const in
     return status;
 }
 
-invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count,
+invcal_status invcal_calibrate_prior(const invcal_real *raw, unsigned count,
                                           const invcal_calibration *nominal, invcal_real noise,
                                           const invcal_real prior[INVCAL_PARAMETERS],
                                           invcal_calibration *out, invcal_quality *quality,
@@ -205,7 +205,7 @@ invcal_status invcal_calibrate_with_prior(const invcal_real *raw, unsigned count
 }
 
 /* An angle that the positions hardly determine is held by the prior, and the verdict ignores it. */
-invcal_status invcal_calibrate_six_faces(const invcal_real *raw, unsigned count,
+invcal_status invcal_calibrate_faces(const invcal_real *raw, unsigned count,
                                          const invcal_calibration *nominal, invcal_real noise,
                                          invcal_real gamma, invcal_calibration *out,
                                          invcal_quality *quality, uint16_t *held)

@@ -16,6 +16,7 @@
 #include "vector.h"
 
 #define CLOSE INVCAL_REAL(0.9396926) /* cosine of 20 degrees */
+enum { LONGEST = 3600 };             /* seconds to hold */
 enum { DOF = 3 };                    /* min degrees of freedom to trust sigma */
 enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 
@@ -24,7 +25,7 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 /* ---- settings -------------------------------------------------------------------------------- */
 
 /* Of another build, no more than the first bytes are written: those are the same in all. */
-invcal_status invcal_session_begin(invcal_session *session, size_t size,
+invcal_status invcal_session_init_nominal(invcal_session *session, size_t size,
                                    const invcal_calibration *nominal, invcal_real rate)
 {
     INVCAL_ASSERT(session && nominal);
@@ -55,17 +56,17 @@ invcal_status invcal_session_init(invcal_session *session, size_t size, invcal_r
     nominal.matrix[1][1] = k;
     nominal.matrix[2][2] = k;
 
-    return invcal_session_begin(session, size, &nominal, rate);
+    return invcal_session_init_nominal(session, size, &nominal, rate);
 }
 
-invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high)
+invcal_status invcal_session_set_limits(invcal_session *session, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(session);
     return invcal_session_is_begun(session) ? invcal_rests_rails(&session->rests, low, high)
                                             : INVCAL_NOT_BEGUN;
 }
 
-invcal_status invcal_session_noise(invcal_session *session, invcal_real noise)
+invcal_status invcal_session_set_noise(invcal_session *session, invcal_real noise)
 {
     INVCAL_ASSERT(session);
     if (!invcal_session_is_begun(session)) {
@@ -79,12 +80,18 @@ invcal_status invcal_session_noise(invcal_session *session, invcal_real noise)
     return INVCAL_OK;
 }
 
-void invcal_session_hold(invcal_session *session, uint32_t milliseconds)
+invcal_status invcal_session_set_hold(invcal_session *session, invcal_real seconds)
 {
     INVCAL_ASSERT(session);
-    if (invcal_session_is_begun(session)) {
-        invcal_rests_hold(&session->rests, milliseconds);
+    if (!invcal_session_is_begun(session)) {
+        return INVCAL_NOT_BEGUN;
     }
+    if (!(seconds <= LONGEST)) {
+        return INVCAL_BAD_TIME;
+    }
+    const invcal_real positive = seconds > 0 ? seconds : 0;
+    invcal_rests_hold(&session->rests, (uint32_t)(1000 * positive + INVCAL_REAL(0.5)));
+    return INVCAL_OK;
 }
 
 /* ---- after a reset --------------------------------------------------------------------------- */
@@ -212,7 +219,7 @@ void invcal_session_gap(invcal_session *session)
     }
 }
 
-invcal_event invcal_session_finish(invcal_session *session)
+invcal_event invcal_session_end(invcal_session *session)
 {
     INVCAL_ASSERT(session);
     return invcal_session_is_begun(session) ? digest(session, invcal_rests_finish(&session->rests))
@@ -233,7 +240,7 @@ invcal_status invcal_session_reason(const invcal_session *session)
     return (invcal_status)session->reason;
 }
 
-const char *invcal_session_why(const invcal_session *session)
+const char *invcal_session_reason_text(const invcal_session *session)
 {
     return invcal_refusal_text(invcal_session_reason(session));
 }
@@ -264,12 +271,12 @@ void invcal_session_next(const invcal_session *session, invcal_real up[3])
     invcal_next_of_sums(&sums, row.h, up);
 }
 
-const char *invcal_session_next_words(const invcal_session *session, char words[INVCAL_WORDS])
+const char *invcal_session_next_text(const invcal_session *session, char words[INVCAL_TEXT_SIZE])
 {
     invcal_real up[3];
 
     invcal_session_next(session, up);
-    return invcal_words(up, words);
+    return invcal_direction_text(up, words);
 }
 
 int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
@@ -297,7 +304,7 @@ invcal_status invcal_session_solve(const invcal_session *session, invcal_calibra
         return INVCAL_OK;
     }
 #endif
-    return invcal_calibrate_judged(session->mean[0], session->count, &session->nominal,
+    return invcal_calibrate(session->mean[0], session->count, &session->nominal,
                                    session->noise, out, quality);
 }
 

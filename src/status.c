@@ -83,7 +83,7 @@ const char *invcal_status_text(invcal_status status)
     return invcal_text(texts, before);
 }
 
-const char *invcal_parameter_name(unsigned parameter)
+const char *invcal_parameter_text(unsigned parameter)
 {
     static const char names[] = "delta_x\0delta_y\0delta_z\0"
                                 "dk_x\0dk_y\0dk_z\0"

@@ -49,7 +49,7 @@ INVCAL_NOINLINE static char *put(char *at, unsigned n, unsigned fives)
     return at;
 }
 
-const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS])
+const char *invcal_direction_text(const invcal_real up[3], char words[INVCAL_TEXT_SIZE])
 {
     unsigned size[3];
     unsigned largest = 0;

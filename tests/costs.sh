@@ -183,11 +183,11 @@ says $page "solution alone {$(figure m4f invcal_imu_solve)}"
 # Functions, and what `make bench` calls the instructions of each sentence in their descriptions.
 cat > "$build/promised" << 'END'
 invcal_apply apply
-invcal_calibrate 18_positions_and_everything
-invcal_calibrate_judged judged_18_positions
+invcal_calibrate_plain 18_positions_and_everything
+invcal_calibrate judged_18_positions
 invcal_calibrate_robust robust_18_positions
-invcal_calibrate_with_prior 18_positions_with_prior
-invcal_calibrate_six_faces six_faces
+invcal_calibrate_prior 18_positions_with_prior
+invcal_calibrate_faces six_faces
 invcal_undetermined undetermined
 invcal_sums_add add_position
 invcal_solve solve
@@ -216,8 +216,8 @@ invcal_dip_add dip_add
 invcal_dip_solve dip_solve
 invcal_thermal_at thermal_at
 invcal_thermal_calibrate 36_positions_thermal
-invcal_allan_push allan_push
-invcal_allan_noise allan_noise
+invcal_allan_feed allan_push
+invcal_allan_solve allan_noise
 END
 promises() {
     awk "$@" -f tests/size/promises.awk "$build/promised" "$build/bench/m4f.figures" \

@@ -112,7 +112,7 @@ plant double src/sums.h 's/weight \* v\[r\]/(invcal_real)((double)weight * (doub
     'double arithmetic.*FAIL' unit library
 plant libc src/calibrate.c 's/(invcal_real)dof;/tanf((float)dof);/' \
     'library: .*FAIL: tanf' unit library
-plant example README.md 's/invcal_session_why(&session)/invcal_session_because(\&session)/' \
+plant example README.md 's/invcal_session_reason_text(&session)/invcal_session_because(\&session)/' \
     'it compiles: FAIL' unit readme
 plant output README.md 's/invcal_session_save(&session, &board_progress)/(void)0/; s/counts(&calibration, board/counts(\&session.nominal, board/' \
     'gets calibrated readings.*: FAIL' unit readme

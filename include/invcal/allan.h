@@ -6,12 +6,12 @@
  *     static invcal_allan allan;                                one axis at rest, for hours
  *     invcal_allan_init(&allan, sizeof allan);
  *     for every sample:
- *         invcal_allan_push(&allan, raw);
- *     if (invcal_allan_noise(&allan, 100, &noise) == INVCAL_OK &&            100 a second
+ *         invcal_allan_feed(&allan, raw);
+ *     if (invcal_allan_solve(&allan, 100, &noise) == INVCAL_OK &&            100 a second
  *         invcal_noise_dwell(&noise, 1e-4f * 16384, &dwell) == INVCAL_OK &&  1e-4 of the field
  *         dwell.seconds < 3600) {
- *         invcal_session_hold(&session, (uint32_t)(1000 * dwell.seconds));
- *         invcal_session_noise(&session, dwell.sigma / 16384);
+ *         invcal_session_set_hold(&session, dwell.seconds);
+ *         invcal_session_set_noise(&session, dwell.sigma / 16384);
  *     }
  *
  * The worst axis decides; a session holds at most an hour. The unit is the raw count throughout.
@@ -81,7 +81,7 @@ INVCAL_NODISCARD invcal_status invcal_allan_init(invcal_allan *allan, size_t siz
  * count  how many, 1 ... INVCAL_ALLAN_TAUS.
  *
  * Returns INVCAL_OK; INVCAL_OTHER_BUILD; INVCAL_BAD_TIME for any other list. */
-INVCAL_NODISCARD invcal_status invcal_allan_begin(invcal_allan *allan, size_t size,
+INVCAL_NODISCARD invcal_status invcal_allan_init_taus(invcal_allan *allan, size_t size,
                                                   const uint32_t *m, unsigned count);
 
 /* Uses adjacent windows (NIST SP 1065, 5.2.2), to compare with published figures; overlapping ones
@@ -94,7 +94,7 @@ void invcal_allan_apart(invcal_allan *allan);
  * Cost: a 64-bit difference, its square and a 128-bit addition for each averaging time up to 4; at
  * every 2^t-th sample another one for each that has this t. For 16
  * octaves: 4 on average, 16 at most. Cost: 360 instructions on average. */
-void invcal_allan_push(invcal_allan *allan, int32_t raw);
+void invcal_allan_feed(invcal_allan *allan, int32_t raw);
 
 /* Call it where samples were lost, or the sensor moved: no window spans the gap. All sums stay. */
 void invcal_allan_gap(invcal_allan *allan);
@@ -165,7 +165,7 @@ typedef struct {
  * INVCAL_TOO_FEW if no kind is visible: go on sampling, 20 samples show white noise. Constant
  * readings show none.
  * Cost: 71,000 instructions for 16 octaves. Stack: about 600 bytes. */
-invcal_status invcal_allan_noise(const invcal_allan *allan, invcal_real rate, invcal_noise *noise);
+invcal_status invcal_allan_solve(const invcal_allan *allan, invcal_real rate, invcal_noise *noise);
 
 /* adev(tau) of the model, counts; tau in s, above 0: else it means nothing. */
 invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau);
@@ -190,7 +190,7 @@ typedef struct {
  * is none, the time of the model's min, sqrt(3) N / K; without random walk, the time after which
  * sigma is 5 % above the floor. Never shorter than noise->shortest.
  *
- * noise  from invcal_allan_noise, or a data sheet's coefficients in a struct otherwise 0, with no
+ * noise  from invcal_allan_solve, or a data sheet's coefficients in a struct otherwise 0, with no
  *        averaging times seen.
  * sigma  the target, counts. (Any unit common to noise and sigma will do.)
  *

@@ -111,7 +111,7 @@ INVCAL_NODISCARD invcal_status invcal_moves_init(invcal_moves *moves, size_t siz
  * on.
  *
  * Returns INVCAL_OK; INVCAL_BAD_LIMITS unless low < high. */
-invcal_status invcal_moves_rails(invcal_moves *moves, int32_t low, int32_t high);
+invcal_status invcal_moves_set_limits(invcal_moves *moves, int32_t low, int32_t high);
 
 /* Feeds one sample, moving or not, raw counts. Cost: 290 instructions. Stack: about 100 bytes. */
 void invcal_moves_feed(invcal_moves *moves, int32_t x, int32_t y, int32_t z);
@@ -190,7 +190,7 @@ typedef struct {
 
 /* Solves both sensors, or the gyroscope with a calibrated accelerometer.
  *
- * raw            means of the rests, as for invcal_calibrate. They are paired with the rests of
+ * raw            means of the rests, as for invcal_calibrate_plain. They are paired with the rests of
  *                moves from the end: the last with the last. If there are more of one, its oldest
  *                are ignored.
  * count          number of means.
@@ -359,8 +359,8 @@ invcal_status invcal_imu_save(const invcal_imu *imu, const invcal_store *store);
 INVCAL_NODISCARD invcal_status invcal_imu_load(invcal_imu_record *out, const invcal_store *store);
 
 /* The name of a parameter: "gyro_xx" (scale), "gyro_xy" ... "gyro_zz", then the names of
- * invcal_parameter_name. Outside 0 ... 17: "?". */
-const char *invcal_imu_parameter_name(unsigned parameter);
+ * invcal_parameter_text. Outside 0 ... 17: "?". */
+const char *invcal_imu_parameter_text(unsigned parameter);
 
 /* ---- which turns to make --------------------------------------------------------------------- */
 

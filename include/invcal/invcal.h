@@ -61,7 +61,7 @@ enum {
 };
 
 /* The name of a parameter: "delta_x" ... "gamma_zy". Outside 0 ... 8: "?". */
-const char *invcal_parameter_name(unsigned parameter);
+const char *invcal_parameter_text(unsigned parameter);
 
 /* ---- a calibration, and its use -------------------------------------------------------------- */
 
@@ -186,7 +186,7 @@ invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
  *          (mathematics.md, "From p to the calibration").
  * quality  how good it is. Check its verdict before you use the calibration.
  *
- * Judges by the size of the residuals alone: invcal_calibrate_judged looks for their causes.
+ * Judges by the size of the residuals alone: invcal_calibrate looks for their causes.
  *
  * Returns INVCAL_OK;
  *   INVCAL_BAD_NOMINAL    see invcal_nominal; or singular to within rounding;
@@ -200,7 +200,7 @@ invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
  *                         another one, or a centre beyond ten times the field), or scatter by a
  *                         tenth of the field.
  * Cost: 30,000 instructions for 18 positions. Stack: about 660 bytes. */
-invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
+invcal_status invcal_calibrate_plain(const invcal_real *raw, unsigned count,
                                const invcal_calibration *nominal, invcal_real noise,
                                invcal_calibration *out, invcal_quality *quality);
 
@@ -214,9 +214,9 @@ invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
  * Sets left_out, suspected, systematic, axis, size and unchecked of quality, and a verdict that
  * considers them all. About one in a hundred sets of 18 good positions is not called good.
  *
- * Returns as invcal_calibrate; INVCAL_BAD_COUNT for more than INVCAL_MAX_POSITIONS.
+ * Returns as invcal_calibrate_plain; INVCAL_BAD_COUNT for more than INVCAL_MAX_POSITIONS.
  * Cost: 160,000 instructions for 18 good positions. Stack: about 1,200 bytes. */
-invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
+invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                       const invcal_calibration *nominal, invcal_real noise,
                                       invcal_calibration *out, invcal_quality *quality);
 
@@ -225,9 +225,9 @@ invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
  *     invcal_session_init(&session, sizeof session, 16384, 100);
  *     for every sample:
  *         switch (invcal_session_feed(&session, x, y, z))
- *             READY   the position is good; where to turn next: invcal_session_next_words
+ *             READY   the position is good; where to turn next: invcal_session_next_text
  *             TAKEN   the position is in the table; store.h: save the session
- *             REFUSED why: invcal_session_why
+ *             REFUSED why: invcal_session_reason_text
  *     until invcal_session_is_good(&session)
  *     invcal_session_solve
  *
@@ -244,7 +244,7 @@ typedef enum {
     INVCAL_READY,    /* enough for a position, once per rest: move on, or stay for a better mean */
     INVCAL_TAKEN,    /* the device has left the position, and its mean is in the table. Usually
                         preceded by READY; not if the rest was accepted only once motion ended it */
-    INVCAL_REFUSED   /* a rest, but not a position: invcal_session_why. Once per rest, and again if
+    INVCAL_REFUSED   /* a rest, but not a position: invcal_session_reason_text. Once per rest, and again if
                         the reason changes, or as it ends. For every sample, if the session was not
                         begun */
 } invcal_event;
@@ -333,7 +333,7 @@ INVCAL_NODISCARD invcal_status invcal_session_init(invcal_session *session, size
  * nominal  data sheet (invcal_nominal), or an earlier calibration to be renewed.
  *
  * Returns as invcal_session_init. */
-INVCAL_NODISCARD invcal_status invcal_session_begin(invcal_session *session, size_t size,
+INVCAL_NODISCARD invcal_status invcal_session_init_nominal(invcal_session *session, size_t size,
                                                     const invcal_calibration *nominal,
                                                     invcal_real rate);
 
@@ -341,17 +341,19 @@ INVCAL_NODISCARD invcal_status invcal_session_begin(invcal_session *session, siz
  * reach them are refused from now on. Without it only the ends of int32 count as clipped.
  *
  * Returns INVCAL_OK; INVCAL_NOT_BEGUN, INVCAL_BAD_LIMITS. */
-invcal_status invcal_session_rails(invcal_session *session, int32_t low, int32_t high);
+invcal_status invcal_session_set_limits(invcal_session *session, int32_t low, int32_t high);
 
 /* States the noise: the standard deviation of a position mean on each axis, over field, above 0 and
  * below 1. Without it the noise is estimated from the residuals alone.
  *
  * Returns INVCAL_OK; INVCAL_NOT_BEGUN, INVCAL_BAD_NOISE. */
-invcal_status invcal_session_noise(invcal_session *session, invcal_real noise);
+invcal_status invcal_session_set_noise(invcal_session *session, invcal_real noise);
 
-/* Sets how long a rest must be measured from now on, milliseconds; never less than 0.6 s, at most
- * an hour. If you measured the noise with allan.h, pass its dwell. */
-void invcal_session_hold(invcal_session *session, uint32_t milliseconds);
+/* Sets how long a rest must be measured from now on: 0.6 ... 3600 s; less means 0.6 s. If you
+ * measured the noise with allan.h, pass its dwell.
+ *
+ * Returns INVCAL_OK; INVCAL_NOT_BEGUN; INVCAL_BAD_TIME for more, or a NaN. */
+invcal_status invcal_session_set_hold(invcal_session *session, invcal_real seconds);
 
 /* Feeds one sample, raw counts, any value: three numbers, so that an array of another type, as
  * int16_t[3], is an error of the compiler.
@@ -367,7 +369,7 @@ void invcal_session_gap(invcal_session *session);
 
 /* Ends the stream: closes the current rest as motion would. Returns INVCAL_TAKEN, INVCAL_REFUSED,
  * or INVCAL_MOVING if there was none. */
-invcal_event invcal_session_finish(invcal_session *session);
+invcal_event invcal_session_end(invcal_session *session);
 
 /* Progress of the current position, percent: 0 in motion, 100 from READY on. */
 unsigned invcal_session_progress(const invcal_session *session);
@@ -378,7 +380,7 @@ invcal_status invcal_session_reason(const invcal_session *session);
 
 /* The same as a sentence, as from invcal_status_text, "" before the first. Links only the sentences
  * that it needs. */
-const char *invcal_session_why(const invcal_session *session);
+const char *invcal_session_reason_text(const invcal_session *session);
 
 /* Which orientation to take next: of 26 directions - the faces, edges and corners of a cube - the
  * one that adds the most information (mathematics_programs.md, "Guidance"); of equals, the nearest
@@ -390,17 +392,17 @@ const char *invcal_session_why(const invcal_session *session);
  * Cost: 25,000 instructions. Stack: about 480 bytes. */
 void invcal_session_next(const invcal_session *session, invcal_real up[3]);
 
-#define INVCAL_WORDS 40u /* bytes, with the terminating zero */
+#define INVCAL_TEXT_SIZE 40u /* bytes, with the terminating zero */
 
-/* The same in words; returns them: see invcal_words. */
-const char *invcal_session_next_words(const invcal_session *session, char words[INVCAL_WORDS]);
+/* The same in words; returns them: see invcal_direction_text. */
+const char *invcal_session_next_text(const invcal_session *session, char words[INVCAL_TEXT_SIZE]);
 
 /* A direction in words: "+z up"; "+z up, tilt 45 deg, +x rises"; "-z up, tilt 55 deg, +x and -y
  * rise": from an axis pointing up, tilt the case by that angle (rounded to 5 degrees) so that the
  * sides named come up. Plain ASCII, terminated by zero.
  *
  * up  unit vector; anything else, a NaN too, gives words like any other. Returns words. */
-const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS]);
+const char *invcal_direction_text(const invcal_real up[3], char words[INVCAL_TEXT_SIZE]);
 
 /* Is the position that is READY, or else the last one, within 20 degrees of a direction, such as
  * that of a program (plan.h)? Returns 1 or 0; 0 if there is neither.
@@ -409,10 +411,10 @@ const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS]);
 int invcal_session_is_at(const invcal_session *session, const invcal_real up[3]);
 
 /* Solves the positions so far, without those that contradict the others (quality.left_out; see
- * invcal_calibrate_judged). Does not change the session: more may follow. If
+ * invcal_calibrate). Does not change the session: more may follow. If
  * invcal_session_is_good has said so, copies what that has solved.
  *
- * Returns as invcal_calibrate. Cost: 140,000 instructions for 18 good positions, 440,000
+ * Returns as invcal_calibrate_plain. Cost: 140,000 instructions for 18 good positions, 440,000
  * instructions if three are wrong. Stack: about 1,200 bytes. */
 invcal_status invcal_session_solve(const invcal_session *session, invcal_calibration *out,
                                    invcal_quality *quality);

@@ -64,7 +64,7 @@ typedef struct {
  * INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, granularity) bytes.
  *
  * A session is begun first, then loaded. Positions that were saved with another nominal calibration
- * or rate are refused, and what was stated by invcal_session_rails, _noise and _hold stays. */
+ * or rate are refused, and what was stated by invcal_session_set_limits, _noise and _hold stays. */
 
 /* Saves a calibration, and how good it is, as a record (see below); over field, so before
  * invcal_scale.
@@ -213,12 +213,12 @@ typedef struct {
     uint32_t date;                        /* when: in any unit, such as seconds since your epoch */
     uint16_t positions;                   /* of invcal_quality */
     uint16_t weak;                        /* of invcal_quality */
-    uint16_t from_prior;                  /* bit r: of invcal_calibrate_with_prior (expert.h) */
+    uint16_t from_prior;                  /* bit r: of invcal_calibrate_prior (expert.h) */
     uint8_t verdict;                      /* of invcal_quality */
     uint8_t temperature_known;            /* 1: temperature is known; 0: temperature is 0 */
 } invcal_record;
 
-/* Makes a record of the result of invcal_calibrate or a session. Everything else is unknown: fill
+/* Makes a record of the result of invcal_calibrate_plain or a session. Everything else is unknown: fill
  * it in. */
 void invcal_record_init(invcal_record *record, const invcal_calibration *calibration,
                         const invcal_quality *quality);

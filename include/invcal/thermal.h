@@ -83,11 +83,11 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
 
 /* Calibrates from position means and their temperatures.
  *
- * raw          3 * count numbers, as invcal_calibrate. At least nine positions for each
+ * raw          3 * count numbers, as invcal_calibrate_plain. At least nine positions for each
  *              coefficient, at different temperatures; twelve to eighteen at each are good, in any
  *              order.
  * temperature  count numbers: the mean over each rest, see invcal_thermal_drift_limit.
- * count, nominal, noise  as invcal_calibrate.
+ * count, nominal, noise  as invcal_calibrate_plain.
  * out          reference and span are the middle and half the range of the temperatures, at least
  *              1 K.
  * quality      sigma at the reference; elsewhere: invcal_thermal_judge. All other members are of
@@ -97,7 +97,7 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
  * a failure. But without slopes over 5 K or more everything is weak, since the actual slopes then
  * pass for other errors, which residuals need not show; not if INVCAL_THERMAL_DEGREE is 0.
  *
- * Returns as invcal_calibrate, and INVCAL_BAD_TEMPERATURE for one that is not finite.
+ * Returns as invcal_calibrate_plain, and INVCAL_BAD_TEMPERATURE for one that is not finite.
  * Cost: 350,000 instructions for 36 positions (degree 1). Stack: 1.3, 2.0, 3.0 KB for degree 0, 1,
  * 2. */
 invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,

@@ -15,7 +15,7 @@ enum { DIRECTIONS = 512, RESULTS = 64 };
 static invcal_session session;
 static double out[RESULTS];
 static double directions[3 * DIRECTIONS];
-static char text[INVCAL_WORDS];
+static char text[INVCAL_TEXT_SIZE];
 static uint8_t record[INVCAL_RECORD_SIZE];
 
 double *EXPORT(results)(void)
@@ -54,7 +54,7 @@ void EXPORT(gap)(void)
 
 int EXPORT(finish)(void)
 {
-    return (int)invcal_session_finish(&session);
+    return (int)invcal_session_end(&session);
 }
 
 unsigned EXPORT(progress)(void)
@@ -69,7 +69,7 @@ unsigned EXPORT(count)(void)
 
 const char *EXPORT(why)(void)
 {
-    return invcal_session_why(&session);
+    return invcal_session_reason_text(&session);
 }
 
 const char *EXPORT(status_text)(int status)
@@ -86,7 +86,7 @@ const char *EXPORT(verdict_text)(int verdict)
 const char *EXPORT(next)(void)
 {
     invcal_session_next(&session, out);
-    return invcal_words(out, text);
+    return invcal_direction_text(out, text);
 }
 
 /* Position i as a reading over field. */

@@ -274,19 +274,19 @@ static void bench_all(void)
 
     begin();
     const invcal_status status =
-        invcal_calibrate(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
+        invcal_calibrate_plain(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
     report("18_positions_and_everything", end());
     if (status != INVCAL_OK || quality.verdict != INVCAL_GOOD) {
         board_exit(1);
     }
     begin();
-    (void)invcal_calibrate_judged(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
+    (void)invcal_calibrate(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
     report("judged_18_positions", end());
     begin();
     (void)invcal_calibrate_robust(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
     report("robust_18_positions", end());
     begin();
-    (void)invcal_calibrate_with_prior(raw[0], POSITIONS, &nominal, INVCAL_REAL(0.001), prior,
+    (void)invcal_calibrate_prior(raw[0], POSITIONS, &nominal, INVCAL_REAL(0.001), prior,
                                       &calibration, &quality, &set);
     report("18_positions_with_prior", end());
     begin();
@@ -308,7 +308,7 @@ static void bench_six_faces(void)
         face[i][i / 2] = i % 2 ? -8100 : 8300;
     }
     begin();
-    const invcal_status status = invcal_calibrate_six_faces(
+    const invcal_status status = invcal_calibrate_faces(
         face[0], 6, &nominal, INVCAL_REAL(0.001), INVCAL_CROSS_AXIS, &calibration, &quality, &held);
     report("six_faces", end());
     if (status != INVCAL_OK || held != 7u << INVCAL_GAMMA_XY) {
@@ -333,7 +333,7 @@ static uint32_t feed(unsigned rate)
     int32_t sample[3];
     uint32_t total = 0;
 
-    if (invcal_session_begin(&session, sizeof session, &nominal, rate) != INVCAL_OK) {
+    if (invcal_session_init_nominal(&session, sizeof session, &nominal, rate) != INVCAL_OK) {
         board_exit(1);
     }
     for (unsigned i = 0; i < 5 * rate; i++) {
@@ -355,7 +355,7 @@ static uint32_t solve_session(unsigned positions, unsigned wrong)
     invcal_quality quality;
     unsigned left_out = 0;
 
-    require(invcal_session_begin(&session, sizeof session, &nominal, RATE));
+    require(invcal_session_init_nominal(&session, sizeof session, &nominal, RATE));
     for (unsigned i = 0; i < positions; i++) {
         for (unsigned k = 0; k < RATE * SECONDS; k++) {
             next_sample(sample);
@@ -367,7 +367,7 @@ static uint32_t solve_session(unsigned positions, unsigned wrong)
             (void)invcal_session_feed(&session, sample[0], sample[1], sample[2]);
         }
     }
-    (void)invcal_session_finish(&session);
+    (void)invcal_session_end(&session);
     begin();
     const invcal_status status = invcal_session_solve(&session, &calibration, &quality);
     const uint32_t count = end();
@@ -501,12 +501,12 @@ static void bench_allan(void)
     for (unsigned i = 0; i < SAMPLES; i++) {
         next_sample(sample);
         begin();
-        invcal_allan_push(&allan, sample[0]);
+        invcal_allan_feed(&allan, sample[0]);
         total += end();
     }
     report("allan_push", total / SAMPLES);
     begin();
-    const invcal_status status = invcal_allan_noise(&allan, 1, &noise);
+    const invcal_status status = invcal_allan_solve(&allan, 1, &noise);
     report("allan_noise", end());
     if (status != INVCAL_OK) {
         board_exit(1);

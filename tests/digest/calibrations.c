@@ -23,7 +23,7 @@ static void calibrate(const char *name, unsigned count, float noise)
     invcal_calibration calibration;
     invcal_quality quality;
     const invcal_status status =
-        invcal_calibrate(raw[0], count, &nominal, noise, &calibration, &quality);
+        invcal_calibrate_plain(raw[0], count, &nominal, noise, &calibration, &quality);
 
     begin_set(name, status);
     if (status != INVCAL_OK) {
@@ -87,7 +87,7 @@ static void sets_with_a_prior(void)
         invcal_quality quality;
         uint16_t from_prior = 0;
         input_positions(raw, count, 0.02f, 1e-3f);
-        const invcal_status status = invcal_calibrate_with_prior(
+        const invcal_status status = invcal_calibrate_prior(
             raw[0], count, &nominal, 1e-3f, prior, &calibration, &quality, &from_prior);
         begin_set("prior", status);
         if (status == INVCAL_OK) {
@@ -110,7 +110,7 @@ static void six_faces(void)
         }
         raw[i][i / 2] += i % 2 ? -4060 : 4150;
     }
-    const invcal_status status = invcal_calibrate_six_faces(
+    const invcal_status status = invcal_calibrate_faces(
         raw[0], 6, &nominal, 1e-3f, INVCAL_CROSS_AXIS, &calibration, &quality, &held);
     begin_set("six faces", status);
     digest_calibration(&calibration, &nominal);
@@ -125,7 +125,7 @@ static void judge(const char *name, unsigned count)
     invcal_calibration calibration;
     invcal_quality quality;
     const invcal_status status =
-        invcal_calibrate_judged(raw[0], count, &nominal, 0, &calibration, &quality);
+        invcal_calibrate(raw[0], count, &nominal, 0, &calibration, &quality);
 
     begin_set(name, status);
     if (status == INVCAL_OK) {

@@ -52,9 +52,9 @@ static void rest_results(void)
 
 static void begin_stream(void)
 {
-    digest_bits("session", invcal_session_begin(&session, sizeof session, &nominal, RATE));
-    digest_bits("rails", invcal_session_rails(&session, -32768, 32767));
-    invcal_session_hold(&session, 700);
+    digest_bits("session", invcal_session_init_nominal(&session, sizeof session, &nominal, RATE));
+    digest_bits("rails", invcal_session_set_limits(&session, -32768, 32767));
+    invcal_session_set_hold(&session, INVCAL_REAL(0.7));
 }
 
 /* After a power cut the positions are those that had been saved before. */
@@ -87,7 +87,7 @@ static void event_results(invcal_event event)
         break;
     default:
         digest_bits("reason", invcal_session_reason(&session));
-        digest_text("why", invcal_session_why(&session));
+        digest_text("why", invcal_session_reason_text(&session));
         break;
     }
 }
@@ -116,12 +116,12 @@ static void place_results(void)
 /* Where to turn next. */
 static void ask(float up[3])
 {
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
     digest_bits("is_at", (uint32_t)invcal_session_is_at(&session, up));
     invcal_session_next(&session, up);
     digest_reals("next", up, 3);
-    digest_text("words", invcal_session_next_words(&session, words));
+    digest_text("words", invcal_session_next_text(&session, words));
 }
 
 /* ---- the hand ------------------------------------------------------------------------------- */
@@ -207,7 +207,7 @@ static void tour(void)
         ask(next);
     }
     digest_set("finish");
-    event_results(invcal_session_finish(&session));
+    event_results(invcal_session_end(&session));
 }
 
 /* ---- the result ----------------------------------------------------------------------------- */
@@ -221,7 +221,7 @@ static void solve(invcal_calibration *calibration, invcal_quality *quality)
     digest_calibration(calibration, &nominal);
     digest_quality(quality, &nominal);
     digest_bits("reaches", (uint32_t)invcal_session_reaches(&session, target));
-    digest_bits("stated", invcal_session_noise(&session, 2e-4f));
+    digest_bits("stated", invcal_session_set_noise(&session, 2e-4f));
     digest_bits("is_good", (uint32_t)invcal_session_is_good(&session));
 }
 
@@ -275,7 +275,7 @@ static void texts(void)
         digest_text("verdict", invcal_verdict_text((invcal_verdict)i));
     }
     for (unsigned i = 0; i <= INVCAL_PARAMETERS; i++) {
-        digest_text("parameter", invcal_parameter_name(i));
+        digest_text("parameter", invcal_parameter_text(i));
     }
 }
 

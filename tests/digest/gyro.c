@@ -101,10 +101,10 @@ static void begin(void)
 
     (void)invcal_nominal(none, g, &nominal);
     digest_bits("session",
-                invcal_session_begin(&both.session, sizeof both.session, &nominal, RATE));
+                invcal_session_init_nominal(&both.session, sizeof both.session, &nominal, RATE));
     (void)invcal_nominal(none, degrees, &nominal);
     digest_bits("moves", invcal_moves_init(&both.moves, sizeof both.moves, &nominal, RATE));
-    digest_bits("rails", invcal_moves_rails(&both.moves, -32768, 32767));
+    digest_bits("rails", invcal_moves_set_limits(&both.moves, -32768, 32767));
 }
 
 /* What is not kept over a reset is lost. */
@@ -136,7 +136,7 @@ static void tour(void)
         }
     }
     digest_set("finish");
-    const invcal_event event = invcal_session_finish(&both.session);
+    const invcal_event event = invcal_session_end(&both.session);
     invcal_moves_follow(&both.moves, &both.session.rests, event);
     digest_bits("event", event);
 }

@@ -17,7 +17,7 @@ static void feed(void)
     invcal_allan_init(&allan, sizeof allan);
     for (unsigned i = 0; i < SAMPLES; i++) {
         walk += 0.5f * input_noise();
-        invcal_allan_push(&allan, (int32_t)(12000 + walk + 20 * input_noise()));
+        invcal_allan_feed(&allan, (int32_t)(12000 + walk + 20 * input_noise()));
         if (i == SAMPLES / 3) {
             invcal_allan_gap(&allan);
         }
@@ -57,7 +57,7 @@ void part_noise(void)
     feed();
     points();
     digest_set("model");
-    digest_bits("status", invcal_allan_noise(&allan, RATE, &noise));
+    digest_bits("status", invcal_allan_solve(&allan, RATE, &noise));
     digest_reals("coefficient", noise.coefficient, INVCAL_NOISE_KINDS);
     digest_reals("relative", noise.relative, INVCAL_NOISE_KINDS);
     digest_bits("visible", noise.visible);

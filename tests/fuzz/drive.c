@@ -38,7 +38,7 @@ static void look_at_session(const drive_state *d)
     REQUIRE(session->noise >= 0 && session->noise < 1);
     REQUIRE(invcal_session_reason(session) < INVCAL_STATUS_END);
     REQUIRE(invcal_session_progress(session) <= 100);
-    REQUIRE(strcmp(invcal_session_why(session), "unknown status") != 0);
+    REQUIRE(strcmp(invcal_session_reason_text(session), "unknown status") != 0);
     for (unsigned i = 0; i < session->count; i++) {
         require_finite(session->mean[i], 3);
         REQUIRE(invcal_observe(&session->nominal, session->mean[i], &row) == INVCAL_OK);
@@ -139,14 +139,14 @@ static void solve(const drive_state *d, int looks_at_answers)
 
 static void ask_next(const drive_state *d, invcal_real up[3])
 {
-    char words[INVCAL_WORDS];
-    char again[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
+    char again[INVCAL_TEXT_SIZE];
 
     invcal_session_next(d->session, up);
     require_direction(up);
-    REQUIRE(invcal_session_next_words(d->session, words) == words);
+    REQUIRE(invcal_session_next_text(d->session, words) == words);
     REQUIRE(memchr(words, '\0', sizeof words));
-    REQUIRE(strcmp(invcal_words(up, again), words) == 0);
+    REQUIRE(strcmp(invcal_direction_text(up, again), words) == 0);
     REQUIRE((invcal_session_is_at(d->session, up) & ~1) == 0);
 }
 
@@ -177,7 +177,7 @@ static void resume(const drive_state *d)
 
     REQUIRE(size <= INVCAL_SESSION_SIZE);
     mark(&resumed, sizeof resumed);
-    REQUIRE(invcal_session_begin(&resumed, sizeof resumed, &session->nominal, session->rate) ==
+    REQUIRE(invcal_session_init_nominal(&resumed, sizeof resumed, &session->nominal, session->rate) ==
             INVCAL_OK);
     resumed.noise = session->noise;
     resumed.rests.dwell = session->rests.dwell;
@@ -319,13 +319,13 @@ static void restate(const drive_state *d)
     const int32_t low = take_i32(d->s);
     const int32_t high = take_i32(d->s);
 
-    if (invcal_session_noise(d->session, noise) != INVCAL_OK) {
+    if (invcal_session_set_noise(d->session, noise) != INVCAL_OK) {
         REQUIRE(memcmp(&before, d->session, sizeof before) == 0);
     } else {
         REQUIRE(d->session->noise == noise && noise > 0 && noise < 1);
     }
     const invcal_session between = *d->session;
-    REQUIRE((invcal_session_rails(d->session, low, high) == INVCAL_OK) == (low < high));
+    REQUIRE((invcal_session_set_limits(d->session, low, high) == INVCAL_OK) == (low < high));
     if (!(low < high)) {
         REQUIRE(memcmp(&between, d->session, sizeof between) == 0);
     }
@@ -337,7 +337,7 @@ static void end_stream(const drive_state *d)
     const invcal_session before = *d->session;
 
     if (!d->background) {
-        const invcal_event event = invcal_session_finish(d->session);
+        const invcal_event event = invcal_session_end(d->session);
         REQUIRE(event == INVCAL_TAKEN || event == INVCAL_REFUSED || event == INVCAL_MOVING);
         look_at_event(d, event, &before);
     }
@@ -371,7 +371,7 @@ static void act(drive_state *d, unsigned action)
         invcal_session_gap(d->session);
         break;
     case 5:
-        invcal_session_hold(d->session, take_byte(d->s) == 1 ? take_u32(d->s) : amount * 500);
+        invcal_session_set_hold(d->session, (invcal_real)(take_byte(d->s) == 1 ? take_u32(d->s) : amount * 500) / 1000);
         break;
     case 6:
         end_stream(d);

@@ -176,7 +176,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             look();
             break;
         case 1:
-            (void)invcal_moves_rails(&moves, take_i32(&s), take_i32(&s));
+            (void)invcal_moves_set_limits(&moves, take_i32(&s), take_i32(&s));
             break;
         case 2:
         case 3:

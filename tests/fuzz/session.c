@@ -31,7 +31,7 @@ static int begin(invcal_background *b, source *s, unsigned unusual)
     } else if (unusual & COUNTS) {
         status = invcal_session_init(&b->session, sizeof b->session, take_real(s, 1000), rate);
     } else {
-        status = invcal_session_begin(&b->session, sizeof b->session, &c.nominal, rate);
+        status = invcal_session_init_nominal(&b->session, sizeof b->session, &c.nominal, rate);
     }
     if (status != INVCAL_OK) {
         require_mark(b, sizeof *b);
@@ -54,14 +54,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     }
     if (unusual & NOISE) {
-        (void)invcal_session_noise(&b.session, take_real(&s, INVCAL_REAL(0.001)));
+        (void)invcal_session_set_noise(&b.session, take_real(&s, INVCAL_REAL(0.001)));
     }
     if (unusual & HOLD) {
-        invcal_session_hold(&b.session, take_u32(&s));
+        invcal_session_set_hold(&b.session, (invcal_real)(take_u32(&s)) / 1000);
     }
     if (unusual & RAILS) {
         const int32_t low = take_i32(&s);
-        (void)invcal_session_rails(&b.session, low, take_i32(&s));
+        (void)invcal_session_set_limits(&b.session, low, take_i32(&s));
     }
     drive(&b.session, unusual & BACKGROUND ? &b : NULL, &s);
     return 0;

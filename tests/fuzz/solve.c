@@ -276,7 +276,7 @@ static void calibrate_six_faces(const invcal_real *mean, unsigned count, const c
     mark(&out, sizeof out);
     mark(&quality, sizeof quality);
     mark(&held, sizeof held);
-    if (invcal_calibrate_six_faces(mean, count, &c->nominal, c->noise, gamma, &out, &quality,
+    if (invcal_calibrate_faces(mean, count, &c->nominal, c->noise, gamma, &out, &quality,
                                    &held) != INVCAL_OK) {
         require_mark(&out, sizeof out);
         require_mark(&quality, sizeof quality);
@@ -306,7 +306,7 @@ static void calibrate_with_prior(source *s)
     mark(&out, sizeof out);
     mark(&quality, sizeof quality);
     mark(&from_prior, sizeof from_prior);
-    if (invcal_calibrate_with_prior(&mean[0][0], count, &c.nominal, c.noise, c.prior, &out,
+    if (invcal_calibrate_prior(&mean[0][0], count, &c.nominal, c.noise, c.prior, &out,
                                     &quality, &from_prior) != INVCAL_OK) {
         require_mark(&out, sizeof out);
         require_mark(&quality, sizeof quality);
@@ -337,7 +337,7 @@ static void calibrate_judged(source *s)
 
     mark(&out, sizeof out);
     mark(&quality, sizeof quality);
-    if ((is_robust ? invcal_calibrate_robust : invcal_calibrate_judged)(
+    if ((is_robust ? invcal_calibrate_robust : invcal_calibrate)(
             &mean[0][0], count, &c.nominal, c.noise, &out, &quality) != INVCAL_OK) {
         require_mark(&out, sizeof out);
         require_mark(&quality, sizeof quality);
@@ -509,7 +509,7 @@ static void push_samples(invcal_allan *allan, source *s)
         const uint32_t bits = kind == 0   ? size
                               : kind == 1 ? state >> 24
                                           : (state >> 8) % (size + !size);
-        invcal_allan_push(allan, kind == 2 ? (int32_t)bits : (int32_t)(bits & INT32_MAX));
+        invcal_allan_feed(allan, kind == 2 ? (int32_t)bits : (int32_t)(bits & INT32_MAX));
     }
 }
 
@@ -546,7 +546,7 @@ static unsigned begin_allan(invcal_allan *allan, source *s)
             step > 250 ? take_u32(s) : (i > 0 ? m[i - 1] : 0) + (step & 15u) * (1u << (step >> 4));
     }
     mark(allan, sizeof *allan);
-    if (invcal_allan_begin(allan, sizeof *allan, m, count) != INVCAL_OK) {
+    if (invcal_allan_init_taus(allan, sizeof *allan, m, count) != INVCAL_OK) {
         require_mark(allan, sizeof *allan);
         return 0;
     }
@@ -573,7 +573,7 @@ static void look_at_allan(source *s)
     }
     look_at_points(&allan, count);
     mark(&noise, sizeof noise);
-    if (invcal_allan_noise(&allan, take_real(s, 100), &noise) != INVCAL_OK) {
+    if (invcal_allan_solve(&allan, take_real(s, 100), &noise) != INVCAL_OK) {
         require_mark(&noise, sizeof noise);
         return;
     }
@@ -626,7 +626,7 @@ static void look_at_plan(source *s)
 static void use(source *s)
 {
     const conditions c = take_conditions(s);
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
     invcal_calibration made;
     invcal_real zero[3];
     invcal_real counts[3];
@@ -652,7 +652,7 @@ static void use(source *s)
     REQUIRE(memcmp(raw, same, sizeof raw) == 0);
     invcal_apply(&c.nominal, sample[0], sample[1], sample[2], raw);
     REQUIRE(memcmp(raw, same, sizeof raw) == 0);
-    REQUIRE(invcal_words(raw, words) == words && memchr(words, '\0', sizeof words));
+    REQUIRE(invcal_direction_text(raw, words) == words && memchr(words, '\0', sizeof words));
     look_at_drift(s);
 }
 

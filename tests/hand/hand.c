@@ -50,7 +50,7 @@ static void cross(const double a[3], const double b[3], double out[3])
 /* The direction of a cube's faces, edges and corners that has these words, if there is one. */
 static int is_direction(const char *text, double direction[3])
 {
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
     for (int n = 0; n < 27; n++) {
         invcal_real v[3];
@@ -64,7 +64,7 @@ static int is_direction(const char *text, double direction[3])
         for (int i = 0; i < 3; i++) {
             v[i] = (invcal_real)direction[i];
         }
-        if (strcmp(invcal_words(v, words), text) == 0) {
+        if (strcmp(invcal_direction_text(v, words), text) == 0) {
             return 1;
         }
     }

@@ -39,11 +39,11 @@ void main(void)
     ANY(raw);
     ANY(nominal);
     ANY(noise);
-    (void)invcal_calibrate_judged(NULL, 0, &nominal, noise, &out, &quality);
-    (void)invcal_calibrate_judged(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise, &out,
+    (void)invcal_calibrate(NULL, 0, &nominal, noise, &out, &quality);
+    (void)invcal_calibrate(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise, &out,
                                   &quality);
-    (void)invcal_calibrate_judged(raw, BETWEEN(INVCAL_MAX_POSITIONS + 1, 0xFFFFFFFF), &nominal,
+    (void)invcal_calibrate(raw, BETWEEN(INVCAL_MAX_POSITIONS + 1, 0xFFFFFFFF), &nominal,
                                   noise, &out, &quality);
-    (void)invcal_calibrate_judged(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise, &nominal,
+    (void)invcal_calibrate(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise, &nominal,
                                   &quality);
 }

@@ -31,7 +31,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
     return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_OUT_OF_RANGE;
 }
 
-const char *invcal_parameter_name(unsigned parameter)
+const char *invcal_parameter_text(unsigned parameter)
 {
     (void)parameter;
     return "?";
@@ -50,5 +50,5 @@ void main(void)
     ANY(accelerometer);
     moves.first = (uint16_t)BETWEEN(0, INVCAL_MAX_SEGMENTS);
     (void)invcal_imu_mounting(raw, 1, &accelerometer, &moves, axes, &unit);
-    (void)*invcal_imu_parameter_name(BETWEEN(0, 0xFFFFFFFF));
+    (void)*invcal_imu_parameter_text(BETWEEN(0, 0xFFFFFFFF));
 }

@@ -40,7 +40,7 @@ void main(void)
     (void)invcal_moves_init(&m, 0, &nominal, rate); /* another build */
     (void)invcal_moves_init(&m, sizeof m, &nominal, rate);
     any_moves(&m);
-    (void)invcal_moves_rails(&m, low, high);
+    (void)invcal_moves_set_limits(&m, low, high);
     invcal_moves_feed(&m, raw[0], raw[1], raw[2]);
     any_moves(&m);
     invcal_moves_gap(&m);

@@ -14,7 +14,7 @@ void main(void)
 
     ANY(x);
     any_allan(&allan);
-    (void)invcal_allan_noise(&allan, x, &noise);
+    (void)invcal_allan_solve(&allan, x, &noise);
     ANY(noise);
     (void)invcal_noise_sigma(&noise, x);
     (void)invcal_noise_dwell(&noise, x, &dwell);

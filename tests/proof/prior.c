@@ -26,10 +26,10 @@ void main(void)
     ANY(prior);
     ANY(noise);
     ANY(gamma);
-    (void)invcal_calibrate_with_prior(NULL, 0, &nominal, noise, prior, &out, &quality, &from_prior);
-    (void)invcal_calibrate_with_prior(raw, BETWEEN(1, COUNT), &nominal, noise, prior, &out,
+    (void)invcal_calibrate_prior(NULL, 0, &nominal, noise, prior, &out, &quality, &from_prior);
+    (void)invcal_calibrate_prior(raw, BETWEEN(1, COUNT), &nominal, noise, prior, &out,
                                       &quality, &from_prior);
-    (void)invcal_calibrate_six_faces(raw, BETWEEN(1, COUNT), &nominal, noise, gamma, &out, &quality,
+    (void)invcal_calibrate_faces(raw, BETWEEN(1, COUNT), &nominal, noise, gamma, &out, &quality,
                                      &from_prior);
     ANY(quality);
     ANY(from_prior);

@@ -97,7 +97,7 @@ static void look_at(const invcal_real *raw, unsigned count)
     }
 }
 
-invcal_status invcal_calibrate_judged(const invcal_real *raw, unsigned count,
+invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
                                       const invcal_calibration *nominal, invcal_real noise,
                                       invcal_calibration *out, invcal_quality *quality)
 {
@@ -131,10 +131,10 @@ void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal
     Frama_C_make_unknown((char *)up, 3 * sizeof *up);
 }
 
-const char *invcal_words(const invcal_real up[3], char words[INVCAL_WORDS])
+const char *invcal_direction_text(const invcal_real up[3], char words[INVCAL_TEXT_SIZE])
 {
     (void)up[2];
-    Frama_C_make_unknown(words, INVCAL_WORDS);
+    Frama_C_make_unknown(words, INVCAL_TEXT_SIZE);
     return words;
 }
 
@@ -169,7 +169,7 @@ static void any_begin(void)
     (void)invcal_session_init(&session, sizeof session, counts, rate);
     check_session();
     any_session();
-    (void)invcal_session_begin(&session, BETWEEN(0, UINT_MAX), &nominal, rate);
+    (void)invcal_session_init_nominal(&session, BETWEEN(0, UINT_MAX), &nominal, rate);
     check_session();
 }
 
@@ -187,12 +187,12 @@ static void any_change(void)
     (void)invcal_session_feed(&session, raw[0], raw[1], raw[2]);
     check_session();
     any_session();
-    (void)invcal_session_finish(&session);
+    (void)invcal_session_end(&session);
     check_session();
-    invcal_session_hold(&session, BETWEEN(0, 0xFFFFFFFF));
+    (void)invcal_session_set_hold(&session, noise);
     invcal_session_gap(&session);
-    (void)invcal_session_noise(&session, noise);
-    (void)invcal_session_rails(&session, low, high);
+    (void)invcal_session_set_noise(&session, noise);
+    (void)invcal_session_set_limits(&session, low, high);
     check_session();
 }
 
@@ -215,17 +215,17 @@ static void any_resume(void)
 
 static void any_look(void)
 {
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
     invcal_real up[3];
 
     any_session();
     ANY(up);
     (void)invcal_session_progress(&session);
     (void)invcal_session_reason(&session);
-    (void)invcal_session_why(&session);
+    (void)invcal_session_reason_text(&session);
     (void)invcal_session_is_at(&session, up);
     invcal_session_next(&session, up);
-    (void)invcal_session_next_words(&session, words);
+    (void)invcal_session_next_text(&session, words);
 }
 
 static void any_result(void)

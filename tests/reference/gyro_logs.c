@@ -39,7 +39,7 @@ static void begin(double zero, double acceleration, double rate)
         c.offset[i] = (invcal_real)zero;
         c.matrix[i][i] = (invcal_real)acceleration;
     }
-    (void)invcal_session_begin(&session, sizeof session, &c, 100);
+    (void)invcal_session_init_nominal(&session, sizeof session, &c, 100);
     for (int i = 0; i < 3; i++) {
         c.matrix[i][i] = (invcal_real)rate;
     }

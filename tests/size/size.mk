@@ -10,10 +10,10 @@ HEADERS := $(notdir $(wildcard include/invcal/*.h))
 # Programs without start-up code, made only of library functions: what a device needs for offset and matrix; the
 # same with every sigma and the verdict; what the program of README.md calls; that with the gyroscope; everything.
 $(OUT)/core.elf:    WANTED = invcal_sums_init invcal_sums_add invcal_solve invcal_apply
-$(OUT)/judged.elf:  WANTED = invcal_calibrate invcal_apply
+$(OUT)/judged.elf:  WANTED = invcal_calibrate_plain invcal_apply
 $(OUT)/product.elf: WANTED = $(shell $(subst gcc,nm,$(CC)) -u $(OUT)/program.o | sed -n 's/.* invcal_/invcal_/p')
 $(OUT)/imu.elf:     WANTED = $(shell $(subst gcc,nm,$(CC)) -u $(OUT)/program.o | sed -n 's/.* invcal_/invcal_/p') \
-    invcal_moves_init invcal_moves_rails invcal_moves_feed invcal_moves_follow invcal_imu_solve
+    invcal_moves_init invcal_moves_set_limits invcal_moves_feed invcal_moves_follow invcal_imu_solve
 $(OUT)/whole.elf:   WANTED = %
 $(OUT)/product.elf $(OUT)/imu.elf: $(OUT)/program.o
 $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/imu.elf $(OUT)/whole.elf: $(LIBRARY) $(OUT)/public

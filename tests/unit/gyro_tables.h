@@ -11,8 +11,8 @@
 
 #undef invcal_moves_init
 #define invcal_moves_init other_init
-#undef invcal_moves_rails
-#define invcal_moves_rails other_rails
+#undef invcal_moves_set_limits
+#define invcal_moves_set_limits other_rails
 #undef invcal_moves_feed
 #define invcal_moves_feed other_feed
 #undef invcal_moves_gap

@@ -211,7 +211,7 @@ invcal_status calibrate_set(const reading_set *set, double noise, invcal_calibra
 {
     const invcal_calibration nominal = unit_nominal();
 
-    return invcal_calibrate(&set->u[0][0], set->count, &nominal, (invcal_real)noise, calibration,
+    return invcal_calibrate_plain(&set->u[0][0], set->count, &nominal, (invcal_real)noise, calibration,
                             quality);
 }
 

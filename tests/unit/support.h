@@ -56,7 +56,7 @@ invcal_sums sums_of(const reading_set *set);
 /* Element (r, c), c <= r, of H'H. */
 double element(const invcal_sums *sums, unsigned r, unsigned c);
 
-/* invcal_calibrate on a set of readings over field. */
+/* invcal_calibrate_plain on a set of readings over field. */
 invcal_status calibrate_set(const reading_set *set, double noise, invcal_calibration *calibration,
                             invcal_quality *quality);
 

@@ -148,7 +148,7 @@ static uint32_t stride_of(uint32_t m)
 static void feed(invcal_allan *a, stream s, uint32_t n)
 {
     for (uint32_t i = 1; i <= n; i++) {
-        invcal_allan_push(a, s(i));
+        invcal_allan_feed(a, s(i));
     }
 }
 
@@ -158,7 +158,7 @@ static invcal_allan begun(const uint32_t *m, unsigned count)
     static invcal_allan a;
 
     memset(&a, 0xA5, sizeof a);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_begin(&a, sizeof a, m, count));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_init_taus(&a, sizeof a, m, count));
     return a;
 }
 
@@ -299,7 +299,7 @@ static void unusable_lists_are_refused(void)
     for (unsigned i = 0; i < sizeof list / sizeof *list; i++) {
         a.samples = 77;
         TEST_ASSERT_EQUAL_INT(list[i].expected,
-                              invcal_allan_begin(&a, sizeof a, list[i].m, list[i].count));
+                              invcal_allan_init_taus(&a, sizeof a, list[i].m, list[i].count));
         TEST_ASSERT_EQUAL_UINT32(list[i].expected == INVCAL_OK ? 0 : 77, a.samples);
     }
 }
@@ -322,7 +322,7 @@ static void a_stream_of_another_size_takes_nothing(void)
         memcpy(&before, &a, sizeof before);
         before.taus = 0;
         TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD, i / 3 % 2 ? invcal_allan_init(&a, size)
-                                                            : invcal_allan_begin(&a, size, m, 3));
+                                                            : invcal_allan_init_taus(&a, size, m, 3));
         TEST_ASSERT_EQUAL_MEMORY(&before, &a, sizeof before);
         feed(&a, always_full, 100);
         TEST_ASSERT_EQUAL_MEMORY(before.tau, a.tau, sizeof before.tau);
@@ -340,9 +340,9 @@ static void what_is_not_known_yet_is_not_shown(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_get(&a, 0, &p));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TIME, invcal_allan_get(&a, TAUS, &p));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TIME, invcal_allan_get(&a, UINT_MAX, &p));
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_noise(&a, 1, &noise));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_solve(&a, 1, &noise));
     feed(&a, always_full, 1000);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_noise(&a, 1, &noise));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_allan_solve(&a, 1, &noise));
     TEST_ASSERT_EQUAL_UINT32(77, p.m);
     TEST_ASSERT_TRUE(noise.misfit == 77);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(&a, 2, &p));
@@ -578,7 +578,7 @@ static double reading(source *s)
 static void feed_noise(invcal_allan *a, source *s, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        invcal_allan_push(a, (int32_t)floor(reading(s) + 0.5));
+        invcal_allan_feed(a, (int32_t)floor(reading(s) + 0.5));
     }
 }
 
@@ -589,7 +589,7 @@ static invcal_noise noise_of(const invcal_allan *a)
     invcal_noise noise;
 
     memset(&noise, 0xA5, sizeof noise);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(a, (invcal_real)RATE, &noise));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_solve(a, (invcal_real)RATE, &noise));
     return noise;
 }
 
@@ -724,7 +724,7 @@ static invcal_noise noise_with(double ramp, double wave, uint32_t averaged)
         sum -= ring[i % averaged];
         ring[i % averaged] = 1000 * random_normal(&random) / averaged;
         sum += ring[i % averaged];
-        invcal_allan_push(&a, (int32_t)floor(sum + ramp * i + wave * sin(0.1 * i) + 0.5));
+        invcal_allan_feed(&a, (int32_t)floor(sum + ramp * i + wave * sin(0.1 * i) + 0.5));
     }
     return noise_of(&a);
 }
@@ -814,7 +814,7 @@ static void an_exact_curve_has_the_coefficients_it_was_made_from(void)
         const double *c = made_from[i];
         const invcal_allan a = exact_curve(c[0], c[1], c[2]);
         invcal_noise noise;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 1, &noise));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_solve(&a, 1, &noise));
         for (unsigned kind = 0; kind < INVCAL_NOISE_KINDS; kind++) {
             TEST_ASSERT_EQUAL_INT(c[kind] > 0, noise.visible >> kind & 1);
             TEST_ASSERT_DOUBLE_WITHIN(within * c[kind], c[kind], (double)noise.coefficient[kind]);
@@ -832,7 +832,7 @@ static void the_minimum_is_the_lowest_deviation_seen(void)
     invcal_noise noise;
 
     needs_53_bits();
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 100, &noise));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_solve(&a, 100, &noise));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(&a, 8, &p));
     TEST_ASSERT_EQUAL_UINT32(256, p.m);
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 2.56, (double)noise.best);
@@ -853,7 +853,7 @@ static void relative_is_that_of_weighted_least_squares(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_get(&a, k, &p));
         weights += 1 / (2 / (double)p.edf + 0.05 * 0.05);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 1, &noise));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_solve(&a, 1, &noise));
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1 / sqrt(weights) / 2,
                               (double)noise.relative[INVCAL_NOISE_WHITE]);
 }
@@ -868,10 +868,10 @@ static void unusable_rates_are_refused(void)
 
     feed(&a, noise_of_12_bits, 300);
     for (unsigned i = 0; i < sizeof bad / sizeof *bad; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_allan_noise(&a, (invcal_real)bad[i], &noise));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_allan_solve(&a, (invcal_real)bad[i], &noise));
     }
     TEST_ASSERT_TRUE(noise.misfit == 77);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 1, &noise));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_solve(&a, 1, &noise));
 }
 
 /* 4096 equally likely counts: a variance of (4096^2 - 1) / 12. */
@@ -881,7 +881,7 @@ static void a_few_samples_show_white_noise(void)
     invcal_noise noise;
 
     feed(&a, noise_of_12_bits, 400);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_noise(&a, 100, &noise));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_solve(&a, 100, &noise));
     TEST_ASSERT_EQUAL_INT(1 << INVCAL_NOISE_WHITE, noise.visible);
     TEST_ASSERT_DOUBLE_WITHIN(10, 118.2, (double)noise.coefficient[INVCAL_NOISE_WHITE]);
     TEST_ASSERT_TRUE((double)noise.relative[INVCAL_NOISE_WHITE] < 0.06);
@@ -919,9 +919,9 @@ static void a_curve_beyond_the_number_type_gives_nothing(void)
     invcal_noise noise = {.misfit = 77};
 
     for (int i = 0; i < 200; i++) {
-        invcal_allan_push(&a, i % 2 ? INT32_MAX : INT32_MIN + (i == 100));
+        invcal_allan_feed(&a, i % 2 ? INT32_MAX : INT32_MIN + (i == 100));
     }
-    const invcal_status status = invcal_allan_noise(&a, 100, &noise);
+    const invcal_status status = invcal_allan_solve(&a, 100, &noise);
     TEST_ASSERT_EQUAL_INT(FLOAT_OR_DOUBLE(INVCAL_TOO_FEW, INVCAL_OK), status);
     TEST_ASSERT_EQUAL_INT(status != INVCAL_OK, noise.misfit == 77);
     for (unsigned i = 0; i < INVCAL_NOISE_KINDS && status == INVCAL_OK; i++) {

@@ -11,12 +11,12 @@
 
 #undef invcal_allan_init
 #define invcal_allan_init wide_allan_init
-#undef invcal_allan_begin
-#define invcal_allan_begin wide_allan_begin
+#undef invcal_allan_init_taus
+#define invcal_allan_init_taus wide_allan_begin
 #undef invcal_allan_apart
 #define invcal_allan_apart wide_allan_apart
-#undef invcal_allan_push
-#define invcal_allan_push wide_allan_push
+#undef invcal_allan_feed
+#define invcal_allan_feed wide_allan_push
 #undef invcal_allan_gap
 #define invcal_allan_gap wide_allan_gap
 #undef invcal_allan_get
@@ -49,12 +49,12 @@ static void feed(int is_apart)
 {
     uint32_t n = 1234567890;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_begin(&a, sizeof a, taus, 3));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_allan_init_taus(&a, sizeof a, taus, 3));
     if (is_apart) {
         invcal_allan_apart(&a);
     }
     for (unsigned i = 0; i < POINTS; i++) {
-        invcal_allan_push(&a, (int32_t)n);
+        invcal_allan_feed(&a, (int32_t)n);
         n = (uint32_t)(UINT64_C(16807) * n % modulus);
     }
 }

@@ -138,7 +138,7 @@ static invcal_status begin_with(const invcal_calibration *nominal)
 {
     static invcal_session session;
 
-    return invcal_session_begin(&session, sizeof session, nominal, 100);
+    return invcal_session_init_nominal(&session, sizeof session, nominal, 100);
 }
 
 static void a_nominal_that_is_singular_or_unreal_is_refused(void)

@@ -180,12 +180,12 @@ static void run_session(const sensor_fault *row)
         INVCAL_OK, invcal_session_init(b.session, sizeof *b.session, (invcal_real)COUNTS, RATE),
         row->name);
     if (row->rails) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(b.session, -13107, 13107));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_limits(b.session, -13107, 13107));
     }
     for (b.position = 0; b.position < POSITIONS; b.position++) {
         visit(expected_plan18[b.position]);
     }
-    note(invcal_session_finish(b.session));
+    note(invcal_session_end(b.session));
 }
 
 /* A triad whose x and y axes are always exchanged is one with exchanged errors. */

@@ -348,13 +348,13 @@ static void the_first_positions_are_faces_then_corners(void)
         "-z up, tilt 55 deg, +x and -y rise",
     };
     reading_list list = {{0}, 0};
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
     for (unsigned n = 0; n < sizeof expected / sizeof expected[0]; n++) {
         double up[3];
         ask(&list, up);
         const invcal_real next[3] = {(invcal_real)up[0], (invcal_real)up[1], (invcal_real)up[2]};
-        TEST_ASSERT_EQUAL_STRING(expected[n], invcal_words(next, words));
+        TEST_ASSERT_EQUAL_STRING(expected[n], invcal_direction_text(next, words));
         add_reading(&list, up);
     }
 }
@@ -576,14 +576,14 @@ static void all_26_directions_have_their_words(void)
 
     TEST_ASSERT_EQUAL_UINT(26, sizeof expected / sizeof expected[0]);
     for (unsigned i = 0; i < 26; i++) {
-        char words[INVCAL_WORDS];
+        char words[INVCAL_TEXT_SIZE];
         const double sign[3] = {expected[i].sign[0], expected[i].sign[1], expected[i].sign[2]};
         invcal_real up[3];
         for (int k = 0; k < 3; k++) {
             up[k] = (invcal_real)(sign[k] / length3(sign));
         }
         memset(words, '#', sizeof words);
-        TEST_ASSERT_TRUE(invcal_words(up, words) == words);
+        TEST_ASSERT_TRUE(invcal_direction_text(up, words) == words);
         TEST_ASSERT_EQUAL_STRING(expected[i].words, words);
         for (size_t at = strlen(words) + 1; at < sizeof words; at++) {
             TEST_ASSERT_TRUE(words[at] == '#');
@@ -613,12 +613,12 @@ static void other_directions_have_words_to_five_degrees(void)
     };
 
     for (unsigned i = 0; i < sizeof expected / sizeof expected[0]; i++) {
-        char words[INVCAL_WORDS];
+        char words[INVCAL_TEXT_SIZE];
         invcal_real up[3];
         for (int k = 0; k < 3; k++) {
             up[k] = (invcal_real)expected[i].up[k];
         }
-        TEST_ASSERT_TRUE(invcal_words(up, words) == words);
+        TEST_ASSERT_TRUE(invcal_direction_text(up, words) == words);
         TEST_ASSERT_EQUAL_STRING(expected[i].words, words);
     }
 }
@@ -634,8 +634,8 @@ static void the_tilt_changes_between_two_fives(void)
             const double across = i < 8 ? sin(radians) : sin(radians) / sqrt(2);
             const invcal_real up[3] = {(invcal_real)across, (invcal_real)(i < 8 ? 0 : across),
                                        (invcal_real)cos(radians)};
-            char words[INVCAL_WORDS];
-            const char *tilt = strstr(invcal_words(up, words), "tilt ");
+            char words[INVCAL_TEXT_SIZE];
+            const char *tilt = strstr(invcal_direction_text(up, words), "tilt ");
             TEST_ASSERT_NOT_NULL(tilt);
             TEST_ASSERT_EQUAL_INT(5 * (int)(i + 1 + (side > 0)), atoi(tilt + 5));
         }
@@ -650,10 +650,10 @@ static void words_for_no_direction_do_no_harm(void)
     for (unsigned code = 0; code < 343; code++) {
         const invcal_real up[3] = {(invcal_real)bad[code % 7], (invcal_real)bad[code / 7 % 7],
                                    (invcal_real)bad[code / 49]};
-        char words[INVCAL_WORDS + 1];
-        words[INVCAL_WORDS] = '#';
-        TEST_ASSERT_TRUE(strlen(invcal_words(up, words)) < INVCAL_WORDS);
-        TEST_ASSERT_TRUE(words[INVCAL_WORDS] == '#');
+        char words[INVCAL_TEXT_SIZE + 1];
+        words[INVCAL_TEXT_SIZE] = '#';
+        TEST_ASSERT_TRUE(strlen(invcal_direction_text(up, words)) < INVCAL_TEXT_SIZE);
+        TEST_ASSERT_TRUE(words[INVCAL_TEXT_SIZE] == '#');
     }
 }
 

@@ -1163,7 +1163,7 @@ static void without_moves_nothing_is_solved(void)
     invcal_real scale;
 
     world_begin(&w, 100, 67);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&w.moves, -50000, 50000)); /* 0.5 rad/s */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_set_limits(&w.moves, -50000, 50000)); /* 0.5 rad/s */
     world_tour(&w);
     world_end(&w);
     TEST_ASSERT_EQUAL_INT(13, w.moves.count);
@@ -1462,11 +1462,11 @@ static void the_last_rests_belong_together(void)
 
 static void every_parameter_has_a_name(void)
 {
-    TEST_ASSERT_EQUAL_STRING("gyro_xx", invcal_imu_parameter_name(0));
-    TEST_ASSERT_EQUAL_STRING("gyro_zy", invcal_imu_parameter_name(7));
-    TEST_ASSERT_EQUAL_STRING("delta_x", invcal_imu_parameter_name(9));
-    TEST_ASSERT_EQUAL_STRING("gamma_zy", invcal_imu_parameter_name(17));
-    TEST_ASSERT_EQUAL_STRING("?", invcal_imu_parameter_name(18));
+    TEST_ASSERT_EQUAL_STRING("gyro_xx", invcal_imu_parameter_text(0));
+    TEST_ASSERT_EQUAL_STRING("gyro_zy", invcal_imu_parameter_text(7));
+    TEST_ASSERT_EQUAL_STRING("delta_x", invcal_imu_parameter_text(9));
+    TEST_ASSERT_EQUAL_STRING("gamma_zy", invcal_imu_parameter_text(17));
+    TEST_ASSERT_EQUAL_STRING("?", invcal_imu_parameter_text(18));
 }
 
 int main(void)

@@ -48,8 +48,8 @@ static void begin_both(invcal_imu_session *of)
     TEST_ASSERT_EQUAL_INT(
         INVCAL_OK, invcal_session_init(&of->session, sizeof of->session, COUNTS_PER_G, RATE));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&of->moves, sizeof of->moves, &gyro, RATE));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&of->session, -32768, 32767));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&of->moves, -5000000, 5000000));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_limits(&of->session, -32768, 32767));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_set_limits(&of->moves, -5000000, 5000000));
 }
 
 static void begin(uint32_t seed)
@@ -397,10 +397,10 @@ static void what_was_stated_stays_as_it_was_begun(void)
 {
     begin(14);
     take(4);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&both.moves, -7, 8));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&both.session, -9, 10));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&both.session, INVCAL_REAL(0.001)));
-    invcal_session_hold(&both.session, 5000);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_set_limits(&both.moves, -7, 8));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_limits(&both.session, -9, 10));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(&both.session, INVCAL_REAL(0.001)));
+    invcal_session_set_hold(&both.session, 5);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(keep(&both)));
     TEST_ASSERT_EQUAL_UINT(3, back.session.count);
     TEST_ASSERT_EQUAL_UINT(3, back.moves.count);
@@ -408,7 +408,7 @@ static void what_was_stated_stays_as_it_was_begun(void)
     TEST_ASSERT_EQUAL_UINT32(9999999, back.moves.between);
     TEST_ASSERT_EQUAL_INT32(-32768, back.session.rests.low);
     TEST_ASSERT_TRUE(back.session.noise == 0);
-    invcal_session_hold(&both.session, 0); /* as if never called */
+    invcal_session_set_hold(&both.session, 0); /* as if never called */
     TEST_ASSERT_EQUAL_UINT(both.session.rests.dwell, back.session.rests.dwell);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal_calibrate_judged: what it calls good, and what it names. Its outliers are in
+ * invcal_calibrate: what it calls good, and what it names. Its outliers are in
  * test_outliers.c.
  *
  * When may it say "good"? Of thousands of simulated sensors with one fault each, the share that is
@@ -202,7 +202,7 @@ static invcal_status judge(const reading_set *set, double stated, invcal_calibra
 {
     const invcal_calibration nominal = unit_nominal();
 
-    return invcal_calibrate_judged(set->u[0], set->count, &nominal, (invcal_real)stated, out,
+    return invcal_calibrate(set->u[0], set->count, &nominal, (invcal_real)stated, out,
                                    quality);
 }
 
@@ -533,7 +533,7 @@ static void signs_are_those_of_the_field_however_the_axes_point(void)
     for (unsigned i = 0; i < set.count; i++) {
         set.u[i][1] = -set.u[i][1];
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_judged(set.u[0], 18, &nominal, 0, &c, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate(set.u[0], 18, &nominal, 0, &c, &q));
     TEST_ASSERT_EQUAL_UINT(INVCAL_DRIFT, q.systematic);
     TEST_ASSERT_EQUAL_UINT(1, q.axis);
     TEST_ASSERT_DOUBLE_WITHIN(4e-4, 0.004, (double)q.size);
@@ -770,7 +770,7 @@ typedef invcal_status calibrate_function(const invcal_real *raw, unsigned count,
 static void assert_refused_by(invcal_status expected, const reading_set *set,
                               const invcal_calibration *nominal, double noise)
 {
-    static calibrate_function *const calibrate[] = {invcal_calibrate_judged,
+    static calibrate_function *const calibrate[] = {invcal_calibrate,
                                                     invcal_calibrate_robust};
 
     for (unsigned i = 0; i < 2; i++) {

@@ -96,7 +96,7 @@ static void lost_samples_spoil_only_one_move(void)
 static void a_clipped_or_a_long_move_is_refused(void)
 {
     begin();
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&w.moves, -150000, 150000)); /* 1.5 rad/s */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_set_limits(&w.moves, -150000, 150000)); /* 1.5 rad/s */
     world_rest(&w, 1.5);
     quarter(2.2);
     quarter(1);
@@ -206,7 +206,7 @@ static void nonsense_is_refused_or_does_no_harm(void)
     static invcal_moves untouched;
 
     begin();
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_moves_rails(&w.moves, 5, 5));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_moves_set_limits(&w.moves, 5, 5));
     memcpy(&untouched, &w.moves, sizeof untouched);
     nominal.matrix[0][0] = (invcal_real)NAN;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
@@ -837,7 +837,7 @@ static void a_rail_is_a_reading_that_clips(void)
     for (int i = 0; i < 12; i++) {
         const int32_t x = (i / 6 ? 2000 : -1000) + (i / 3 % 2 ? 0 : i / 6 ? -1 : 1);
         begin_exactly();
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_rails(&w.moves, -1000, 2000));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_set_limits(&w.moves, -1000, 2000));
         rest_exactly(0, 0, 0);
         leave_exactly();
         feed(i % 3 == 0 ? x : 0, i % 3 == 1 ? x : 0, i % 3 == 2 ? x : 0);
@@ -1064,7 +1064,7 @@ static void the_session_says_where_rests_are(void)
     for (int k = 0; k < 13; k++) {
         taken += turn_and_rest(&session, turns[k / 5], &random);
     }
-    const invcal_event event = invcal_session_finish(&session);
+    const invcal_event event = invcal_session_end(&session);
     invcal_moves_follow(&w.moves, &session.rests, event);
     taken += event == INVCAL_TAKEN;
     TEST_ASSERT_EQUAL_INT(taken, session.count);

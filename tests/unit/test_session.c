@@ -80,7 +80,7 @@ static void begin(double size, uint32_t seed)
     b.up[1] = 0.48;
     b.up[2] = -0.8;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_session_begin(b.s, sizeof *b.s, &sheet, (invcal_real)RATE));
+                          invcal_session_init_nominal(b.s, sizeof *b.s, &sheet, (invcal_real)RATE));
 }
 
 static void begin_background(double size, uint32_t seed)
@@ -102,7 +102,7 @@ static void note(invcal_event event)
     if (event == INVCAL_REFUSED) {
         const invcal_status why = invcal_session_reason(b.s);
         TEST_ASSERT_TRUE(why >= INVCAL_OUT_OF_RANGE && why <= INVCAL_REST_SAME);
-        TEST_ASSERT_EQUAL_STRING(invcal_status_text(why), invcal_session_why(b.s));
+        TEST_ASSERT_EQUAL_STRING(invcal_status_text(why), invcal_session_reason_text(b.s));
         b.refused[why]++;
     }
     b.seen[event]++;
@@ -319,7 +319,7 @@ static void it_is_what_the_array_of_its_means_gives(void)
     visit_plan(0, 15);
     (void)solve(&of_session);
     TEST_ASSERT_EQUAL_INT(
-        INVCAL_OK, invcal_calibrate(b.s->mean[0], b.s->count, &sheet, 0, &of_array, &quality));
+        INVCAL_OK, invcal_calibrate_plain(b.s->mean[0], b.s->count, &sheet, 0, &of_array, &quality));
     TEST_ASSERT_EQUAL_MEMORY(&of_array, &of_session, sizeof of_array);
 }
 
@@ -358,7 +358,7 @@ static void the_mean_is_that_of_the_readings(void)
 static void leaving_before_the_time_to_hold_is_reported(void)
 {
     begin(0, 5);
-    invcal_session_hold(b.s, 4000);
+    invcal_session_set_hold(b.s, 4);
     reach(expected_plan18[0]); /* 2.5 s */
     TEST_ASSERT_EQUAL_UINT(0, b.seen[INVCAL_READY]);
     TEST_ASSERT_TRUE(b.progress > 20 && b.progress < 80);
@@ -389,7 +389,7 @@ static void what_lies_at_the_rails_is_refused(void)
 {
     begin(0, 7);
     b.rail = (int32_t)(COUNTS * 0.95);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(b.s, -b.rail, b.rail));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_limits(b.s, -b.rail, b.rail));
     const double z[3] = {0, 0, 1};
     const double edge[3] = {0, 0.70710678, 0.70710678};
     visit(z);
@@ -417,12 +417,12 @@ static void finish_takes_the_position_that_is_held_and_nothing_that_is_not_ready
 {
     begin(0, 9);
     reach(expected_plan18[0]);
-    note(invcal_session_finish(b.s));
+    note(invcal_session_end(b.s));
     TEST_ASSERT_EQUAL_UINT(1, b.seen[INVCAL_TAKEN]);
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
     turn(expected_plan18[1]);
     hold(0.5);
-    note(invcal_session_finish(b.s));
+    note(invcal_session_end(b.s));
     TEST_ASSERT_EQUAL_UINT(1, b.s->count);
 }
 
@@ -507,10 +507,10 @@ static void a_position_that_is_ready_counts_as_taken(void)
 
 static void the_next_direction_has_its_words(void)
 {
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
     begin(0, 13);
-    TEST_ASSERT_EQUAL_STRING("+z up", invcal_session_next_words(b.s, words));
+    TEST_ASSERT_EQUAL_STRING("+z up", invcal_session_next_text(b.s, words));
 }
 
 static void a_position_is_at_a_direction_within_twenty_degrees(void)
@@ -568,14 +568,14 @@ static void it_is_good_from_twelve_positions_on(void)
         visit(up);
         TEST_ASSERT_EQUAL_INT(i >= 12, invcal_session_is_good(b.s));
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)1e-7));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(b.s, (invcal_real)1e-7));
     TEST_ASSERT_FALSE(invcal_session_is_good(b.s)); /* asked again */
 }
 
 static void with_a_stated_noise_one_redundant_position_is_enough(void)
 {
     begin(0.05, 16);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)1e-4));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(b.s, (invcal_real)1e-4));
     for (unsigned i = 1; i <= 10; i++) {
         double up[3];
         next(up);
@@ -602,7 +602,7 @@ static void a_good_solution_is_kept(void)
     TEST_ASSERT_EQUAL_MEMORY(q.sigma, kept.sigma, sizeof q.sigma);
     TEST_ASSERT_EQUAL_UINT(18, kept.positions);
 #ifndef __AVR__
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)1e-4));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(b.s, (invcal_real)1e-4));
     TEST_ASSERT_EQUAL_UINT(17, solve(&again).positions);
 #endif
 }
@@ -614,7 +614,7 @@ static void a_wrong_rest_does_not_prevent_the_end(void)
         invcal_calibration calibration;
         unsigned taken = 0;
         begin(0.03, 200 + wrong);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)1e-4));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(b.s, (invcal_real)1e-4));
         while (!invcal_session_is_good(b.s) || taken <= wrong + 2) {
             double up[3];
             TEST_ASSERT_TRUE(taken < 18);
@@ -864,10 +864,10 @@ static void unusable_settings_are_refused_by_name_and_nothing_is_written(void)
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&session, sizeof session, 16384, 100));
     const invcal_session before = session;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_session_rails(&session, 5, 5));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_session_noise(&session, 0));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_session_noise(&session, 1));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_session_noise(&session, (invcal_real)NAN));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_session_set_limits(&session, 5, 5));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_session_set_noise(&session, 0));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_session_set_noise(&session, 1));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_session_set_noise(&session, (invcal_real)NAN));
     TEST_ASSERT_EQUAL_MEMORY(&before, &session, sizeof session);
 }
 
@@ -881,10 +881,10 @@ static void a_rate_need_not_be_whole(void)
     b.rate = 12.5;
     b.rest_time = 6;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_session_begin(b.s, sizeof *b.s, &sheet, (invcal_real)b.rate));
+                          invcal_session_init_nominal(b.s, sizeof *b.s, &sheet, (invcal_real)b.rate));
     TEST_ASSERT_TRUE(b.s->rate == INVCAL_REAL(12.5));
     visit_plan(0, 18);
-    (void)invcal_session_finish(b.s); /* the last one has not been left for long */
+    (void)invcal_session_end(b.s); /* the last one has not been left for long */
     TEST_ASSERT_EQUAL_UINT(18, b.seen[INVCAL_READY]);
     TEST_ASSERT_EQUAL_UINT(18, b.s->count);
     TEST_ASSERT_TRUE(invcal_session_is_good(b.s));
@@ -905,7 +905,7 @@ static void a_reading_far_from_the_field_has_a_sentence(void)
         const int32_t z = INT32_MAX - 1000 + noise;
         if (invcal_session_feed(&session, noise / 2, noise / 3, z) == INVCAL_REFUSED) {
             TEST_ASSERT_EQUAL_STRING("far from the field: wrong scale or offset",
-                                     invcal_session_why(&session));
+                                     invcal_session_reason_text(&session));
             refused++;
         }
     }
@@ -927,7 +927,7 @@ static void assert_refuses_everything(invcal_session *session, invcal_status why
         TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_session_feed(session, i % 2, 0, z));
         TEST_ASSERT_EQUAL_INT(why, invcal_session_reason(session));
     }
-    TEST_ASSERT_EQUAL_STRING(invcal_status_text(why), invcal_session_why(session));
+    TEST_ASSERT_EQUAL_STRING(invcal_status_text(why), invcal_session_reason_text(session));
     TEST_ASSERT_EQUAL_UINT(0, session->count);
     TEST_ASSERT_FALSE(invcal_session_is_good(session));
     TEST_ASSERT_TRUE(invcal_session_solve(session, &calibration, &quality) != INVCAL_OK);
@@ -946,7 +946,7 @@ static invcal_status fail_to_begin(unsigned how, invcal_session *session)
     switch (how) {
     case 0:
     case 1:
-        status = invcal_session_begin(session, sizeof *session, &bad, 100);
+        status = invcal_session_init_nominal(session, sizeof *session, &bad, 100);
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, status);
         break;
     case 2:
@@ -966,11 +966,11 @@ static invcal_status fail_to_begin(unsigned how, invcal_session *session)
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, status);
         break;
     case 6:
-        status = invcal_session_begin(session, sizeof *session, &good, INVCAL_REAL(7.99));
+        status = invcal_session_init_nominal(session, sizeof *session, &good, INVCAL_REAL(7.99));
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, status);
         break;
     case 7:
-        status = invcal_session_begin(session, sizeof *session, &good, 8001);
+        status = invcal_session_init_nominal(session, sizeof *session, &good, 8001);
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, status);
         break;
     default: /* of two faults the nominal calibration is named */
@@ -1024,17 +1024,17 @@ static void other_calls_do_not_revive_it(void)
     for (unsigned i = 0; i < FILLS; i++) {
         memset(&session, fills[i], sizeof session);
         (void)fail_to_begin(4, &session);
-        (void)invcal_session_rails(&session, -32768, 32767);
-        invcal_session_hold(&session, 2000);
+        (void)invcal_session_set_limits(&session, -32768, 32767);
+        invcal_session_set_hold(&session, 2);
         invcal_session_gap(&session);
         TEST_ASSERT_EQUAL_UINT(0, invcal_session_progress(&session));
-        const invcal_event event = invcal_session_finish(&session);
+        const invcal_event event = invcal_session_end(&session);
         TEST_ASSERT_TRUE(event == INVCAL_MOVING || event == INVCAL_REFUSED);
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_session_reason(&session));
         assert_refuses_everything(&session, INVCAL_BAD_RATE);
     }
     memset(&session, 0, sizeof session);
-    (void)invcal_session_finish(&session);
+    (void)invcal_session_end(&session);
     assert_refuses_everything(&session, INVCAL_NOT_BEGUN);
 }
 
@@ -1049,7 +1049,7 @@ static invcal_status begin_wrongly(unsigned how, invcal_session *session)
     const size_t size = wrong_sizes[how / 2];
 
     return how % 2 ? invcal_session_init(session, size, 16384, 100)
-                   : invcal_session_begin(session, size, &sheet, 100);
+                   : invcal_session_init_nominal(session, size, &sheet, 100);
 }
 
 /* The first bytes are the same in every build: reason, count, two more, layout. */
@@ -1084,7 +1084,7 @@ static void a_session_of_another_size_refuses_every_sample(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD, begin_wrongly(i / FILLS, &session));
         for (int32_t n = 0; n < 300; n++) {
             TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_session_feed(&session, n % 2, 0, 16384));
-            TEST_ASSERT_EQUAL_STRING("other build", invcal_session_why(&session));
+            TEST_ASSERT_EQUAL_STRING("other build", invcal_session_reason_text(&session));
         }
         assert_only_the_first_bytes_changed(&session, sizeof session, fill);
     }
@@ -1098,11 +1098,11 @@ static void no_other_call_writes_into_a_session_of_another_size(void)
     for (unsigned i = 0; i < FILLS; i++) {
         memset(&session, fills[i], sizeof session);
         TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD, begin_wrongly(4, &session));
-        (void)invcal_session_rails(&session, -32768, 32767);
-        (void)invcal_session_noise(&session, INVCAL_REAL(0.001));
-        invcal_session_hold(&session, 2000);
+        (void)invcal_session_set_limits(&session, -32768, 32767);
+        (void)invcal_session_set_noise(&session, INVCAL_REAL(0.001));
+        invcal_session_set_hold(&session, 2);
         invcal_session_gap(&session);
-        (void)invcal_session_finish(&session);
+        (void)invcal_session_end(&session);
         assert_only_the_first_bytes_changed(&session, sizeof session, fills[i]);
     }
 }
@@ -1142,10 +1142,10 @@ static void to_begin_again_forgets_everything(void)
     const invcal_session fresh = *b.s;
     const invcal_calibration sheet = nominal();
     visit_plan(0, 3);
-    invcal_session_hold(b.s, 5000);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(b.s, (invcal_real)0.001));
+    invcal_session_set_hold(b.s, 5);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(b.s, (invcal_real)0.001));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_session_begin(b.s, sizeof *b.s, &sheet, (invcal_real)RATE));
+                          invcal_session_init_nominal(b.s, sizeof *b.s, &sheet, (invcal_real)RATE));
     memcpy(b.s->mean, fresh.mean, sizeof fresh.mean); /* none of them counts */
     TEST_ASSERT_EQUAL_MEMORY(&fresh, b.s, sizeof fresh);
 }
@@ -1195,9 +1195,9 @@ static void hostile_input_does_no_harm(void)
         if (how == 21) {
             invcal_session_gap(b.s);
         } else if (how == 22) {
-            note(invcal_session_finish(b.s));
+            note(invcal_session_end(b.s));
         } else if (how == 23) {
-            invcal_session_hold(b.s, (uint32_t)random_uniform(&b.random, 0, 3000));
+            invcal_session_set_hold(b.s, (invcal_real)random_uniform(&b.random, 0, 3));
         } else if (how == 24) {
             (void)invcal_session_is_good(b.s);
         }

@@ -61,12 +61,12 @@ static invcal_session begin(const scene *s)
     invcal_session session;
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_session_begin(&session, sizeof session, &s->nominal, RATE));
+                          invcal_session_init_nominal(&session, sizeof session, &s->nominal, RATE));
     if (s->kind == TUNED) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&session, (invcal_real)0.0011));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(&session, (invcal_real)0.0011));
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_session_rails(&session, -32768, 32767 - (int32_t)s->seed));
-        invcal_session_hold(&session, 1000 + s->seed);
+                              invcal_session_set_limits(&session, -32768, 32767 - (int32_t)s->seed));
+        invcal_session_set_hold(&session, (invcal_real)(1000 + s->seed) / 1000);
     }
     return session;
 }
@@ -247,10 +247,10 @@ static invcal_session golden_begun(void)
 
     memset(&s, FILL, sizeof s);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_session_begin(&s, sizeof s, &golden_nominal, INVCAL_REAL(12.5)));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&s, -32768, 32767));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&s, INVCAL_REAL(0.0009765625)));
-    invcal_session_hold(&s, 2500);
+                          invcal_session_init_nominal(&s, sizeof s, &golden_nominal, INVCAL_REAL(12.5)));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_limits(&s, -32768, 32767));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(&s, INVCAL_REAL(0.0009765625)));
+    invcal_session_set_hold(&s, INVCAL_REAL(2.5));
     return s;
 }
 
@@ -365,8 +365,8 @@ static void a_rest_that_was_going_on_is_forgotten(void)
     }
     TEST_ASSERT_EQUAL_UINT(100, invcal_session_progress(&session));
     invcal_session back = resume(&s, bytes, keep(&session, bytes));
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_session_finish(&back));
-    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_session_finish(&session));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_session_end(&back));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_session_end(&session));
 }
 
 /* ---- settings: those of the device, not those of the bytes -------------------------------------- */
@@ -386,12 +386,12 @@ static void what_was_stated_stays_as_it_was_begun(void)
         invcal_session saved = golden_session();
         invcal_session begun = golden_begun();
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_session_rails(&saved, rail[then][0], rail[then][1]));
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&saved, (invcal_real)noise[then]));
-        invcal_session_hold(&saved, milliseconds[then]);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_rails(&begun, rail[now][0], rail[now][1]));
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_noise(&begun, (invcal_real)noise[now]));
-        invcal_session_hold(&begun, milliseconds[now]);
+                              invcal_session_set_limits(&saved, rail[then][0], rail[then][1]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(&saved, (invcal_real)noise[then]));
+        invcal_session_set_hold(&saved, (invcal_real)(milliseconds[then]) / 1000);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_limits(&begun, rail[now][0], rail[now][1]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(&begun, (invcal_real)noise[now]));
+        invcal_session_set_hold(&begun, (invcal_real)(milliseconds[now]) / 1000);
         invcal_session back = begun;
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_resume(&back, (const uint8_t *)&saved,
                                                                invcal_session_size(&saved)));
@@ -412,7 +412,7 @@ static void the_time_to_hold_is_that_of_now(void)
         random_source random = random_start(11);
         invcal_session session = begin(&s);
         unsigned ready = 0;
-        invcal_session_hold(&session, i ? 20000 : 1000);
+        invcal_session_set_hold(&session, (invcal_real)(i ? 20000 : 1000) / 1000);
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_resume(&session, (const uint8_t *)&saved,
                                                                invcal_session_size(&saved)));
         for (unsigned n = 0; n < 10 * RATE; n++) {
@@ -430,7 +430,7 @@ static void another_rate_is_refused(void)
 
     for (unsigned i = 0; i < 8; i++) {
         memset(&session[i], FILL, sizeof session[i]);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&session[i], sizeof session[i],
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init_nominal(&session[i], sizeof session[i],
                                                               &s.nominal, (invcal_real)rate[i]));
     }
     for (unsigned i = 0; i < 8; i++) {
@@ -564,7 +564,7 @@ static void a_session_that_was_not_begun_is_not_resumed(void)
         static const invcal_status why[] = {INVCAL_NOT_BEGUN, INVCAL_BAD_RATE, INVCAL_OTHER_BUILD};
         memset(&session, 0, sizeof session);
         if (i > 0) {
-            TEST_ASSERT_EQUAL_INT(why[i], invcal_session_begin(&session, sizeof session + i - 1,
+            TEST_ASSERT_EQUAL_INT(why[i], invcal_session_init_nominal(&session, sizeof session + i - 1,
                                                                &golden_nominal, i == 1 ? 5 : 100));
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN,
@@ -937,7 +937,7 @@ static void a_session_of_other_settings_is_not_loaded(void)
         invcal_calibration nominal = golden_nominal;
         nominal.matrix[2][1] = i == 0 ? INVCAL_REAL(1e-6) : 0;
         memset(&session, FILL, sizeof session);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_begin(&session, sizeof session, &nominal,
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init_nominal(&session, sizeof session, &nominal,
                                                               i == 0 ? INVCAL_REAL(12.5) : 12));
         const invcal_session other = session;
         TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_SETTINGS, invcal_session_load(&session, &store));

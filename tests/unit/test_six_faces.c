@@ -29,7 +29,7 @@ static invcal_status calibrate(const reading_set *set, double noise, double gamm
 {
     const invcal_calibration nominal = unit_nominal();
 
-    return invcal_calibrate_six_faces(set->u[0], set->count, &nominal, (invcal_real)noise,
+    return invcal_calibrate_faces(set->u[0], set->count, &nominal, (invcal_real)noise,
                                       (invcal_real)gamma, &out->calibration, &out->quality,
                                       &out->held);
 }

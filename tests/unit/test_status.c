@@ -130,9 +130,9 @@ static void parameters_are_named_in_the_order_of_the_paper(void)
                                        "dk_z",    "gamma_xy", "gamma_xz", "gamma_zy", "?"};
 
     for (unsigned r = 0; r <= INVCAL_PARAMETERS; r++) {
-        TEST_ASSERT_EQUAL_STRING(name[r], invcal_parameter_name(r));
+        TEST_ASSERT_EQUAL_STRING(name[r], invcal_parameter_text(r));
     }
-    TEST_ASSERT_EQUAL_STRING("?", invcal_parameter_name(12345));
+    TEST_ASSERT_EQUAL_STRING("?", invcal_parameter_text(12345));
 }
 
 static void verdicts_are_named_as_in_the_report(void)

@@ -28,8 +28,8 @@ static invcal_status begin_session(void)
         invcal_session_init(&session, sizeof session, IMU_COUNTS, IMU_RATE);
 
     if (status == INVCAL_OK) {
-        (void)invcal_session_rails(&session, IMU_LOW, IMU_HIGH);
-        (void)invcal_session_noise(&session, 0.00015f); /* g, of the mean of a position */
+        (void)invcal_session_set_limits(&session, IMU_LOW, IMU_HIGH);
+        (void)invcal_session_set_noise(&session, 0.00015f); /* g, of the mean of a position */
     }
     if (status != INVCAL_OK) {
         report("new session", invcal_status_text(status));

@@ -24,9 +24,9 @@ void report_count(const char *what, unsigned count)
 
 void report_next(const invcal_session *session)
 {
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
-    report("next", invcal_session_next_words(session, words));
+    report("next", invcal_session_next_text(session, words));
 }
 
 void report_event(const invcal_session *session, invcal_event event)
@@ -43,7 +43,7 @@ void report_event(const invcal_session *session, invcal_event event)
         print("good: move on\n");
         break;
     case INVCAL_REFUSED:
-        report("refused", invcal_session_why(session));
+        report("refused", invcal_session_reason_text(session));
         break;
     case INVCAL_TAKEN:
         report_count("position taken", session->count);

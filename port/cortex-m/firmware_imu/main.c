@@ -34,9 +34,9 @@ typedef char both_fit
 /* The up direction after the turn. */
 static void report_turn(void)
 {
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
-    report("next", invcal_words(turn.up, words));
+    report("next", invcal_direction_text(turn.up, words));
 }
 
 /* The turn to a rest, counted from 0: through the faces, from z up to z up; then the most
@@ -128,8 +128,8 @@ static invcal_status begin_session(void)
         status = invcal_moves_init(&both.moves, sizeof both.moves, &gyro, IMU_GYRO_RATE);
     }
     if (status == INVCAL_OK) {
-        (void)invcal_session_rails(&both.session, IMU_LOW, IMU_HIGH);
-        (void)invcal_moves_rails(&both.moves, IMU_LOW, IMU_HIGH);
+        (void)invcal_session_set_limits(&both.session, IMU_LOW, IMU_HIGH);
+        (void)invcal_moves_set_limits(&both.moves, IMU_LOW, IMU_HIGH);
     }
     if (status != INVCAL_OK) {
         report("new session", invcal_status_text(status));

@@ -70,7 +70,7 @@ static int begin_streams(const allan_settings *settings, double rate)
     }
     for (unsigned i = 0; i < 3; i++) {
         const invcal_status status =
-            settings->taus > 0 ? invcal_allan_begin(&stream[i], sizeof stream[i], m, settings->taus)
+            settings->taus > 0 ? invcal_allan_init_taus(&stream[i], sizeof stream[i], m, settings->taus)
                                : invcal_allan_init(&stream[i], sizeof stream[i]);
         if (status != INVCAL_OK) {
             return message_usage("allan", "--tau: must ascend, at most %u times",
@@ -96,7 +96,7 @@ static void add_sample(allan_result *r, const sample *s)
         if (s->is_gap) {
             invcal_allan_gap(&stream[i]);
         }
-        invcal_allan_push(&stream[i], s->raw[i]);
+        invcal_allan_feed(&stream[i], s->raw[i]);
     }
     motion_add(&motion_seen, s);
     r->samples++;
@@ -199,7 +199,7 @@ static int find_noise(allan_result *r, double unit)
                     r->name, "xyz"[i]);
             return EXIT_DATA;
         }
-        if (invcal_allan_noise(&stream[i], r->rate, n) != INVCAL_OK) {
+        if (invcal_allan_solve(&stream[i], r->rate, n) != INVCAL_OK) {
             message("%s: %lu sample%s no noise of %c at these averaging times: log longer, at rest",
                     r->name, r->samples, r->samples == 1 ? " shows" : "s show", "xyz"[i]);
             return EXIT_DATA;

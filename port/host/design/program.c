@@ -171,7 +171,7 @@ const char *program_next_text(const program *p, char text[PROGRAM_TEXT_MAX])
 {
     char angles[ANGLES_TEXT_MAX];
     char turn[ANGLES_TEXT_MAX] = "";
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
     text[0] = '\0';
     if (p->next >= p->set->count) {
@@ -182,7 +182,7 @@ const char *program_next_text(const program *p, char text[PROGRAM_TEXT_MAX])
     }
     snprintf(text, PROGRAM_TEXT_MAX, "position %u of %u: %s; %s%s%s", p->next + 1, p->set->count,
              angles_text(angles_at(p, p->next), angles), turn, *turn ? "; " : "",
-             invcal_words(vertical(p, p->next), words));
+             invcal_direction_text(vertical(p, p->next), words));
     return text;
 }
 

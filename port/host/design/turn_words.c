@@ -33,12 +33,12 @@ static int is_cube_direction(const invcal_real up[3])
 const char *turns_up_words(const invcal_real up[3], char text[TURNS_UP_MAX])
 {
     static const char *const kinds[] = {"", "", "edge ", "corner "};
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
     char axes[AXES_MAX] = "";
     unsigned named = 0;
 
     if (!is_cube_direction(up)) {
-        snprintf(text, TURNS_UP_MAX, "%s", invcal_words(up, words));
+        snprintf(text, TURNS_UP_MAX, "%s", invcal_direction_text(up, words));
         return text;
     }
     for (unsigned i = 0; i < 3; i++) {

@@ -15,7 +15,7 @@
 const char *turns_words(const invcal_turn *turn, const invcal_real from[3],
                         char text[TURNS_WORDS_MAX]);
 
-/* "+x up", "edge +x -y up", "corner +x -y +z up", or as invcal_words. */
+/* "+x up", "edge +x -y up", "corner +x -y +z up", or as invcal_direction_text. */
 const char *turns_up_words(const invcal_real up[3], char text[TURNS_UP_MAX]);
 
 #endif

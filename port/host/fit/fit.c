@@ -171,13 +171,13 @@ static invcal_status solve(const double *raw, unsigned count, const fit_settings
     const invcal_calibration *nominal = &settings->nominal;
 
     if (settings->is_six_faces) {
-        return invcal_calibrate_six_faces(raw, count, nominal, settings->noise,
+        return invcal_calibrate_faces(raw, count, nominal, settings->noise,
                                           settings->prior[INVCAL_GAMMA_XY], c, q, from_prior);
     }
     return fit_has_prior(settings)
-               ? invcal_calibrate_with_prior(raw, count, nominal, settings->noise, settings->prior,
+               ? invcal_calibrate_prior(raw, count, nominal, settings->noise, settings->prior,
                                              c, q, from_prior)
-               : invcal_calibrate(raw, count, nominal, settings->noise, c, q);
+               : invcal_calibrate_plain(raw, count, nominal, settings->noise, c, q);
 }
 
 invcal_status fit_make(const double *raw, unsigned count, const fit_settings *settings,

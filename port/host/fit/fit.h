@@ -58,7 +58,7 @@ typedef struct {
  * raw     3 * count numbers, input units.
  * reason  null; or out, written on failure only.
  *
- * Returns as invcal_calibrate_with_prior, or invcal_calibrate_six_faces. */
+ * Returns as invcal_calibrate_prior, or invcal_calibrate_faces. */
 invcal_status fit_make(const double *raw, unsigned count, const fit_settings *settings,
                        fit_solution *solution, fit_quality *quality, fit_reason *reason);
 

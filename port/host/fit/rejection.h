@@ -31,7 +31,7 @@ typedef struct {
     int is_judged;        /* if it could be judged */
 } rejection;
 
-/* Looks for outliers (invcal_calibrate_judged). If there are more positions than
+/* Looks for outliers (invcal_calibrate). If there are more positions than
  * INVCAL_MAX_POSITIONS, it judges subsets, then rejects the positions that contradict all others,
  * with a chance of 0.007 of any false alarm, and suspects none. The time is proportional to the
  * number of positions. Sets that cannot be judged, because they are too few or undetermined, lose

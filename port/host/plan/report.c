@@ -46,12 +46,12 @@ static const char *missing_text(const design *d, char text[TEXT_MAX])
 }
 
 /* The most informative next position, in words. */
-static void next_words(const design *d, char words[INVCAL_WORDS])
+static void next_words(const design *d, char words[INVCAL_TEXT_SIZE])
 {
     double up[3];
 
     design_next(d, up);
-    invcal_words(up, words);
+    invcal_direction_text(up, words);
 }
 
 static void say_weak(page *p, const plan_facts *f)
@@ -59,7 +59,7 @@ static void say_weak(page *p, const plan_facts *f)
     char sentence[TEXT_MAX];
     char next[TEXT_MAX];
     char list[PLAN_WORDS_MAX];
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
     unsigned weak = 0;
 
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
@@ -92,7 +92,7 @@ static void say_limits_not_met(page *p, const plan_facts *f)
 static void say_unchecked(page *p, const plan_facts *f)
 {
     char next[TEXT_MAX];
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
     next_words(f->set, words);
     snprintf(next, sizeof next, "add three or more positions in other directions. Begin with: %s.",

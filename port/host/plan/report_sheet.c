@@ -80,7 +80,7 @@ static void stand_cells(const design *d, unsigned n, char (*text)[PLAN_WORDS_MAX
     if (n > 0) {
         turn_text(at - 1, at, text[2]);
     }
-    invcal_words(at->vertical, text[3]);
+    invcal_direction_text(at->vertical, text[3]);
     snprintf(text[4], PLAN_WORDS_MAX, "%s", "");
     if (at->group > 0) {
         snprintf(text[4], PLAN_WORDS_MAX, "%u", at->group);
@@ -96,7 +96,7 @@ static void free_cells(const design *d, unsigned n, char (*text)[PLAN_WORDS_MAX]
     if (n > 0) {
         free_turn(d->position[n - 1].vertical, up, text[0]);
     }
-    invcal_words(up, text[1]);
+    invcal_direction_text(up, text[1]);
     for (unsigned i = 0; i < 3; i++) {
         char number[FIGURE_MAX];
         snprintf(text[2 + i], PLAN_WORDS_MAX, "%s", figure_fixed(up[i], 3, FIGURE_SIGNED, number));

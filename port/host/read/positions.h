@@ -10,7 +10,7 @@
 #include "invcal/invcal.h"
 #include "read/columns.h"
 
-#define POSITIONS_MAX 65534u /* as many as invcal_calibrate accepts */
+#define POSITIONS_MAX 65534u /* as many as invcal_calibrate_plain accepts */
 
 /* Where a mean is from. NaN: not known. */
 typedef struct {

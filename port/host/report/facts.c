@@ -46,7 +46,7 @@ static void find_next_along(report_facts *f)
     const double up[3] = {-along[0], -along[1], -along[2]};
 
     memcpy(f->next, along, sizeof f->next);
-    (void)invcal_words(up, f->next_words);
+    (void)invcal_direction_text(up, f->next_words);
 }
 
 /* The direction to measure next, given the positions kept. Returns 0 without memory. */
@@ -66,7 +66,7 @@ static int find_next(report_facts *f)
         calibrate_reference_reading(f->result, n, &raw[3 * (size_t)n]);
     }
     invcal_next(raw, kept, &f->result->solution.symmetric, f->next);
-    (void)invcal_words(f->next, f->next_words);
+    (void)invcal_direction_text(f->next, f->next_words);
     free(raw);
     return 1;
 }

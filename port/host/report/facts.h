@@ -40,7 +40,7 @@ typedef struct {
     double length_worst; /* ± in the worst direction, with 1.96 sigma of parameters from a prior */
     double field_spread; /* ± of the field itself, not included in the above */
     double next[3];      /* the direction to measure next, in the calibrated frame */
-    char next_words[INVCAL_WORDS];
+    char next_words[INVCAL_TEXT_SIZE];
 } report_facts;
 
 #define REPORT_NORMAL 1.959964 /* ± / sigma for 95 %, if sigma is known exactly */

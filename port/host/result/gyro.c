@@ -441,7 +441,7 @@ static void write_drift(json_writer *w, const gyro_fit *g)
 
 static const char *parameter_name(unsigned p)
 {
-    return invcal_imu_parameter_name(p);
+    return invcal_imu_parameter_text(p);
 }
 
 void gyro_json(json_writer *w, const calibrate_result *r)

@@ -141,7 +141,7 @@ static void write_source(json_writer *w, uint16_t from_prior)
 {
     json_object(w, "source");
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        json_text(w, invcal_parameter_name(r), from_prior >> r & 1 ? "prior" : "data");
+        json_text(w, invcal_parameter_text(r), from_prior >> r & 1 ? "prior" : "data");
     }
     json_object_end(w);
 }

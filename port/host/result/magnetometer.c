@@ -37,7 +37,7 @@ const char *calibrate_magnetometer_fault(const calibrate_result *result,
                                          char text[CALIBRATE_LIMIT_MAX])
 {
     const invcal_magnetometer_found *f = &result->magnetometer->found;
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
     if (result->quality.verdict == INVCAL_WEAK && f->gap > 45) {
         const double up[3] = {-result->magnetometer->next[0], -result->magnetometer->next[1],
@@ -45,7 +45,7 @@ const char *calibrate_magnetometer_fault(const calibrate_result *result,
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "a gap of %u degrees in the sphere is not covered. North of the equator, hold it "
                  "%s and swing it around.",
-                 f->gap, invcal_words(up, words));
+                 f->gap, invcal_direction_text(up, words));
     } else if (result->quality.verdict == INVCAL_NO_REDUNDANCY) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "every parameter is determined, but there is no redundancy to check the fit.");

@@ -194,7 +194,7 @@ unsigned refusal_additions(const calibrate_result *r, refusal_direction out[REFU
            !(degree > 0 ? determines_nonlinearity(&d, degree) : determines_nine(&d))) {
         find_direction(&d, degree, out[count].up);
         memcpy(d.up[d.count++], out[count].up, sizeof *d.up);
-        (void)invcal_words(out[count].up, out[count].words);
+        (void)invcal_direction_text(out[count].up, out[count].words);
         count++;
     }
     free(d.up);

@@ -11,7 +11,7 @@
 /* A position to add. */
 typedef struct {
     double up[3];
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 } refusal_direction;
 
 /* A calibration for the directions of readings that were not calibrated: the nominal one if it was

@@ -27,7 +27,7 @@ void calibrate_robust_print(FILE *file, const calibrate_result *r)
     }
     snprintf(text, sizeof text,
              "over all %u positions: largest difference in %s, %.2g times that of noise: %s",
-             r->data->count, invcal_parameter_name(r->robust_worst), r->robust_max,
+             r->data->count, invcal_parameter_text(r->robust_worst), r->robust_max,
              contradicts(r)
                  ? "it contradicts. An outlier was kept, or a good position was left out."
                  : "it agrees.");
@@ -40,7 +40,7 @@ void calibrate_robust_json(json_writer *w, const calibrate_result *r)
     json_object(w, "robust");
     if (r->has_robust) {
         calibrate_parameters_json(w, r, r->robust);
-        json_text(w, "worst", invcal_parameter_name(r->robust_worst));
+        json_text(w, "worst", invcal_parameter_text(r->robust_worst));
         json_number(w, "difference", r->robust_max);
     }
     json_text(w, "answer", !r->has_robust ? "none" : contradicts(r) ? "contradicts" : "agrees");

@@ -63,7 +63,7 @@ void uncertainty_search(uncertainty *u)
             }
         }
     }
-    (void)invcal_words(u->worst, u->worst_words);
+    (void)invcal_direction_text(u->worst, u->worst_words);
 }
 
 /* Equal steps, or 1, 2, 5, 10 ... if the range is wide. */

@@ -18,7 +18,7 @@ typedef struct {
     double min;      /* smallest sigma of the length over all directions */
     double max;      /* largest */
     double worst[3]; /* direction of max */
-    char worst_words[INVCAL_WORDS]; /* the same in words */
+    char worst_words[INVCAL_TEXT_SIZE]; /* the same in words */
 } uncertainty;
 
 /* Finds min, max and worst on a grid of 5 degrees, for the given covariance and unit. */

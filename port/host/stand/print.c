@@ -123,7 +123,7 @@ static void print_series(FILE *file, const group_series *s, int has_nominal)
             snprintf(times, sizeof times, ", %.1f sigma", fabs(s->closure[r]) / sigma);
         }
         wrapped_printf(file, LABEL, "closure       %s of groups %s is worst: %.2e%s%s",
-                       invcal_parameter_name(r), groups[r % 3], s->closure[r], times,
+                       invcal_parameter_text(r), groups[r % 3], s->closure[r], times,
                        s->chance < STAND_SIGNIFICANCE ? ": the groups contradict each other" : "");
     }
 }

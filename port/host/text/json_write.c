@@ -195,7 +195,7 @@ void json_names(json_writer *w, const char *name, unsigned bits, unsigned count,
 
 void json_parameters(json_writer *w, const char *name, uint16_t bits)
 {
-    json_names(w, name, bits, INVCAL_PARAMETERS, invcal_parameter_name);
+    json_names(w, name, bits, INVCAL_PARAMETERS, invcal_parameter_text);
 }
 
 void json_nine(json_writer *w, const char *name, const double x[INVCAL_PARAMETERS])

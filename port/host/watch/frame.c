@@ -211,10 +211,10 @@ static void draw_sphere(canvas *c, const watch_state *now)
 
 static void draw_where(canvas *c, const watch_state *now)
 {
-    char words[INVCAL_WORDS] = "unknown";
+    char words[INVCAL_TEXT_SIZE] = "unknown";
 
     if (now->has_up) {
-        (void)invcal_words(now->up, words);
+        (void)invcal_direction_text(now->up, words);
     }
     if (now->is_magnetometer) {
         snprintf(words, sizeof words, "%s",

@@ -88,7 +88,7 @@ static void find_target(const state *s, int is_ready)
         const double *held = is_ready && s->gyro && now.has_up ? now.up : NULL;
         if (!watch_gyro_next(&now.gyro, held, now.target, now.next)) {
             invcal_session_next(&session, now.target);
-            (void)invcal_words(now.target, now.next);
+            (void)invcal_direction_text(now.target, now.next);
         }
         now.has_target = 1;
         snprintf(now.good, sizeof now.good, "good: move on to %s", now.next);
@@ -121,7 +121,7 @@ static void update_phase(state *s, watch_event event)
 
 static void set_hold(double seconds)
 {
-    invcal_session_hold(&session, (uint32_t)ceil(1000 * seconds));
+    (void)invcal_session_set_hold(&session, seconds); /* at most an hour */
 }
 
 /* The noise of the first rest, assumed white, gives the time: T = s^2 / (sigma^2 rate), s^2 the
@@ -247,7 +247,7 @@ static void state_noise(const state *s)
     positions so_far = *s->p;
 
     rests_noise(&so_far);
-    (void)invcal_session_noise(
+    (void)invcal_session_set_noise(
         &session, s->options->stated > 0 ? s->options->stated : positions_noise(&so_far, &nominal));
 }
 
@@ -371,9 +371,9 @@ static int begin_session(state *s)
         return message_usage("watch", "%s: %s; %s", live_log.table.name, text, remedy);
     }
     if (!zero_begin(&s->zero, options, &live_log, s->p, &followed, &s->known) ||
-        invcal_session_begin(&session, sizeof session, &s->known, samples_whole_rate(&live_log)) !=
+        invcal_session_init_nominal(&session, sizeof session, &s->known, samples_whole_rate(&live_log)) !=
             INVCAL_OK ||
-        (clip && invcal_session_rails(&session, samples_count(&live_log, clip[0]),
+        (clip && invcal_session_set_limits(&session, samples_count(&live_log, clip[0]),
                                       samples_count(&live_log, clip[1])) != INVCAL_OK)) {
         message("%s: %.6g samples per second, or the nominal calibration, cannot be used",
                 live_log.table.name, live_log.rate);
@@ -440,7 +440,7 @@ static int run(state *s)
         failure = feed(s, &latest);
     }
     if (!failure && more == 0) {
-        failure = handle_event(s, invcal_session_finish(&session));
+        failure = handle_event(s, invcal_session_end(&session));
     }
     if (more < 0 || failure) {
         s->update(&now, WATCH_BROKEN);

@@ -51,12 +51,12 @@ static void find_covered(const invcal_magnetometer *m)
 /* North of the magnetic equator the field points down, so the opposite of the target is up. */
 static void find_target(const invcal_magnetometer *m)
 {
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
     invcal_magnetometer_next(m, now.target);
     const double up[3] = {-now.target[0], -now.target[1], -now.target[2]};
     now.has_target = 1;
-    snprintf(now.next, sizeof now.next, "hold it %s, and swing it around", invcal_words(up, words));
+    snprintf(now.next, sizeof now.next, "hold it %s, and swing it around", invcal_direction_text(up, words));
 }
 
 /* A target of 0 means no limit. */

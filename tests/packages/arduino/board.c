@@ -538,7 +538,7 @@ static void tell_gyro(const invcal_imu_record *stored)
                      gyro_gain[k][i % 3];
         }
         worst = larger(worst, fabs(error) / (double)stored->sigma[i]);
-        printf("world: %s sigma %.5f\n", invcal_imu_parameter_name((unsigned)i),
+        printf("world: %s sigma %.5f\n", invcal_imu_parameter_text((unsigned)i),
                (double)stored->sigma[i]);
     }
     for (int i = 0; i < 3; i++) {

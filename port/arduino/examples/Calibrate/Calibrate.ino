@@ -48,10 +48,10 @@ static void show(const __FlashStringHelper *name, const float v[3], float unit)
 
 static void show_next()
 {
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
     Serial.print(F("next: "));
-    Serial.println(invcal_session_next_words(&session, words));
+    Serial.println(invcal_session_next_text(&session, words));
 }
 
 static void begin_session()
@@ -59,12 +59,12 @@ static void begin_session()
     if (invcal_session_init(&session, sizeof session, SENSOR_COUNTS, SENSOR_RATE) != INVCAL_OK) {
         stop(F("scale or rate of the sensor is out of range"));
     }
-    invcal_session_rails(&session, SENSOR_LOW, SENSOR_HIGH);
+    invcal_session_set_limits(&session, SENSOR_LOW, SENSOR_HIGH);
     is_calibrated = false;
     Serial.println(F("calibration begins"));
 }
 
-/* As invcal_session_why, whose texts are in RAM on an AVR. */
+/* As invcal_session_reason_text, whose texts are in RAM on an AVR. */
 static const __FlashStringHelper *refusal_text()
 {
     switch (invcal_session_reason(&session)) {

@@ -63,7 +63,7 @@ static void find_next(invcal_turn *turn)
 /* Skips a face that already points up. */
 static void show_next()
 {
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
     invcal_turn turn;
 
     find_next(&turn);
@@ -72,7 +72,7 @@ static void show_next()
         find_next(&turn);
     }
     Serial.print(F("next: "));
-    Serial.println(invcal_words(turn.up, words));
+    Serial.println(invcal_direction_text(turn.up, words));
 }
 
 static void begin_session()
@@ -84,8 +84,8 @@ static void begin_session()
         invcal_moves_init(&both.moves, sizeof both.moves, &gyro, IMU_RATE) != INVCAL_OK) {
         stop(F("scale or rate of the sensor is out of range"));
     }
-    invcal_session_rails(&both.session, IMU_LOW, IMU_HIGH);
-    invcal_moves_rails(&both.moves, IMU_LOW, IMU_HIGH);
+    invcal_session_set_limits(&both.session, IMU_LOW, IMU_HIGH);
+    invcal_moves_set_limits(&both.moves, IMU_LOW, IMU_HIGH);
     is_calibrated = false;
     at = made = 0;
     Serial.println(F("calibration begins"));
@@ -152,7 +152,7 @@ static void calibrate(const int32_t accelerometer[3], const int32_t gyro[3])
         break;
     case INVCAL_REFUSED:
         Serial.print(F("refused: "));
-        Serial.println(invcal_session_why(&both.session));
+        Serial.println(invcal_session_reason_text(&both.session));
         show_next();
         break;
     case INVCAL_TAKEN:

@@ -38,7 +38,7 @@ int verify_others(void)
             product += both.gyro.matrix[r][k] * sim_gyro_truth.gain[k][c];
         }
         good &=
-            verify_parameter(invcal_imu_parameter_name(i), r == c ? 1 : 0, product, both.sigma[i]) &
+            verify_parameter(invcal_imu_parameter_text(i), r == c ? 1 : 0, product, both.sigma[i]) &
             (both.sigma[i] < SIGMA);
     }
     for (unsigned i = 0; i < 3; i++) {

@@ -48,13 +48,13 @@ static int are_parameters_good(const invcal_record *record)
     for (unsigned i = 0; i < 3; i++) {
         const unsigned r = INVCAL_DK_X + i;
         const float dk = sim_truth.gain[i][i] / IMU_COUNTS - 1;
-        good &= verify_parameter(invcal_parameter_name(r), dk, x[r], record->sigma[r]);
+        good &= verify_parameter(invcal_parameter_text(r), dk, x[r], record->sigma[r]);
     }
     for (unsigned i = 0; i < 3; i++) {
         const unsigned r = INVCAL_GAMMA_XY + i;
         const unsigned a = pair[i][0], b = pair[i][1];
         const float gamma = (sim_truth.gain[a][b] + sim_truth.gain[b][a]) / IMU_COUNTS;
-        good &= verify_parameter(invcal_parameter_name(r), gamma, x[r], record->sigma[r]);
+        good &= verify_parameter(invcal_parameter_text(r), gamma, x[r], record->sigma[r]);
     }
     return good;
 }

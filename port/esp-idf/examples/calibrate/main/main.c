@@ -88,9 +88,9 @@ static void save(const invcal_calibration *calibration, const invcal_quality *qu
 
 static void print_next(void)
 {
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
-    printf("next: %s\n", invcal_session_next_words(&session, words));
+    printf("next: %s\n", invcal_session_next_text(&session, words));
 }
 
 static invcal_status begin_session(void)
@@ -99,10 +99,10 @@ static invcal_status begin_session(void)
         invcal_session_init(&session, sizeof session, SENSOR_COUNTS, SENSOR_RATE);
 
     if (status == INVCAL_OK) {
-        status = invcal_session_rails(&session, SENSOR_LOW, SENSOR_HIGH);
+        status = invcal_session_set_limits(&session, SENSOR_LOW, SENSOR_HIGH);
     }
     if (status == INVCAL_OK) {
-        status = invcal_session_noise(&session, 0.0003f); /* g, of the mean of a position */
+        status = invcal_session_set_noise(&session, 0.0003f); /* g, of the mean of a position */
     }
     if (status != INVCAL_OK) {
         printf("session: %s\n", invcal_status_text(status));
@@ -128,7 +128,7 @@ static void print_event(invcal_event event)
         print_next();
         break;
     case INVCAL_REFUSED:
-        printf("refused: %s\n", invcal_session_why(&session));
+        printf("refused: %s\n", invcal_session_reason_text(&session));
         print_next();
         break;
     case INVCAL_TAKEN:

@@ -114,9 +114,9 @@ static void save(const invcal_calibration *calibration, const invcal_quality *qu
 
 static void print_next(void)
 {
-    char words[INVCAL_WORDS];
+    char words[INVCAL_TEXT_SIZE];
 
-    printk("next: %s\n", invcal_session_next_words(&session, words));
+    printk("next: %s\n", invcal_session_next_text(&session, words));
 }
 
 static invcal_status begin_session(void)
@@ -124,7 +124,7 @@ static invcal_status begin_session(void)
     invcal_status status = invcal_session_init(&session, sizeof session, COUNTS, RATE);
 
     if (status == INVCAL_OK) { /* of the mean of a position, over g: 3 mm/s^2 */
-        status = invcal_session_noise(&session, INVCAL_REAL(0.0003));
+        status = invcal_session_set_noise(&session, INVCAL_REAL(0.0003));
     }
     if (status != INVCAL_OK) {
         printk("session: %s\n", invcal_status_text(status));
@@ -150,7 +150,7 @@ static void print_event(invcal_event event)
         print_next();
         break;
     case INVCAL_REFUSED:
-        printk("refused: %s\n", invcal_session_why(&session));
+        printk("refused: %s\n", invcal_session_reason_text(&session));
         print_next();
         break;
     case INVCAL_TAKEN:
