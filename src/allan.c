@@ -93,7 +93,7 @@ invcal_status invcal_allan_init(invcal_allan *allan, size_t size)
 }
 
 invcal_status invcal_allan_init_taus(invcal_allan *allan, size_t size, const uint32_t *m,
-                                 unsigned count)
+                                     unsigned count)
 {
     INVCAL_ASSERT(allan && m);
     if (size != sizeof *allan) {

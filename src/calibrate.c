@@ -8,8 +8,8 @@
 #include "vector.h"
 
 invcal_status invcal_calibrate_plain(const invcal_real *raw, unsigned count,
-                               const invcal_calibration *nominal, invcal_real noise,
-                               invcal_calibration *out, invcal_quality *quality)
+                                     const invcal_calibration *nominal, invcal_real noise,
+                                     invcal_calibration *out, invcal_quality *quality)
 {
     return invcal_calibrate_without(raw, count, 0, nominal, noise, out, quality);
 }

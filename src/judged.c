@@ -78,8 +78,8 @@ static INVCAL_ONCE invcal_status leave_out_groups(invcal_positions *p, invcal_ca
 }
 
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
-                                      const invcal_calibration *nominal, invcal_real noise,
-                                      invcal_calibration *out, invcal_quality *quality)
+                               const invcal_calibration *nominal, invcal_real noise,
+                               invcal_calibration *out, invcal_quality *quality)
 {
     invcal_positions positions = {raw, count, 0, nominal, noise};
 

@@ -186,10 +186,10 @@ static invcal_status calibrate_twice(const invcal_positions *positions, const in
 }
 
 invcal_status invcal_calibrate_prior(const invcal_real *raw, unsigned count,
-                                          const invcal_calibration *nominal, invcal_real noise,
-                                          const invcal_real prior[INVCAL_PARAMETERS],
-                                          invcal_calibration *out, invcal_quality *quality,
-                                          uint16_t *from_prior)
+                                     const invcal_calibration *nominal, invcal_real noise,
+                                     const invcal_real prior[INVCAL_PARAMETERS],
+                                     invcal_calibration *out, invcal_quality *quality,
+                                     uint16_t *from_prior)
 {
     const invcal_positions positions = {raw, count, 0, nominal, noise};
     update u;
@@ -206,9 +206,9 @@ invcal_status invcal_calibrate_prior(const invcal_real *raw, unsigned count,
 
 /* An angle that the positions hardly determine is held by the prior, and the verdict ignores it. */
 invcal_status invcal_calibrate_faces(const invcal_real *raw, unsigned count,
-                                         const invcal_calibration *nominal, invcal_real noise,
-                                         invcal_real gamma, invcal_calibration *out,
-                                         invcal_quality *quality, uint16_t *held)
+                                     const invcal_calibration *nominal, invcal_real noise,
+                                     invcal_real gamma, invcal_calibration *out,
+                                     invcal_quality *quality, uint16_t *held)
 {
     const invcal_positions positions = {raw, count, 0, nominal, noise};
     const invcal_real prior[INVCAL_PARAMETERS] = {0, 0, 0, 0, 0, 0, gamma, gamma, gamma};

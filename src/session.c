@@ -26,7 +26,7 @@ enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
 
 /* Of another build, no more than the first bytes are written: those are the same in all. */
 invcal_status invcal_session_init_nominal(invcal_session *session, size_t size,
-                                   const invcal_calibration *nominal, invcal_real rate)
+                                          const invcal_calibration *nominal, invcal_real rate)
 {
     INVCAL_ASSERT(session && nominal);
     invcal_status status =
@@ -304,8 +304,8 @@ invcal_status invcal_session_solve(const invcal_session *session, invcal_calibra
         return INVCAL_OK;
     }
 #endif
-    return invcal_calibrate(session->mean[0], session->count, &session->nominal,
-                                   session->noise, out, quality);
+    return invcal_calibrate(session->mean[0], session->count, &session->nominal, session->noise,
+                            out, quality);
 }
 
 /* NOT_GOOD, or GOOD with its solution. */

@@ -82,7 +82,7 @@ INVCAL_NODISCARD invcal_status invcal_allan_init(invcal_allan *allan, size_t siz
  *
  * Returns INVCAL_OK; INVCAL_OTHER_BUILD; INVCAL_BAD_TIME for any other list. */
 INVCAL_NODISCARD invcal_status invcal_allan_init_taus(invcal_allan *allan, size_t size,
-                                                  const uint32_t *m, unsigned count);
+                                                      const uint32_t *m, unsigned count);
 
 /* Uses adjacent windows (NIST SP 1065, 5.2.2), to compare with published figures; overlapping ones
  * give more degrees of freedom. Call it before the first sample. Costs a 32-bit division for each

@@ -297,10 +297,10 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
  * 0. INVCAL_UNDETERMINED refers to parameters without a prior.
  * Cost: 80,000 instructions for 18 positions. Stack: about 950 bytes. */
 invcal_status invcal_calibrate_prior(const invcal_real *raw, unsigned count,
-                                          const invcal_calibration *nominal, invcal_real noise,
-                                          const invcal_real prior[INVCAL_PARAMETERS],
-                                          invcal_calibration *out, invcal_quality *quality,
-                                          uint16_t *from_prior);
+                                     const invcal_calibration *nominal, invcal_real noise,
+                                     const invcal_real prior[INVCAL_PARAMETERS],
+                                     invcal_calibration *out, invcal_quality *quality,
+                                     uint16_t *from_prior);
 
 /* ---- six faces ----------------------------------------------------------------------------------
  *
@@ -335,9 +335,9 @@ invcal_status invcal_calibrate_prior(const invcal_real *raw, unsigned count,
  * offsets or scales open; INVCAL_BAD_PRIOR unless gamma is above 0 and below 1.
  * Cost: 51,000 instructions for six positions. Stack: about 990 bytes. */
 invcal_status invcal_calibrate_faces(const invcal_real *raw, unsigned count,
-                                         const invcal_calibration *nominal, invcal_real noise,
-                                         invcal_real gamma, invcal_calibration *out,
-                                         invcal_quality *quality, uint16_t *held);
+                                     const invcal_calibration *nominal, invcal_real noise,
+                                     invcal_real gamma, invcal_calibration *out,
+                                     invcal_quality *quality, uint16_t *held);
 
 /* invcal_accuracy of a calibration with some parameters from a prior.
  *

@@ -201,8 +201,8 @@ invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity);
  *                         tenth of the field.
  * Cost: 30,000 instructions for 18 positions. Stack: about 660 bytes. */
 invcal_status invcal_calibrate_plain(const invcal_real *raw, unsigned count,
-                               const invcal_calibration *nominal, invcal_real noise,
-                               invcal_calibration *out, invcal_quality *quality);
+                                     const invcal_calibration *nominal, invcal_real noise,
+                                     invcal_calibration *out, invcal_quality *quality);
 
 /* The same, but also tests what the nine parameters do not explain (mathematics_judgement.md).
  * Leaves out positions that contradict the others; reports a systematic error - drift,
@@ -217,8 +217,8 @@ invcal_status invcal_calibrate_plain(const invcal_real *raw, unsigned count,
  * Returns as invcal_calibrate_plain; INVCAL_BAD_COUNT for more than INVCAL_MAX_POSITIONS.
  * Cost: 160,000 instructions for 18 good positions. Stack: about 1,200 bytes. */
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
-                                      const invcal_calibration *nominal, invcal_real noise,
-                                      invcal_calibration *out, invcal_quality *quality);
+                               const invcal_calibration *nominal, invcal_real noise,
+                               invcal_calibration *out, invcal_quality *quality);
 
 /* ---- a session: the whole procedure -------------------------------------------------------------
  *
@@ -244,7 +244,7 @@ typedef enum {
     INVCAL_READY,    /* enough for a position, once per rest: move on, or stay for a better mean */
     INVCAL_TAKEN,    /* the device has left the position, and its mean is in the table. Usually
                         preceded by READY; not if the rest was accepted only once motion ended it */
-    INVCAL_REFUSED   /* a rest, but not a position: invcal_session_reason_text. Once per rest, and again if
+    INVCAL_REFUSED /* a rest, but not a position: invcal_session_reason_text. Once per rest, and again if
                         the reason changes, or as it ends. For every sample, if the session was not
                         begun */
 } invcal_event;
@@ -334,8 +334,8 @@ INVCAL_NODISCARD invcal_status invcal_session_init(invcal_session *session, size
  *
  * Returns as invcal_session_init. */
 INVCAL_NODISCARD invcal_status invcal_session_init_nominal(invcal_session *session, size_t size,
-                                                    const invcal_calibration *nominal,
-                                                    invcal_real rate);
+                                                           const invcal_calibration *nominal,
+                                                           invcal_real rate);
 
 /* Sets the counts at which the sensor clips, low < high (-32768 and 32767 for 16 bits): rests that
  * reach them are refused from now on. Without it only the ends of int32 count as clipped.

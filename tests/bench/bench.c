@@ -287,7 +287,7 @@ static void bench_all(void)
     report("robust_18_positions", end());
     begin();
     (void)invcal_calibrate_prior(raw[0], POSITIONS, &nominal, INVCAL_REAL(0.001), prior,
-                                      &calibration, &quality, &set);
+                                 &calibration, &quality, &set);
     report("18_positions_with_prior", end());
     begin();
     set = invcal_undetermined(raw[0], POSITIONS, &nominal);

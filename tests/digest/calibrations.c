@@ -87,8 +87,8 @@ static void sets_with_a_prior(void)
         invcal_quality quality;
         uint16_t from_prior = 0;
         input_positions(raw, count, 0.02f, 1e-3f);
-        const invcal_status status = invcal_calibrate_prior(
-            raw[0], count, &nominal, 1e-3f, prior, &calibration, &quality, &from_prior);
+        const invcal_status status = invcal_calibrate_prior(raw[0], count, &nominal, 1e-3f, prior,
+                                                            &calibration, &quality, &from_prior);
         begin_set("prior", status);
         if (status == INVCAL_OK) {
             digest_calibration(&calibration, &nominal);

@@ -177,8 +177,8 @@ static void resume(const drive_state *d)
 
     REQUIRE(size <= INVCAL_SESSION_SIZE);
     mark(&resumed, sizeof resumed);
-    REQUIRE(invcal_session_init_nominal(&resumed, sizeof resumed, &session->nominal, session->rate) ==
-            INVCAL_OK);
+    REQUIRE(invcal_session_init_nominal(&resumed, sizeof resumed, &session->nominal,
+                                        session->rate) == INVCAL_OK);
     resumed.noise = session->noise;
     resumed.rests.dwell = session->rests.dwell;
     resumed.rests.low = session->rests.low;
@@ -371,7 +371,8 @@ static void act(drive_state *d, unsigned action)
         invcal_session_gap(d->session);
         break;
     case 5:
-        invcal_session_set_hold(d->session, (invcal_real)(take_byte(d->s) == 1 ? take_u32(d->s) : amount * 500) / 1000);
+        invcal_session_set_hold(
+            d->session, (invcal_real)(take_byte(d->s) == 1 ? take_u32(d->s) : amount * 500) / 1000);
         break;
     case 6:
         end_stream(d);

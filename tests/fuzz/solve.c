@@ -276,8 +276,8 @@ static void calibrate_six_faces(const invcal_real *mean, unsigned count, const c
     mark(&out, sizeof out);
     mark(&quality, sizeof quality);
     mark(&held, sizeof held);
-    if (invcal_calibrate_faces(mean, count, &c->nominal, c->noise, gamma, &out, &quality,
-                                   &held) != INVCAL_OK) {
+    if (invcal_calibrate_faces(mean, count, &c->nominal, c->noise, gamma, &out, &quality, &held) !=
+        INVCAL_OK) {
         require_mark(&out, sizeof out);
         require_mark(&quality, sizeof quality);
         require_mark(&held, sizeof held);
@@ -306,8 +306,8 @@ static void calibrate_with_prior(source *s)
     mark(&out, sizeof out);
     mark(&quality, sizeof quality);
     mark(&from_prior, sizeof from_prior);
-    if (invcal_calibrate_prior(&mean[0][0], count, &c.nominal, c.noise, c.prior, &out,
-                                    &quality, &from_prior) != INVCAL_OK) {
+    if (invcal_calibrate_prior(&mean[0][0], count, &c.nominal, c.noise, c.prior, &out, &quality,
+                               &from_prior) != INVCAL_OK) {
         require_mark(&out, sizeof out);
         require_mark(&quality, sizeof quality);
         require_mark(&from_prior, sizeof from_prior);

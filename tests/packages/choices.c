@@ -46,7 +46,8 @@ static void try_session(unsigned char fill)
     expect(invcal_session_reason(session) == INVCAL_OTHER_BUILD, "session_reason");
     expect(strcmp(invcal_session_reason_text(session), "other build") == 0, "session_why");
     expect_untouched("session_init");
-    expect(invcal_session_init_nominal(session, sizeof *session, &nominal, 100) == INVCAL_OTHER_BUILD,
+    expect(invcal_session_init_nominal(session, sizeof *session, &nominal, 100) ==
+               INVCAL_OTHER_BUILD,
            "session_begin");
     expect(!invcal_session_is_good(session), "session_is_good");
     expect_untouched("session_begin");
@@ -91,7 +92,8 @@ static void try_allan(unsigned char fill)
     memset(memory, fill, sizeof memory);
     memset(before, fill, sizeof before);
     expect(invcal_allan_init(allan, sizeof *allan) == INVCAL_OTHER_BUILD, "allan_init");
-    expect(invcal_allan_init_taus(allan, sizeof *allan, &one, 1) == INVCAL_OTHER_BUILD, "allan_begin");
+    expect(invcal_allan_init_taus(allan, sizeof *allan, &one, 1) == INVCAL_OTHER_BUILD,
+           "allan_begin");
     for (int i = 0; i < 1000; i++) {
         invcal_allan_feed(allan, i);
     }

@@ -10,7 +10,7 @@
 /* ---- what other modules do -------------------------------------------------------------------- */
 
 invcal_status invcal_session_init_nominal(invcal_session *session, size_t size,
-                                   const invcal_calibration *nominal, invcal_real rate)
+                                          const invcal_calibration *nominal, invcal_real rate)
 {
     (void)size;
     (void)nominal->matrix[2][2];

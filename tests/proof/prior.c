@@ -27,10 +27,10 @@ void main(void)
     ANY(noise);
     ANY(gamma);
     (void)invcal_calibrate_prior(NULL, 0, &nominal, noise, prior, &out, &quality, &from_prior);
-    (void)invcal_calibrate_prior(raw, BETWEEN(1, COUNT), &nominal, noise, prior, &out,
-                                      &quality, &from_prior);
+    (void)invcal_calibrate_prior(raw, BETWEEN(1, COUNT), &nominal, noise, prior, &out, &quality,
+                                 &from_prior);
     (void)invcal_calibrate_faces(raw, BETWEEN(1, COUNT), &nominal, noise, gamma, &out, &quality,
-                                     &from_prior);
+                                 &from_prior);
     ANY(quality);
     ANY(from_prior);
     (void)invcal_accuracy_held(&quality, from_prior, gamma);

@@ -98,8 +98,8 @@ static void look_at(const invcal_real *raw, unsigned count)
 }
 
 invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
-                                      const invcal_calibration *nominal, invcal_real noise,
-                                      invcal_calibration *out, invcal_quality *quality)
+                               const invcal_calibration *nominal, invcal_real noise,
+                               invcal_calibration *out, invcal_quality *quality)
 {
     const invcal_status status = any_status();
 

@@ -211,8 +211,8 @@ invcal_status calibrate_set(const reading_set *set, double noise, invcal_calibra
 {
     const invcal_calibration nominal = unit_nominal();
 
-    return invcal_calibrate_plain(&set->u[0][0], set->count, &nominal, (invcal_real)noise, calibration,
-                            quality);
+    return invcal_calibrate_plain(&set->u[0][0], set->count, &nominal, (invcal_real)noise,
+                                  calibration, quality);
 }
 
 double calibrated_length(const invcal_calibration *calibration, const triad_truth *truth,

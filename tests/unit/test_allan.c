@@ -321,8 +321,9 @@ static void a_stream_of_another_size_takes_nothing(void)
         memset(&a, fills[i / 6], sizeof a);
         memcpy(&before, &a, sizeof before);
         before.taus = 0;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD, i / 3 % 2 ? invcal_allan_init(&a, size)
-                                                            : invcal_allan_init_taus(&a, size, m, 3));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD, i / 3 % 2
+                                                      ? invcal_allan_init(&a, size)
+                                                      : invcal_allan_init_taus(&a, size, m, 3));
         TEST_ASSERT_EQUAL_MEMORY(&before, &a, sizeof before);
         feed(&a, always_full, 100);
         TEST_ASSERT_EQUAL_MEMORY(before.tau, a.tau, sizeof before.tau);

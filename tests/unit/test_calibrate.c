@@ -81,8 +81,8 @@ static void calibrate(const data_set *set, const invcal_calibration *nominal,
     for (unsigned i = 0; i < 3 * set->count; i++) {
         raw[i] = (invcal_real)set->position[i / 3][i % 3];
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_calibrate_plain(raw, set->count, nominal, 0, calibration, quality));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_calibrate_plain(raw, set->count, nominal, 0, calibration, quality));
 }
 
 /* A data set, calibrated with the reference's nominal. */
@@ -273,7 +273,7 @@ static void of_many_positions_all_count(void)
     TEST_ASSERT_EQUAL_UINT(254, quality.positions);
     TEST_ASSERT_EQUAL_UINT(245, quality.dof);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT, invcal_calibrate_plain(raw[0], UINT16_MAX, &nominal, 0,
-                                                             &calibration, &quality));
+                                                                   &calibration, &quality));
 }
 
 static void left_out_positions_may_leave_too_few(void)
@@ -302,7 +302,8 @@ static void the_calibration_may_overwrite_nominal(void)
 
     read_positions(&truth, expected_plan18, 18, 1e-4, &random, &set);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, 0, &calibration, &quality));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_plain(set.u[0], 18, &place, 0, &place, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_calibrate_plain(set.u[0], 18, &place, 0, &place, &quality));
     TEST_ASSERT_EQUAL_MEMORY(&calibration, &place, sizeof place);
 }
 
@@ -319,7 +320,8 @@ static void a_second_pass_finds_almost_nothing(void)
 
     read_positions(&truth, expected_plan18, 18, 0, &random, &set);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, 0, &first, &quality));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_plain(set.u[0], 18, &first, 0, &second, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_calibrate_plain(set.u[0], 18, &first, 0, &second, &quality));
     invcal_deviation(&second, &first, x);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-14), 0, (double)x[r]);
@@ -341,8 +343,9 @@ static void assert_refused(const invcal_calibration *nominal, double noise, invc
     before = calibration;
     quality_before = quality;
     read_positions(&truth, expected_plan18, 18, 1e-4, &random, &set);
-    TEST_ASSERT_EQUAL_INT(expected, invcal_calibrate_plain(set.u[0], 18, nominal, (invcal_real)noise,
-                                                     &calibration, &quality));
+    TEST_ASSERT_EQUAL_INT(
+        expected,
+        invcal_calibrate_plain(set.u[0], 18, nominal, (invcal_real)noise, &calibration, &quality));
     TEST_ASSERT_EQUAL_MEMORY(&before, &calibration, sizeof before);
     TEST_ASSERT_EQUAL_MEMORY(&quality_before, &quality, sizeof quality);
 }

@@ -1163,7 +1163,8 @@ static void without_moves_nothing_is_solved(void)
     invcal_real scale;
 
     world_begin(&w, 100, 67);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_set_limits(&w.moves, -50000, 50000)); /* 0.5 rad/s */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_moves_set_limits(&w.moves, -50000, 50000)); /* 0.5 rad/s */
     world_tour(&w);
     world_end(&w);
     TEST_ASSERT_EQUAL_INT(13, w.moves.count);

@@ -202,8 +202,7 @@ static invcal_status judge(const reading_set *set, double stated, invcal_calibra
 {
     const invcal_calibration nominal = unit_nominal();
 
-    return invcal_calibrate(set->u[0], set->count, &nominal, (invcal_real)stated, out,
-                                   quality);
+    return invcal_calibrate(set->u[0], set->count, &nominal, (invcal_real)stated, out, quality);
 }
 
 /* ---- what comes of it, as shares of the draws ------------------------------------------------ */
@@ -770,8 +769,7 @@ typedef invcal_status calibrate_function(const invcal_real *raw, unsigned count,
 static void assert_refused_by(invcal_status expected, const reading_set *set,
                               const invcal_calibration *nominal, double noise)
 {
-    static calibrate_function *const calibrate[] = {invcal_calibrate,
-                                                    invcal_calibrate_robust};
+    static calibrate_function *const calibrate[] = {invcal_calibrate, invcal_calibrate_robust};
 
     for (unsigned i = 0; i < 2; i++) {
         invcal_calibration out;

@@ -96,7 +96,8 @@ static void lost_samples_spoil_only_one_move(void)
 static void a_clipped_or_a_long_move_is_refused(void)
 {
     begin();
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_set_limits(&w.moves, -150000, 150000)); /* 1.5 rad/s */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_moves_set_limits(&w.moves, -150000, 150000)); /* 1.5 rad/s */
     world_rest(&w, 1.5);
     quarter(2.2);
     quarter(1);

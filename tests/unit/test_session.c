@@ -318,8 +318,8 @@ static void it_is_what_the_array_of_its_means_gives(void)
     begin(0.05, 2);
     visit_plan(0, 15);
     (void)solve(&of_session);
-    TEST_ASSERT_EQUAL_INT(
-        INVCAL_OK, invcal_calibrate_plain(b.s->mean[0], b.s->count, &sheet, 0, &of_array, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_plain(b.s->mean[0], b.s->count, &sheet, 0,
+                                                            &of_array, &quality));
     TEST_ASSERT_EQUAL_MEMORY(&of_array, &of_session, sizeof of_array);
 }
 
@@ -880,8 +880,8 @@ static void a_rate_need_not_be_whole(void)
     begin(0.05, 32);
     b.rate = 12.5;
     b.rest_time = 6;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_session_init_nominal(b.s, sizeof *b.s, &sheet, (invcal_real)b.rate));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_session_init_nominal(b.s, sizeof *b.s, &sheet, (invcal_real)b.rate));
     TEST_ASSERT_TRUE(b.s->rate == INVCAL_REAL(12.5));
     visit_plan(0, 18);
     (void)invcal_session_end(b.s); /* the last one has not been left for long */

@@ -64,8 +64,8 @@ static invcal_session begin(const scene *s)
                           invcal_session_init_nominal(&session, sizeof session, &s->nominal, RATE));
     if (s->kind == TUNED) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(&session, (invcal_real)0.0011));
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_session_set_limits(&session, -32768, 32767 - (int32_t)s->seed));
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_OK, invcal_session_set_limits(&session, -32768, 32767 - (int32_t)s->seed));
         invcal_session_set_hold(&session, (invcal_real)(1000 + s->seed) / 1000);
     }
     return session;
@@ -246,8 +246,8 @@ static invcal_session golden_begun(void)
     invcal_session s;
 
     memset(&s, FILL, sizeof s);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_session_init_nominal(&s, sizeof s, &golden_nominal, INVCAL_REAL(12.5)));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_session_init_nominal(&s, sizeof s, &golden_nominal, INVCAL_REAL(12.5)));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_limits(&s, -32768, 32767));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(&s, INVCAL_REAL(0.0009765625)));
     invcal_session_set_hold(&s, INVCAL_REAL(2.5));
@@ -387,9 +387,11 @@ static void what_was_stated_stays_as_it_was_begun(void)
         invcal_session begun = golden_begun();
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                               invcal_session_set_limits(&saved, rail[then][0], rail[then][1]));
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(&saved, (invcal_real)noise[then]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_session_set_noise(&saved, (invcal_real)noise[then]));
         invcal_session_set_hold(&saved, (invcal_real)(milliseconds[then]) / 1000);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_limits(&begun, rail[now][0], rail[now][1]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_session_set_limits(&begun, rail[now][0], rail[now][1]));
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_set_noise(&begun, (invcal_real)noise[now]));
         invcal_session_set_hold(&begun, (invcal_real)(milliseconds[now]) / 1000);
         invcal_session back = begun;
@@ -430,8 +432,9 @@ static void another_rate_is_refused(void)
 
     for (unsigned i = 0; i < 8; i++) {
         memset(&session[i], FILL, sizeof session[i]);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init_nominal(&session[i], sizeof session[i],
-                                                              &s.nominal, (invcal_real)rate[i]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_session_init_nominal(&session[i], sizeof session[i],
+                                                          &s.nominal, (invcal_real)rate[i]));
     }
     for (unsigned i = 0; i < 8; i++) {
         for (unsigned k = 0; k < 8; k++) {
@@ -564,8 +567,9 @@ static void a_session_that_was_not_begun_is_not_resumed(void)
         static const invcal_status why[] = {INVCAL_NOT_BEGUN, INVCAL_BAD_RATE, INVCAL_OTHER_BUILD};
         memset(&session, 0, sizeof session);
         if (i > 0) {
-            TEST_ASSERT_EQUAL_INT(why[i], invcal_session_init_nominal(&session, sizeof session + i - 1,
-                                                               &golden_nominal, i == 1 ? 5 : 100));
+            TEST_ASSERT_EQUAL_INT(why[i],
+                                  invcal_session_init_nominal(&session, sizeof session + i - 1,
+                                                              &golden_nominal, i == 1 ? 5 : 100));
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN,
                               invcal_session_resume(&session, (const uint8_t *)&saved, size));
@@ -937,8 +941,9 @@ static void a_session_of_other_settings_is_not_loaded(void)
         invcal_calibration nominal = golden_nominal;
         nominal.matrix[2][1] = i == 0 ? INVCAL_REAL(1e-6) : 0;
         memset(&session, FILL, sizeof session);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init_nominal(&session, sizeof session, &nominal,
-                                                              i == 0 ? INVCAL_REAL(12.5) : 12));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_session_init_nominal(&session, sizeof session, &nominal,
+                                                          i == 0 ? INVCAL_REAL(12.5) : 12));
         const invcal_session other = session;
         TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_SETTINGS, invcal_session_load(&session, &store));
         assert_as_begun(&other, &session);

@@ -30,8 +30,7 @@ static invcal_status calibrate(const reading_set *set, double noise, double gamm
     const invcal_calibration nominal = unit_nominal();
 
     return invcal_calibrate_faces(set->u[0], set->count, &nominal, (invcal_real)noise,
-                                      (invcal_real)gamma, &out->calibration, &out->quality,
-                                      &out->held);
+                                  (invcal_real)gamma, &out->calibration, &out->quality, &out->held);
 }
 
 static const double faces[12][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {-1, 0, 0},

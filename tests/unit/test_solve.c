@@ -199,8 +199,9 @@ static void a_magnetometer_is_calibrated_like_an_accelerometer(void)
             read_magnetometer(&truth, iron, expected_plan18[i], raw[i]);
         }
         guess_iron(raw, nominal.offset);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_plain(&raw[0][0], MAGNETOMETER_POSITIONS,
-                                                          &nominal, 0, &calibration, &quality));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_calibrate_plain(&raw[0][0], MAGNETOMETER_POSITIONS, &nominal,
+                                                     0, &calibration, &quality));
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                               invcal_scale(&calibration, (invcal_real)magnetometer_field));
         TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, quality.verdict);

@@ -326,8 +326,9 @@ static double over_bound(const sensor *s, double bound, double *nine)
         take_three(s, sigma, &random);
         calibrate_all(sigma);
         squares += square_error_of_range(s, -20, 70, NULL) / draws;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_plain(all.raw, all.count, &nominal,
-                                                          (invcal_real)sigma, &calibration, &q));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_calibrate_plain(all.raw, all.count, &nominal,
+                                                     (invcal_real)sigma, &calibration, &q));
         squares_of_nine += square_error_of_range(s, -20, 70, &calibration) / draws;
     }
     *nine = sqrt(squares_of_nine) / (bound * sigma);
@@ -375,8 +376,8 @@ static void assert_like_nine_parameters(double noise, invcal_verdict verdict)
     invcal_quality q;
     const invcal_calibration calibration = calibration_at((double)all.temperature[0]);
 
-    TEST_ASSERT_EQUAL_INT(
-        INVCAL_OK, invcal_calibrate_plain(all.raw, all.count, &nominal, (invcal_real)noise, &plain, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_plain(all.raw, all.count, &nominal,
+                                                            (invcal_real)noise, &plain, &q));
     TEST_ASSERT_EQUAL_UINT(0, found.degree);
     TEST_ASSERT_EQUAL_UINT(0, found.fitted);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {

@@ -70,8 +70,9 @@ static int begin_streams(const allan_settings *settings, double rate)
     }
     for (unsigned i = 0; i < 3; i++) {
         const invcal_status status =
-            settings->taus > 0 ? invcal_allan_init_taus(&stream[i], sizeof stream[i], m, settings->taus)
-                               : invcal_allan_init(&stream[i], sizeof stream[i]);
+            settings->taus > 0
+                ? invcal_allan_init_taus(&stream[i], sizeof stream[i], m, settings->taus)
+                : invcal_allan_init(&stream[i], sizeof stream[i]);
         if (status != INVCAL_OK) {
             return message_usage("allan", "--tau: must ascend, at most %u times",
                                  (unsigned)INVCAL_ALLAN_TAUS);

@@ -172,11 +172,11 @@ static invcal_status solve(const double *raw, unsigned count, const fit_settings
 
     if (settings->is_six_faces) {
         return invcal_calibrate_faces(raw, count, nominal, settings->noise,
-                                          settings->prior[INVCAL_GAMMA_XY], c, q, from_prior);
+                                      settings->prior[INVCAL_GAMMA_XY], c, q, from_prior);
     }
     return fit_has_prior(settings)
-               ? invcal_calibrate_prior(raw, count, nominal, settings->noise, settings->prior,
-                                             c, q, from_prior)
+               ? invcal_calibrate_prior(raw, count, nominal, settings->noise, settings->prior, c, q,
+                                        from_prior)
                : invcal_calibrate_plain(raw, count, nominal, settings->noise, c, q);
 }
 

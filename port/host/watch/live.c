@@ -371,10 +371,10 @@ static int begin_session(state *s)
         return message_usage("watch", "%s: %s; %s", live_log.table.name, text, remedy);
     }
     if (!zero_begin(&s->zero, options, &live_log, s->p, &followed, &s->known) ||
-        invcal_session_init_nominal(&session, sizeof session, &s->known, samples_whole_rate(&live_log)) !=
-            INVCAL_OK ||
+        invcal_session_init_nominal(&session, sizeof session, &s->known,
+                                    samples_whole_rate(&live_log)) != INVCAL_OK ||
         (clip && invcal_session_set_limits(&session, samples_count(&live_log, clip[0]),
-                                      samples_count(&live_log, clip[1])) != INVCAL_OK)) {
+                                           samples_count(&live_log, clip[1])) != INVCAL_OK)) {
         message("%s: %.6g samples per second, or the nominal calibration, cannot be used",
                 live_log.table.name, live_log.rate);
         return EXIT_FILE;

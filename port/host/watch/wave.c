@@ -56,7 +56,8 @@ static void find_target(const invcal_magnetometer *m)
     invcal_magnetometer_next(m, now.target);
     const double up[3] = {-now.target[0], -now.target[1], -now.target[2]};
     now.has_target = 1;
-    snprintf(now.next, sizeof now.next, "hold it %s, and swing it around", invcal_direction_text(up, words));
+    snprintf(now.next, sizeof now.next, "hold it %s, and swing it around",
+             invcal_direction_text(up, words));
 }
 
 /* A target of 0 means no limit. */
