@@ -333,6 +333,15 @@ static int are_begun(const invcal_moves *moves)
     return moves->layout != 0;
 }
 
+void invcal_moves_empty(invcal_moves *m, const invcal_calibration *nominal, invcal_real rate)
+{
+    invcal_zero(m, sizeof *m);
+    m->layout = INVCAL_MOVES_LAYOUT;
+    m->nominal = *nominal;
+    m->rate = rate;
+    invcal_moves_restart(m);
+}
+
 invcal_status invcal_moves_init(invcal_moves *moves, size_t size, const invcal_calibration *nominal,
                                 invcal_real rate)
 {
@@ -348,11 +357,7 @@ invcal_status invcal_moves_init(invcal_moves *moves, size_t size, const invcal_c
     if (!(rate >= INVCAL_LEAST_RATE && rate <= INVCAL_MOST_RATE)) {
         return INVCAL_BAD_RATE;
     }
-    invcal_zero(moves, sizeof *moves);
-    moves->layout = INVCAL_MOVES_LAYOUT;
-    moves->nominal = *nominal;
-    moves->rate = rate;
-    invcal_moves_restart(moves);
+    invcal_moves_empty(moves, nominal, rate);
     return invcal_moves_set_limits(moves, INT32_MIN, INT32_MAX);
 }
 

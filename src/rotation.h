@@ -21,6 +21,9 @@
     (UINT32_C(0x61000000) + INVCAL_MAX_MOVES * UINT32_C(0x40000) +                                 \
      (uint32_t)sizeof(invcal_real) * 0x1000u + INVCAL_MAX_SEGMENTS)
 
+/* No rest and no move, with these settings. */
+void invcal_moves_empty(invcal_moves *m, const invcal_calibration *nominal, invcal_real rate);
+
 /* Begins a stream; rests and moves so far are kept. */
 void invcal_moves_restart(invcal_moves *m);
 

@@ -15,10 +15,10 @@
 #include "texts.h"
 #include "vector.h"
 
-#define CLOSE INVCAL_REAL(0.9396926) /* cosine of 20 degrees */
-enum { LONGEST = 3600 };             /* seconds to hold */
-enum { DOF = 3 };                    /* min degrees of freedom to trust sigma */
-enum { NOT_ASKED, NOT_GOOD, GOOD };  /* session->good */
+#define CLOSE INVCAL_REAL(0.9396926)     /* cosine of 20 degrees */
+#define LONGEST_HOLD INVCAL_REAL(3600.0) /* seconds to hold */
+enum { DOF = 3 };                        /* min degrees of freedom to trust sigma */
+enum { NOT_ASKED, NOT_GOOD, GOOD };      /* session->good */
 
 #define HEAD INVCAL_SESSION_HEAD
 
@@ -86,7 +86,7 @@ invcal_status invcal_session_set_hold(invcal_session *session, invcal_real secon
     if (!invcal_session_is_begun(session)) {
         return INVCAL_NOT_BEGUN;
     }
-    if (!(seconds <= LONGEST)) {
+    if (!(seconds <= LONGEST_HOLD)) {
         return INVCAL_BAD_TIME;
     }
     const invcal_real positive = seconds > 0 ? seconds : 0;

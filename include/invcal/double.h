@@ -197,6 +197,7 @@
 #define invcal_judge_noise invcald_judge_noise
 #define invcal_judge_parameters invcald_judge_parameters
 #define invcal_make_symmetric invcald_make_symmetric
+#define invcal_moves_empty invcald_moves_empty
 #define invcal_moves_restart invcald_moves_restart
 #define invcal_next_of_sums invcald_next_of_sums
 #define invcal_nominal_check invcald_nominal_check

@@ -290,7 +290,7 @@ static void use(const invcal_calibration *calibration)
         int32_t raw[3];
         input_direction(up);
         input_sample(&accelerometer, up, raw);
-        invcal_apply(calibration, raw[0], raw[1], raw[2], out);
+        invcal_apply(calibration, (float)raw[0], (float)raw[1], (float)raw[2], out);
         digest_reals("g", out, 3);
         const float reading[3] = {(float)raw[0], (float)raw[1], (float)raw[2]};
         invcal_apply(&scaled, reading[0], reading[1], reading[2], out);

@@ -14,7 +14,7 @@ static void feed(void)
 {
     float walk = 0;
 
-    invcal_allan_init(&allan, sizeof allan);
+    digest_bits("begun", invcal_allan_init(&allan, sizeof allan));
     for (unsigned i = 0; i < SAMPLES; i++) {
         walk += 0.5f * input_noise();
         invcal_allan_feed(&allan, (int32_t)(12000 + walk + 20 * input_noise()));

@@ -84,7 +84,7 @@ static void record_results(const invcal_thermal *thermal, const invcal_quality *
     digest_set("record");
     digest_bits("made", invcal_thermal_record_init(&record, thermal, quality));
     digest_bits("encoded", invcal_thermal_record_encode(&record, bytes));
-    digest_bytes("bytes", bytes, sizeof bytes);
+    digest_bytes("bytes", bytes, INVCAL_THERMAL_RECORD_BYTES(thermal->degree));
     memset(&record, 0, sizeof record);
     digest_bits("decoded", invcal_thermal_record_decode(bytes, sizeof bytes, &record));
     thermal_results(&record.thermal);

@@ -27,11 +27,13 @@ static int begin(invcal_background *b, source *s, unsigned unusual)
 
     mark(b, sizeof *b);
     if (unusual & BACKGROUND) {
-        status = invcal_background_init(b, sizeof *b, &c.nominal, rate);
+        status = invcal_background_init(b, sizeof *b, &c.nominal, (invcal_real)rate);
     } else if (unusual & COUNTS) {
-        status = invcal_session_init(&b->session, sizeof b->session, take_real(s, 1000), rate);
+        status = invcal_session_init(&b->session, sizeof b->session, take_real(s, 1000),
+                                     (invcal_real)rate);
     } else {
-        status = invcal_session_init_nominal(&b->session, sizeof b->session, &c.nominal, rate);
+        status = invcal_session_init_nominal(&b->session, sizeof b->session, &c.nominal,
+                                             (invcal_real)rate);
     }
     if (status != INVCAL_OK) {
         require_mark(b, sizeof *b);

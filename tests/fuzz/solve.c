@@ -537,7 +537,7 @@ static unsigned begin_allan(invcal_allan *allan, source *s)
     const unsigned count = take_byte(s) % (INVCAL_ALLAN_TAUS + 2);
 
     if (take_byte(s) % 2 == 0) {
-        invcal_allan_init(allan, sizeof *allan);
+        REQUIRE(invcal_allan_init(allan, sizeof *allan) == INVCAL_OK);
         return INVCAL_ALLAN_TAUS;
     }
     for (unsigned i = 0; i < count; i++) {
@@ -650,7 +650,8 @@ static void use(source *s)
     invcal_apply(&c.nominal, raw[0], raw[1], raw[2], same);
     invcal_apply(&c.nominal, raw[0], raw[1], raw[2], raw); /* the same array */
     REQUIRE(memcmp(raw, same, sizeof raw) == 0);
-    invcal_apply(&c.nominal, sample[0], sample[1], sample[2], raw);
+    invcal_apply(&c.nominal, (invcal_real)sample[0], (invcal_real)sample[1], (invcal_real)sample[2],
+                 raw);
     REQUIRE(memcmp(raw, same, sizeof raw) == 0);
     REQUIRE(invcal_direction_text(raw, words) == words && memchr(words, '\0', sizeof words));
     look_at_drift(s);

@@ -767,6 +767,9 @@ static void what_is_not_a_session_of_both_is_not_loaded(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&store, large, sizeof large));
     load_refused(INVCAL_NO_SPACE);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_session_save(&both, &store));
+    memset(&back, 0, sizeof back);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_imu_session_load(&back, &store));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0, &back, sizeof back);
     begin_both(&back);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_session_load(&back, &store));
     assert_back();
