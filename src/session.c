@@ -90,6 +90,7 @@ invcal_status invcal_session_set_hold(invcal_session *session, invcal_real secon
         return INVCAL_BAD_TIME;
     }
     const invcal_real positive = seconds > 0 ? seconds : 0;
+    //@ assert \is_finite(positive); // no NaN is at most an hour
     invcal_rests_hold(&session->rests, (uint32_t)(1000 * positive + INVCAL_REAL(0.5)));
     return INVCAL_OK;
 }

@@ -165,6 +165,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     mark(&moves, sizeof moves);
     if (invcal_moves_init(&moves, sizeof moves, &nominal, take_real(&s, 100)) != INVCAL_OK) {
+        REQUIRE(moves.layout == 0); /* which says that they are not begun */
+        mark(&moves.layout, sizeof moves.layout);
         require_mark(&moves, sizeof moves);
         return 0;
     }

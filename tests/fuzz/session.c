@@ -36,7 +36,7 @@ static int begin(invcal_background *b, source *s, unsigned unusual)
                                              (invcal_real)rate);
     }
     if (status != INVCAL_OK) {
-        require_mark(b, sizeof *b);
+        require_mark((const uint8_t *)b + 8, sizeof *b - 8); /* the first say why */
         REQUIRE(status == INVCAL_BAD_NOMINAL || status == INVCAL_BAD_RATE);
         return 0;
     }

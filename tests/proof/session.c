@@ -9,6 +9,7 @@
 #include "texts.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 100 -eva-split-return full
+// trusted: 1
 // stubs: rests judge judged guidance words status
 
 static invcal_session session;
