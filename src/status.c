@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Texts of statuses, parameters and verdicts. Each list is in the order of its enumeration.
+ * Texts of statuses, parameters, verdicts and systematic errors. Each list is in the order of its enumeration.
  * Why a session refuses a sample is a list of its own, which it links without the others.
  */
 #include "texts.h"
@@ -100,4 +100,17 @@ const char *invcal_verdict_text(invcal_verdict verdict)
     const unsigned n = (unsigned)verdict;
 
     return invcal_text(names, n <= INVCAL_WEAK ? n : INVCAL_WEAK + 1u);
+}
+
+const char *invcal_systematic_text(invcal_systematic systematic)
+{
+    static const char names[] = "\0"
+                                "drift\0"
+                                "nonlinearity x^2\0"
+                                "nonlinearity x^3\0"
+                                "hysteresis\0"
+                                "unknown error";
+    const unsigned n = (unsigned)systematic;
+
+    return invcal_text(names, n <= INVCAL_HYSTERESIS ? n : INVCAL_HYSTERESIS + 1u);
 }

@@ -78,7 +78,29 @@ is_guided() {
     result "$1: switched on again, it finds the calibration" $?
 }
 
+# says NAME TEXT CHANGE [FLAG...]: the program with a mistake, made by sed, or by another flag, says what is wrong.
+says() {
+    name=$1
+    text=$2
+    sed "$3" "$out/program.c" > "$out/wrong.c"
+    shift 3
+    # shellcheck disable=SC2086 # flags
+    ${CC:-cc} $CFLAGS -std=c99 -w "$@" -I"$root/include" -I"$here/readme" -I"$here/hand" "$out/wrong.c" \
+        "$here/readme/board.c" "$here/hand/hand.c" "$build/float/libinvcal.a" -lm -o "$out/wrong" > "$out/log" 2>&1 &&
+        BOARD_MEMORY=$memory timeout 3 "$out/wrong" 2>&1 | head -n 100 > "$out/log"
+    grep -qx "$text" "$out/log"
+    result "README.md: $name, and it says \"$text\"" $?
+}
+
 builds README.md 25
+memory=$out/memory
+says "a rate of 5" "invalid rate" 's/16384, 100)/16384, 5)/'
+says "a scale of 0" "invalid scale" 's/16384, 100)/0, 100)/'
+says "counts of another range" "far from the field: wrong scale or offset" 's/16384, 100)/163840000, 100)/'
+says "no session was begun" "not begun" 's/if (invcal_session_init.*/if (0)/'
+says "a library with other options" "other build" '' -DINVCAL_MAX_POSITIONS=64
+memory=$out/no/such/file
+says "a memory that fails" "not saved" ''
 is_guided README.md
 builds port/manual/gyroscope_firmware.md 75
 is_guided port/manual/gyroscope_firmware.md

@@ -136,6 +136,7 @@
 #define invcal_sums_add invcald_sums_add
 #define invcal_sums_add_row invcald_sums_add_row
 #define invcal_sums_init invcald_sums_init
+#define invcal_systematic_text invcald_systematic_text
 #define invcal_thermal_at invcald_thermal_at
 #define invcal_thermal_calibrate invcald_thermal_calibrate
 #define invcal_thermal_drift_limit invcald_thermal_drift_limit

@@ -109,6 +109,11 @@ typedef enum {
     INVCAL_HYSTERESIS     /* an axis reads more if turned up into position than if turned down */
 } invcal_systematic;
 
+/* A phrase for it: "drift", "nonlinearity x^2", "nonlinearity x^3", "hysteresis"; "" for
+ * INVCAL_NO_SYSTEMATIC; any other value gives "unknown error". For quality.systematic, and for each
+ * bit of quality.unchecked. */
+const char *invcal_systematic_text(invcal_systematic systematic);
+
 /* Whether the calibration may be used. Larger is worse; if several apply, it is the largest. */
 typedef enum {
     INVCAL_GOOD,          /* every parameter is determined, and checked by further positions */

@@ -79,6 +79,7 @@ void board_read_gyro(int16_t v[3])
 void board_show(const char *text)
 {
     puts(text);
+    fflush(stdout); /* a mistaken program does not end */
     (void)hand_reads(text, HAND_TURN);
 }
 

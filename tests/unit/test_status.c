@@ -100,6 +100,25 @@ static void an_unknown_verdict_has_a_text_too(void)
     TEST_ASSERT_EQUAL_STRING("unknown verdict", invcal_verdict_text((invcal_verdict)6));
 }
 
+/* For each bit of quality.unchecked; nothing for what was not found. */
+static void every_systematic_error_has_a_text(void)
+{
+    static const struct {
+        invcal_systematic systematic;
+        const char *text;
+    } known[] = {{INVCAL_NO_SYSTEMATIC, ""},
+                 {INVCAL_DRIFT, "drift"},
+                 {INVCAL_QUADRATIC, "nonlinearity x^2"},
+                 {INVCAL_CUBIC, "nonlinearity x^3"},
+                 {INVCAL_HYSTERESIS, "hysteresis"},
+                 {(invcal_systematic)5, "unknown error"},
+                 {(invcal_systematic)-1, "unknown error"}};
+
+    for (unsigned i = 0; i < sizeof known / sizeof known[0]; i++) {
+        TEST_ASSERT_EQUAL_STRING(known[i].text, invcal_systematic_text(known[i].systematic));
+    }
+}
+
 /* Why a session refuses a sample: in the words that any status has. */
 static void a_refusal_has_the_text_of_its_status(void)
 {
@@ -152,6 +171,7 @@ int main(void)
     RUN_TEST(any_other_value_is_unknown);
     RUN_TEST(every_status_fits_where_it_is_stored);
     RUN_TEST(an_unknown_verdict_has_a_text_too);
+    RUN_TEST(every_systematic_error_has_a_text);
     RUN_TEST(a_refusal_has_the_text_of_its_status);
     RUN_TEST(any_other_status_is_no_refusal);
     RUN_TEST(parameters_are_named_in_the_order_of_the_paper);

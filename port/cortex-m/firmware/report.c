@@ -72,6 +72,11 @@ void report_calibration(const invcal_calibration *calibration, const invcal_cali
     invcal_sigma_offset(quality, nominal, sigma);
     invcal_deviation(calibration, nominal, x);
     report("verdict", invcal_verdict_text((invcal_verdict)quality->verdict));
+    for (unsigned k = INVCAL_DRIFT; k <= INVCAL_HYSTERESIS; k++) {
+        if (quality->unchecked >> k & 1u) {
+            report("not checked for", invcal_systematic_text((invcal_systematic)k));
+        }
+    }
     report_vector("offset, counts:     ", calibration->offset, 2);
     report_vector("sigma:              ", sigma, 2);
     for (unsigned i = 0; i < 3; i++) {
