@@ -21,6 +21,8 @@
 #define invcal_moves_follow other_follow
 #undef invcal_moves_reason
 #define invcal_moves_reason other_reason
+#undef invcal_moves_empty
+#define invcal_moves_empty other_empty
 #undef invcal_moves_restart
 #define invcal_moves_restart other_restart
 #undef invcal_unpack
