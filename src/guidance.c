@@ -22,6 +22,7 @@
 INVCAL_NOINLINE void invcal_direction(unsigned n, invcal_real up[3])
 {
     n += n >= INVCAL_DIRECTIONS / 2; /* not the centre */
+    //@ split n;
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
         const unsigned third = n * 11 / 32; /* of n < 32: some have to call a function to divide */

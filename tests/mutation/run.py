@@ -26,7 +26,8 @@ import time
 import mutants
 
 CC = os.environ["CC"].split()
-FLAGS = "-std=c99 -ffp-contract=off -fno-math-errno -O2 -w -Iinclude".split()
+FLAGS = ("-std=c99 -ffp-contract=off -fno-math-errno -O2 -w -Iinclude "
+         "-ffunction-sections -fdata-sections").split()  # as the Makefile
 FLAGS_OF = {"short": FLAGS + ["-DINVCAL_THERMAL_DEGREE=2"],  # the same code as in BUILD
             "own": FLAGS + ["-DINVCAL_THERMAL_DEGREE=2"], "full": FLAGS}
 LEAST = 0.90

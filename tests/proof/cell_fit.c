@@ -19,11 +19,10 @@ invcal_status invcal_positions_calibrate(const invcal_positions *positions, invc
     return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 }
 
-void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
-                             invcal_quality *q)
+void invcal_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
 {
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        (void)k[r];
+        (void)q->sigma[r];
     }
     (void)a[2][2];
     ANY(*q);

@@ -6,7 +6,7 @@
 #include "arbitrary.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
-// eva: -eva-split-return-function invcal_observe:0,invcal_positions_sum:0,invcal_positions_compare:0,invcal_factor:0,invcal_ellipsoid:0,invcal_compose:0,invcal_residuals_end:0,invcal_determine:0,solve:0,invcal_positions_calibrate:0
+// eva: -eva-split-return-function invcal_observe:0,invcal_positions_pass:0,invcal_positions_solve:0,invcal_factor:0,invcal_ellipsoid:0,invcal_compose:0,invcal_residuals_end:0,invcal_determine:0,invcal_positions_calibrate:0
 // config: -DINVCAL_FAST=1
 // config: -DINVCAL_MAX_POSITIONS=64
 
@@ -32,7 +32,6 @@ static void any_passes(void)
     invcal_sums sums;
     invcal_calibration out;
     invcal_quality quality;
-    invcal_residuals residuals;
 
     ANY(positions);
     positions.raw = raw;
@@ -43,42 +42,47 @@ static void any_passes(void)
         read(&quality);
     }
     (void)invcal_positions_sum(&positions, &sums);
+    if (invcal_positions_solve(&positions, &sums, &quality) == INVCAL_OK) {
+        (void)quality.sigma[BETWEEN(0, INVCAL_PARAMETERS - 1)];
+        (void)quality.condition;
+    }
     ANY(out);
-    (void)invcal_positions_compare(&positions, &out, (const invcal_real(*)[3])a, &sums, &residuals);
+    if (invcal_positions_pass(&positions, &out, (const invcal_real(*)[3])a, &sums, &quality) ==
+        INVCAL_OK) {
+        read(&quality);
+    }
 }
 
 static void any_steps(void)
 {
     invcal_real system[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1)];
-    invcal_real k[INVCAL_PARAMETERS];
     invcal_real g[3];
     invcal_real x;
     invcal_real y;
+    invcal_real silent;
     invcal_row row;
-    invcal_residuals residuals;
     invcal_quality q;
 
     ANY(row);
-    ANY(residuals);
     ANY(q);
     ANY(x);
     ANY(y);
-    invcal_residuals_add(&residuals, BETWEEN(0, 0xFFFFFFFF), &row);
-    (void)invcal_residuals_end(&residuals);
-    invcal_judge_residuals(&residuals, &q);
+    ANY(silent);
+    invcal_residuals_add(&q, BETWEEN(0, 0xFFFFFFFF), &row);
+    (void)invcal_residuals_end(&q);
     (void)invcal_gradient((const invcal_real(*)[3])a, raw, g);
     const invcal_real dof = (invcal_real)Frama_C_double_interval(-1e30, 1e30);
-    invcal_judge_noise(x, y, dof, &q);
+    invcal_judge_noise(x, y, dof, silent, &q);
     invcal_weigh_noise(x, y, &q);
     (void)invcal_whole(dof);
     ANY(system);
     (void)invcal_condition(system, INVCAL_PARAMETERS, x);
     (void)invcal_is_resolved(x);
-    (void)invcal_determine(system, INVCAL_PARAMETERS, k, &y);
+    (void)invcal_determine(system, INVCAL_PARAMETERS, &q);
     ANY(system);
-    (void)invcal_determine(system, INVCAL_PARAMETERS + 1, k, &y);
-    ANY(k);
-    invcal_judge_parameters(k, (const invcal_real(*)[3])a, &q);
+    (void)invcal_determine(system, INVCAL_PARAMETERS + 1, &q);
+    ANY(q);
+    invcal_judge_parameters((const invcal_real(*)[3])a, &q);
 }
 
 /* Any positions, and none; the result may overwrite nominal. */

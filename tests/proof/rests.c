@@ -5,7 +5,7 @@
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 40
 // trusted: 2
-// dead: invcal_rests_feed 1 for compilers that optimise for size
+// config: -DINVCAL_FAST=1
 
 static void begin(unsigned bits)
 {

@@ -170,32 +170,10 @@ invcal_status invcal_positions_check(const invcal_positions *positions)
     return BETWEEN(0, 1) ? INVCAL_OK : BETWEEN(0, 1) ? INVCAL_BAD_NOISE : INVCAL_BAD_COUNT;
 }
 
-void invcal_residuals_add(invcal_residuals *residuals, unsigned i, const invcal_row *row)
+invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {
-    (void)i;
-    (void)row->h[0];
-    ANY(*residuals);
-}
-
-invcal_status invcal_residuals_end(invcal_residuals *residuals)
-{
-    ANY(*residuals);
-    return or_fail(INVCAL_NOT_ELLIPSOID);
-}
-
-void invcal_judge_residuals(const invcal_residuals *residuals, invcal_quality *q)
-{
-    q->rms = residuals->rms;
-    q->max = residuals->max;
-    q->worst = (uint16_t)BETWEEN(0, 0xFFFF);
-    q->positions = (uint16_t)BETWEEN(0, 0xFFFF);
-}
-
-invcal_real invcal_gradient(const invcal_real a[3][3], const invcal_real eta[3], invcal_real g[3])
-{
-    (void)a[2][2];
-    (void)eta[2];
-    UNKNOWN(g, 3);
+    (void)(a[0] + a[n - 1]);
+    (void)(b[0] + b[n - 1]);
     return any_real();
 }
 
@@ -205,19 +183,19 @@ void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
     UNKNOWN(g, INVCAL_PARAMETERS);
 }
 
-void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof, invcal_quality *q)
+void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
+                        invcal_real silent, invcal_quality *q)
 {
-    (void)(stated + squares + dof);
+    (void)(stated + squares + dof + silent);
     (void)q->verdict;
     ANY(q->noise);
     ANY(q->sigma_dof);
     q->verdict = (uint8_t)BETWEEN(INVCAL_GOOD, INVCAL_ROUGH);
 }
 
-void invcal_judge_parameters(const invcal_real k[INVCAL_PARAMETERS], const invcal_real a[3][3],
-                             invcal_quality *q)
+void invcal_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
 {
-    (void)(k[INVCAL_PARAMETERS - 1] + a[2][2] + q->noise);
+    (void)(q->sigma[INVCAL_PARAMETERS - 1] + a[2][2] + q->noise);
     (void)(q->positions + q->dof + q->verdict);
     UNKNOWN(q->sigma, INVCAL_PARAMETERS);
     q->weak = (uint16_t)BETWEEN(0, 0x1FF);

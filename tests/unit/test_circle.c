@@ -72,6 +72,20 @@ static void quarter_turns_are_exact(void)
     }
 }
 
+/* To the last bit: beyond an eighth of a turn both angles are reduced, or neither. */
+static void the_opposite_angle_has_the_same_cosine_and_the_opposite_sine(void)
+{
+    for (unsigned i = 0; i <= 720 * 16; i++) {
+        const invcal_real angle = (invcal_real)i / 16;
+        invcal_real c[2];
+        invcal_real s[2];
+        invcal_circle(angle, &c[0], &s[0]);
+        invcal_circle(-angle, &c[1], &s[1]);
+        TEST_ASSERT_TRUE(c[1] == c[0]);
+        TEST_ASSERT_TRUE(s[1] == -s[0]);
+    }
+}
+
 static void what_is_not_an_angle_has_no_sine(void)
 {
     invcal_real c = 7;
@@ -87,6 +101,7 @@ int main(void)
     RUN_TEST(cosine_and_sine_agree_with_libm_over_the_whole_turn);
     RUN_TEST(both_sides_of_a_seam_agree_with_libm);
     RUN_TEST(quarter_turns_are_exact);
+    RUN_TEST(the_opposite_angle_has_the_same_cosine_and_the_opposite_sine);
     RUN_TEST(what_is_not_an_angle_has_no_sine);
     return UNITY_END();
 }

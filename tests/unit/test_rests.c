@@ -1554,6 +1554,19 @@ static void finish_answers_in_every_state(void)
     }
 }
 
+/* At 88 Hz blocks have 8 samples, and 0.62 s are 7 of them. At first 5 are skipped: half of those,
+ * and the one that may have begun in motion. 2 are held back, so the eighth leaves a rest of one. */
+static void a_rest_of_one_block_is_refused_as_short(void)
+{
+    setup(88, 16384, 1e-3);
+    hold(0, 7.5 / 11);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
+    setup(88, 16384, 1e-3);
+    hold(0, 8.5 / 11);
+    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REST_SHORT, invcal_rests_reason(&b.detector));
+}
+
 /* The next begins after as many blocks as after any motion. */
 static void a_rest_that_continues_after_finish_is_another_one(void)
 {
@@ -1763,6 +1776,7 @@ int main(void)
     RUN_TEST(progress_rises_to_100_at_ready_and_falls_with_motion);
     RUN_TEST(the_current_position_can_be_read_from_ready_on);
     RUN_TEST(finish_answers_in_every_state);
+    RUN_TEST(a_rest_of_one_block_is_refused_as_short);
     RUN_TEST(a_rest_that_continues_after_finish_is_another_one);
     RUN_TEST(init_refuses_rates_and_rails_out_of_range);
     RUN_SLOW_TEST(random_bits_and_alternating_extremes_are_not_a_rest);
