@@ -11,10 +11,10 @@
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
-invcal_mask invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
+invcal_set invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
                             invcal_quality *q)
 {
-    invcal_mask more;
+    invcal_set more;
 
     look_at(positions);
     (void)c->matrix[2][2];
