@@ -1020,6 +1020,8 @@ static void a_failed_beginning_ends_the_session_before(void)
 static void other_calls_do_not_revive_it(void)
 {
     static invcal_session session;
+    char text[INVCAL_TEXT_SIZE];
+    invcal_real up[3];
 
     for (unsigned i = 0; i < FILLS; i++) {
         memset(&session, fills[i], sizeof session);
@@ -1031,6 +1033,9 @@ static void other_calls_do_not_revive_it(void)
         const invcal_event event = invcal_session_end(&session);
         TEST_ASSERT_TRUE(event == INVCAL_MOVING || event == INVCAL_REFUSED);
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_session_reason(&session));
+        TEST_ASSERT_EQUAL_STRING("+z up", invcal_session_next_text(&session, text)); /* any first */
+        invcal_session_next(&session, up);
+        TEST_ASSERT_FALSE(invcal_session_is_at(&session, up));
         assert_refuses_everything(&session, INVCAL_BAD_RATE);
     }
     memset(&session, 0, sizeof session);
