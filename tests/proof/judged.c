@@ -12,7 +12,7 @@
 /* ---- what other modules do -------------------------------------------------------------------- */
 
 invcal_set invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
-                            invcal_quality *q)
+                           invcal_quality *q)
 {
     invcal_set more;
 
