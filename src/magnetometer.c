@@ -478,7 +478,6 @@ const char *invcal_disturbance_text(invcal_disturbance disturbance)
         "the field differs from place to place: turn it where it is, away from iron\0"
         "readings changed at some time, as if something magnetic had moved: begin again\0"
         "unknown disturbance";
-    const unsigned n = (unsigned)disturbance;
 
-    return invcal_text(texts, n <= INVCAL_STEP ? n : INVCAL_STEP + 1u);
+    return invcal_text(texts, (unsigned)disturbance, INVCAL_STEP + 1u);
 }

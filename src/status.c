@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * Texts of statuses, parameters, verdicts and systematic errors. Each list is in the order of its enumeration.
- * Why a session refuses a sample is a list of its own, which it links without the others.
+ * Texts of statuses, parameters, verdicts and systematic errors. Each list is in the order of its
+ * enumeration. Why a session refuses a sample is a list of its own, which it links without the
+ * others.
  */
+#include <limits.h>
+
 #include "texts.h"
 
-const char *invcal_text(const char *texts, unsigned n)
+const char *invcal_text(const char *texts, unsigned n, unsigned count)
 {
+    n = n < count ? n : count;
     while (n > 0) { /* at most as many steps as there are characters */
         n -= *texts++ == '\0';
     }
@@ -28,9 +32,8 @@ const char *invcal_refusal_text(invcal_status status)
                                 "other build\0"
                                 "invalid scale\0"
                                 "invalid rate\0";
-    const unsigned n = (unsigned)status - INVCAL_OUT_OF_RANGE;
 
-    return invcal_text(texts, n < REFUSALS ? n : REFUSALS);
+    return invcal_text(texts, (unsigned)status - INVCAL_OUT_OF_RANGE, REFUSALS);
 }
 
 const char *invcal_status_text(invcal_status status)
@@ -69,18 +72,19 @@ const char *invcal_status_text(invcal_status status)
                                 "the memory cannot be read or written\0"
                                 "unknown status";
     const unsigned n = (unsigned)status;
-    unsigned before = 0;
+    unsigned place = UINT_MAX;
+    unsigned count = 0;
 
     if (n - INVCAL_OUT_OF_RANGE < REFUSALS) {
         return invcal_refusal_text(status);
     }
     for (unsigned i = 0; i < sizeof groups / sizeof groups[0]; i++) {
         if (n >= groups[i].first && n <= groups[i].last) {
-            return invcal_text(texts, before + n - groups[i].first);
+            place = count + n - groups[i].first;
         }
-        before += groups[i].last - (unsigned)groups[i].first + 1;
+        count += groups[i].last - (unsigned)groups[i].first + 1;
     }
-    return invcal_text(texts, before);
+    return invcal_text(texts, place, count);
 }
 
 const char *invcal_parameter_text(unsigned parameter)
@@ -90,16 +94,15 @@ const char *invcal_parameter_text(unsigned parameter)
                                 "gamma_xy\0gamma_xz\0gamma_zy\0"
                                 "?";
 
-    return invcal_text(names, parameter < INVCAL_PARAMETERS ? parameter : INVCAL_PARAMETERS);
+    return invcal_text(names, parameter, INVCAL_PARAMETERS);
 }
 
 const char *invcal_verdict_text(invcal_verdict verdict)
 {
     static const char names[] = "good\0no redundancy\0rough\0drifting\0bent\0weak\0"
                                 "unknown verdict";
-    const unsigned n = (unsigned)verdict;
 
-    return invcal_text(names, n <= INVCAL_WEAK ? n : INVCAL_WEAK + 1u);
+    return invcal_text(names, (unsigned)verdict, INVCAL_WEAK + 1u);
 }
 
 const char *invcal_systematic_text(invcal_systematic systematic)
@@ -110,7 +113,6 @@ const char *invcal_systematic_text(invcal_systematic systematic)
                                 "nonlinearity x^3\0"
                                 "hysteresis\0"
                                 "unknown error";
-    const unsigned n = (unsigned)systematic;
 
-    return invcal_text(names, n <= INVCAL_HYSTERESIS ? n : INVCAL_HYSTERESIS + 1u);
+    return invcal_text(names, (unsigned)systematic, INVCAL_HYSTERESIS + 1u);
 }

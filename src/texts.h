@@ -7,9 +7,9 @@
 
 #include "invcal/invcal.h"
 
-/* The nth of texts in a row, each terminated by zero: no table of pointers, which would need
- * relocation and so writable memory. */
-const char *invcal_text(const char *texts, unsigned n);
+/* The nth of count texts in a row, each terminated by zero, or for any other number the one after
+ * them. No table of pointers, which would need relocation and so writable memory. */
+const char *invcal_text(const char *texts, unsigned n, unsigned count);
 
 /* Of INVCAL_OUT_OF_RANGE ... INVCAL_BAD_RATE; "" for any other. */
 const char *invcal_refusal_text(invcal_status status);
