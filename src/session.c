@@ -272,12 +272,12 @@ void invcal_session_next(const invcal_session *session, invcal_real up[3])
     invcal_next_of_sums(&sums, row.h, up);
 }
 
-const char *invcal_session_next_text(const invcal_session *session, char words[INVCAL_TEXT_SIZE])
+const char *invcal_session_next_text(const invcal_session *session, char text[INVCAL_TEXT_SIZE])
 {
     invcal_real up[3];
 
     invcal_session_next(session, up);
-    return invcal_direction_text(up, words);
+    return invcal_direction_text(up, text);
 }
 
 int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])

@@ -49,15 +49,15 @@ INVCAL_NOINLINE static char *put(char *at, unsigned n, unsigned fives)
     return at;
 }
 
-const char *invcal_direction_text(const invcal_real up[3], char words[INVCAL_TEXT_SIZE])
+const char *invcal_direction_text(const invcal_real up[3], char text[INVCAL_TEXT_SIZE])
 {
     unsigned size[3];
     unsigned largest = 0;
     unsigned axis = 0;
     unsigned named = 0;
-    char *at = words;
+    char *at = text;
 
-    INVCAL_ASSERT(up && words);
+    INVCAL_ASSERT(up && text);
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
         const invcal_real x = INVCAL_FABS(up[i]);
@@ -85,5 +85,5 @@ const char *invcal_direction_text(const invcal_real up[3], char words[INVCAL_TEX
         axis = axis == 2 ? 0 : axis + 1;
     }
     (void)put(at, TEXTS - 1 - named, fives);
-    return words;
+    return text;
 }

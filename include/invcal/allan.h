@@ -92,8 +92,8 @@ void invcal_allan_apart(invcal_allan *allan);
 /* Feeds one sample, of any value.
  *
  * Cost: a 64-bit difference, its square and a 128-bit addition for each averaging time up to 4; at
- * every 2^t-th sample another one for each that has this t. For 16
- * octaves: 4 on average, 16 at most. Cost: 360 instructions on average. */
+ * every 2^t-th sample another one for each that has this t. For 16 octaves: 4 on average, 16 at
+ * most. Cost: 360 instructions on average. */
 void invcal_allan_feed(invcal_allan *allan, int32_t raw);
 
 /* Call it where samples were lost, or the sensor moved: no window spans the gap. All sums stay. */

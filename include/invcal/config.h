@@ -78,8 +78,8 @@
 #define INVCAL_ALLAN_TAUS 16
 #endif
 
-/* Not an option: how many times the windows of allan.h overlap, a power of two. The host tool, which
- * is compiled as a whole, has more. */
+/* Not an option: how many times the windows of allan.h overlap, a power of two. The host tool,
+ * which is compiled as a whole, has more. */
 #ifndef INVCAL_PRIVATE_OVERLAP
 #define INVCAL_PRIVATE_OVERLAP 4
 #endif

@@ -84,14 +84,14 @@ void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real w
  * sums     are overwritten: copy them if more positions will follow.
  * nominal  the one they were added with; may equal out.
  *
- * Does not judge: INVCAL_OK means solvable, invcal_calibrate_plain says how good. A system determined by
+ * Does not judge: INVCAL_OK means solvable, invcal_calibrate says how good. A system determined by
  * little more than rounding may pass as solvable.
  *
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        fewer than nine positions;
  *   INVCAL_UNDETERMINED   the positions leave parameters open;
  *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid, or on one that no triad has: see
- *                         invcal_calibrate_plain;
+ *                         invcal_calibrate;
  *   INVCAL_BAD_NOMINAL    the result is beyond the limits of invcal_nominal.
  * Cost: 4,200 instructions. Stack: about 180 bytes. */
 invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
@@ -108,8 +108,7 @@ invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
 /* The sum of the diagonal. */
 invcal_real invcal_trace(const invcal_real *a, unsigned n);
 
-/* The largest element of the diagonal, at least 0; skips NaN, or is 0 if the first
- * is one. */
+/* The largest element of the diagonal, at least 0. Skips NaN; 0 if the first element is one. */
 invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
 
 /* A = L L' in place. The diagonal becomes 1 / L(r,r), so that no later step divides. Rows from n to
@@ -170,7 +169,7 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
  * not determine that parameter. This is a hint, never a verdict: noise can make an open parameter
  * look determined.
  *
- * raw      3 * count numbers, as for invcal_calibrate_plain. Skips those that are not readings.
+ * raw      3 * count numbers, as for invcal_calibrate. Skips those that are not readings.
  * count    any; no positions leave all nine open.
  * nominal  the one of the refusal.
  *
@@ -278,7 +277,7 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
 
 /* invcal_calibrate_plain with a prior.
  *
- * raw, count, nominal  as for invcal_calibrate_plain. At least one position, and as many as there are
+ * raw, count, nominal  as for invcal_calibrate. At least one position, and as many as there are
  *                      parameters without a prior.
  * noise       standard deviation of a position mean on each axis, over field, above 0 and below 1:
  *             the weight of the prior. If the residuals show more noise, solves again with theirs.
@@ -293,7 +292,7 @@ invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, i
  *             very much.
  * from_prior  bit r: parameter r is determined by the prior more than by the data.
  *
- * Returns as invcal_calibrate_plain; INVCAL_BAD_PRIOR if a number is negative or not finite, or all are
+ * Returns as invcal_calibrate; INVCAL_BAD_PRIOR if a number is negative or not finite, or all are
  * 0. INVCAL_UNDETERMINED refers to parameters without a prior.
  * Cost: 80,000 instructions for 18 positions. Stack: about 950 bytes. */
 invcal_status invcal_calibrate_prior(const invcal_real *raw, unsigned count,
@@ -313,12 +312,12 @@ invcal_status invcal_calibrate_prior(const invcal_real *raw, unsigned count,
  *     on a corner, the most   g / sqrt(3)    over all directions, rms              g / sqrt(5)
  *
  * so 1 % costs 4.5 mg rms, or 8.8 mg at 95 %. Six more positions midway between two axes determine
- * the angles: pass all twelve to invcal_calibrate_plain. */
+ * the angles: pass all twelve to invcal_calibrate. */
 #define INVCAL_CROSS_AXIS INVCAL_REAL(0.01) /* g for a data sheet's 1 % (0.57 degrees) */
 
 /* invcal_calibrate_plain for six positions or more, the angles held at those of nominal.
  *
- * raw      3 * count numbers, as for invcal_calibrate_plain; from a session, its mean and count.
+ * raw      3 * count numbers, as for invcal_calibrate; from a session, its mean and count.
  * noise    standard deviation of a position mean on each axis, over field, above 0 and below 1.
  *          With six positions nothing checks it: sigma of offsets and scales is noise / sqrt(2).
  * gamma    standard deviation of each angle, rad, up to about 0.2: INVCAL_CROSS_AXIS.
@@ -331,7 +330,7 @@ invcal_status invcal_calibrate_prior(const invcal_real *raw, unsigned count,
  * An actual angle of gamma shifts a scale by gamma^2 / 8 (12 ppm at 1 %), and no offset, if the
  * faces are along gravity; sigma includes a tilt.
  *
- * Returns as invcal_calibrate_plain; INVCAL_TOO_FEW for fewer than six; INVCAL_UNDETERMINED if they leave
+ * Returns as invcal_calibrate; INVCAL_TOO_FEW for fewer than six; INVCAL_UNDETERMINED if they leave
  * offsets or scales open; INVCAL_BAD_PRIOR unless gamma is above 0 and below 1.
  * Cost: 51,000 instructions for six positions. Stack: about 990 bytes. */
 invcal_status invcal_calibrate_faces(const invcal_real *raw, unsigned count,
@@ -356,7 +355,7 @@ invcal_real invcal_accuracy_held(const invcal_quality *quality, uint16_t held, i
  *     J2 = (|u|^2 - 1)/2        the scalar composition: leaves an error of second order in X,
  *                               1e-4 at errors of 1 %, 1e-2 at errors of 10 %
  *
- * An error d of the direction does not affect lengths at all, which is why invcal_calibrate_plain needs
+ * An error d of the direction does not affect lengths at all, which is why invcal_calibrate needs
  * no directions. In J1 its effect is -|d|^2/2 + eta S d, S the matrix of dk and gamma / 2. The
  * second part is at most s |d|, s half the spread of the eigenvalues of S:
  *
@@ -590,9 +589,11 @@ typedef struct {
     uint8_t age[INVCAL_MAX_POSITIONS]; /* days */
 } invcal_background;
 
-/* Begins: as invcal_session_init_nominal; size is sizeof *background. Use the functions of invcal.h to set up, read and solve the
- * session inside. After a reset, begin it, and load background->session by invcal_session_load
- * (store.h): all its positions count as new. */
+/* Begins: as invcal_session_init_nominal. Use the functions of invcal.h to set up, read and solve
+ * the session inside. After a reset, begin it, then load background->session by invcal_session_load
+ * (store.h): all its positions count as new.
+ *
+ * size  sizeof *background. */
 INVCAL_NODISCARD invcal_status invcal_background_init(invcal_background *background, size_t size,
                                                       const invcal_calibration *nominal,
                                                       invcal_real rate);

@@ -7,26 +7,26 @@
  * of its matrix and the nine parameters of the accelerometer, in one solution and without a
  * previous calibration. No sample is stored: a move is kept as a few segments.
  *
- *     static invcal_imu_session both;     3.7 kB; or a separate session and moves
+ *     static invcal_imu_session both;     3.8 kB; or a separate session and moves
  *     invcal_imu_record record;
  *     invcal_imu imu;
- *     if (invcal_imu_load(&result, &record) == INVCAL_OK)
+ *     if (invcal_imu_load(&record, &result) == INVCAL_OK)
  *         calibrated: apply record.accelerometer and record.gyro
- *     else if (invcal_imu_session_load(&progress, &both) != INVCAL_OK)     nothing to resume: begin
- *         invcal_session_init(&both.session, sizeof both.session, 16384, 100);    counts per g, Hz
- *         invcal_moves_init(&both.moves, sizeof both.moves, &gyro, 400);    rad/s per count, Hz
+ *     invcal_session_init(&both.session, sizeof both.session, 16384, 100)     counts per g, Hz
+ *     invcal_moves_init(&both.moves, sizeof both.moves, &gyro, 400)           rad/s per count, Hz
+ *     invcal_imu_session_load(&both, &progress)       goes on, if it was interrupted
  *     for every sample of the gyroscope:
  *         invcal_moves_feed(&both.moves, x, y, z);
  *     for every sample of the accelerometer:
  *         event = invcal_session_feed(&both.session, x, y, z);
  *         invcal_moves_follow(&both.moves, &both.session.rests, event);
  *         if (event == INVCAL_TAKEN)
- *             invcal_imu_session_save(&progress, &both);
+ *             invcal_imu_session_save(&both, &progress);
  *             if (both.moves.count > 12 &&
  *                 invcal_imu_solve(both.session.mean[0], both.session.count,
  *                                  &both.session.nominal, &both.moves, NULL, &imu) == INVCAL_OK &&
  *                 imu.verdict == INVCAL_GOOD)
- *                 invcal_imu_save(&result, &imu);
+ *                 invcal_imu_save(&imu, &result);
  *
  * invcal_tour gives twelve such turns, invcal_turns_next the one that would add most, and
  * invcal_turns_sigma how accurately turns, made or planned, determine all 18.
@@ -190,7 +190,7 @@ typedef struct {
 
 /* Solves both sensors, or the gyroscope with a calibrated accelerometer.
  *
- * raw            means of the rests, as for invcal_calibrate_plain. They are paired with the rests of
+ * raw            means of the rests, as for invcal_calibrate. They are paired with the rests of
  *                moves from the end: the last with the last. If there are more of one, its oldest
  *                are ignored.
  * count          number of means.

@@ -249,9 +249,9 @@ typedef enum {
     INVCAL_READY,    /* enough for a position, once per rest: move on, or stay for a better mean */
     INVCAL_TAKEN,    /* the device has left the position, and its mean is in the table. Usually
                         preceded by READY; not if the rest was accepted only once motion ended it */
-    INVCAL_REFUSED /* a rest, but not a position: invcal_session_reason_text. Once per rest, and again if
-                        the reason changes, or as it ends. For every sample, if the session was not
-                        begun */
+    INVCAL_REFUSED   /* a rest, but not a position: invcal_session_reason. Once per rest, and again
+                        if the reason changes, or as it ends. For every sample, if the session was
+                        not begun */
 } invcal_event;
 
 /* Internal: an axis of the rest detector. Means are in 1/1024 counts. */
@@ -299,10 +299,10 @@ typedef struct {
     invcal_rests_axis axis[3]; /* x, y, z */
 } invcal_rests;
 
-/* A session: 688 bytes (float, 24 positions; on AVR 128 less, as its memory is short and it keeps no
- * solution). mean and count may be read. Means are in counts, so nominal may be replaced by another
- * one with which all of them are readings (invcal_bad_reading, expert.h). A session that is good
- * uses it from the next position on. */
+/* A session: 680 bytes (float, 24 positions; on AVR 136 less, as its memory is short and it keeps
+ * no solution). mean and count may be read. Means are in counts, so nominal may be replaced by
+ * another one with which all of them are readings (invcal_bad_reading, expert.h). A session that is
+ * good uses it from the next position on. */
 typedef struct {
     /* saved: store.h */
     uint8_t reason;             /* of INVCAL_REFUSED, an invcal_status. First, in every build */
@@ -366,7 +366,8 @@ invcal_status invcal_session_set_hold(invcal_session *session, invcal_real secon
  * Positions beyond INVCAL_MAX_POSITIONS replace the oldest.
  *
  * Returns what happened. Never solves, so its cost is bounded.
- * Cost: 140 instructions on average at 1 kHz, 180 instructions at 100 Hz. Stack: about 140 bytes. */
+ * Cost: 140 instructions on average at 1 kHz, 180 instructions at 100 Hz.
+ * Stack: about 140 bytes. */
 invcal_event invcal_session_feed(invcal_session *session, int32_t x, int32_t y, int32_t z);
 
 /* Call it where samples were lost. A rest goes on if the next samples agree with it. */
@@ -379,7 +380,7 @@ invcal_event invcal_session_end(invcal_session *session);
 /* Progress of the current position, percent: 0 in motion, 100 from READY on. */
 unsigned invcal_session_progress(const invcal_session *session);
 
-/* Why the last rest was refused; INVCAL_OK before the first. If the session was not begun, or not
+/* Why the last rest or sample was refused; INVCAL_OK before the first. If the session was not begun
  * successfully: why. */
 invcal_status invcal_session_reason(const invcal_session *session);
 
@@ -399,15 +400,15 @@ void invcal_session_next(const invcal_session *session, invcal_real up[3]);
 
 #define INVCAL_TEXT_SIZE 40u /* bytes, with the terminating zero */
 
-/* The same in words; returns them: see invcal_direction_text. */
-const char *invcal_session_next_text(const invcal_session *session, char words[INVCAL_TEXT_SIZE]);
+/* The same in words: see invcal_direction_text. Returns text. */
+const char *invcal_session_next_text(const invcal_session *session, char text[INVCAL_TEXT_SIZE]);
 
 /* A direction in words: "+z up"; "+z up, tilt 45 deg, +x rises"; "-z up, tilt 55 deg, +x and -y
  * rise": from an axis pointing up, tilt the case by that angle (rounded to 5 degrees) so that the
  * sides named come up. Plain ASCII, terminated by zero.
  *
- * up  unit vector; anything else, a NaN too, gives words like any other. Returns words. */
-const char *invcal_direction_text(const invcal_real up[3], char words[INVCAL_TEXT_SIZE]);
+ * up  unit vector; anything else, a NaN too, gives words like any other. Returns text. */
+const char *invcal_direction_text(const invcal_real up[3], char text[INVCAL_TEXT_SIZE]);
 
 /* Is the position that is READY, or else the last one, within 20 degrees of a direction, such as
  * that of a program (plan.h)? Returns 1 or 0; 0 if there is neither.

@@ -10,7 +10,7 @@
  *
  *     invcal_magnetometer_init(&magnetometer, &nominal);
  *     for every sample:
- *         if (invcal_magnetometer_feed(&magnetometer, x, y, z) == INVCAL_TAKEN)    another cell covered
+ *         if (invcal_magnetometer_feed(&magnetometer, x, y, z) == INVCAL_TAKEN) another cell
  *             invcal_magnetometer_next(&magnetometer, along)                   show where to turn
  *     invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found)
  *
@@ -123,7 +123,7 @@ invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, invcal_
  *
  * along  out: unit vector, the direction of the case that should point along the field. The field
  *        points north, and down by the dip, 60 degrees or more in most of Europe and North
- *        America: there, let the opposite side point up (invcal_direction_text), and swing it around.
+ *        America: there, let the opposite side point up (invcal_direction_text), and swing it.
  *
  * Cost: up to 19,000 instructions. Stack: about 120 bytes. */
 void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_real along[3]);
@@ -141,7 +141,7 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
  * Returns INVCAL_OK; else nothing is written:
  *   INVCAL_TOO_FEW        fewer than nine cells have samples;
  *   INVCAL_UNDETERMINED   they leave parameters undetermined;
- *   INVCAL_NOT_ELLIPSOID, INVCAL_OUT_OF_RANGE   as for invcal_calibrate_plain;
+ *   INVCAL_NOT_ELLIPSOID, INVCAL_OUT_OF_RANGE   as for invcal_calibrate;
  *   INVCAL_BAD_NOMINAL    the result cannot be a calibration.
  * Cost: 76,000 instructions. Stack: about 1,200 bytes. */
 invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,

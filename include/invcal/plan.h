@@ -53,9 +53,9 @@ typedef struct {
 /* Is the plan usable?
  *
  * Returns INVCAL_OK;
- *   INVCAL_TOO_FEW      fewer than 5 positions in a group: its five coefficients are open;
- *   INVCAL_BAD_ANGLE  more than INVCAL_PLAN_PER_GROUP_MAX, or a start angle that is NaN or
- *                       outside -360 ... 360. */
+ *   INVCAL_TOO_FEW    fewer than 5 positions in a group: its five coefficients are open;
+ *   INVCAL_BAD_ANGLE  more than INVCAL_PLAN_PER_GROUP_MAX, or a start angle that is NaN or outside
+ *                     -360 ... 360. */
 invcal_status invcal_plan_check(const invcal_plan *plan);
 
 /* Position i of a program, i from 0 to 3 N - 1: Table 1 and eta(alpha, beta).

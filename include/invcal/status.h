@@ -22,7 +22,7 @@ typedef enum {
     INVCAL_NOT_ELLIPSOID = 0x13, /* the readings lie on no ellipsoid that a triad can produce */
     INVCAL_MOUNTING = 0x14, /* axes, signs or unit of gyroscope and accelerometer differ: gyro.h */
 
-    /* why a session refuses a sample: a static interval that is no position, or its own beginning */
+    /* why a session refuses a sample: a static interval that is no position, or how it was begun */
     INVCAL_OUT_OF_RANGE = 0x20, /* a reading is shorter than 0.1 or longer than 10 fields */
     INVCAL_REST_SHORT = 0x21,   /* motion came before it was READY */
     INVCAL_REST_DRIFT = 0x22,   /* readings creep: a slow turn, or settling */

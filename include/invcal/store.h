@@ -64,7 +64,7 @@ typedef struct {
  * INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, granularity) bytes.
  *
  * A session is begun first, then loaded. Positions that were saved with another nominal calibration
- * or rate are refused, and what was stated by invcal_session_set_limits, _noise and _hold stays. */
+ * or rate are refused. What invcal_session_set_limits, _set_noise and _set_hold stated stays. */
 
 /* Saves a calibration, and how good it is, as a record (see below); over field, so before
  * invcal_scale.
@@ -86,16 +86,15 @@ INVCAL_NODISCARD invcal_status invcal_load(invcal_calibration *calibration,
 
 /* Saves the lasting part of a session: see invcal_session_size.
  *
- * Returns as invcal_store_save. Cost: 22,000 instructions for 18 positions,
- * without the callbacks. Stack as that. */
+ * Returns as invcal_store_save. Cost: 22,000 instructions for 18 positions, without the callbacks.
+ * Stack as that. */
 invcal_status invcal_session_save(const invcal_session *session, const invcal_store *store);
 
 /* Loads it into a session that was begun, to resume with a new stream.
  *
  * Returns as invcal_store_load, then as invcal_session_resume. INVCAL_OTHER_SETTINGS: also if it
- * holds something else. If it fails, the session is as it was
- * begun: to ignore that is to begin again. Cost: 17,000 instructions for 18 positions. Stack as
- * these. */
+ * holds something else. If it fails, the session is as it was begun: to ignore that is to begin
+ * again. Cost: 17,000 instructions for 18 positions. Stack as these. */
 invcal_status invcal_session_load(invcal_session *session, const invcal_store *store);
 
 /* ---- the store: any bytes -----------------------------------------------------------------------
@@ -218,7 +217,7 @@ typedef struct {
     uint8_t temperature_known;            /* 1: temperature is known; 0: temperature is 0 */
 } invcal_record;
 
-/* Makes a record of the result of invcal_calibrate_plain or a session. Everything else is unknown: fill
+/* Makes a record of the result of invcal_calibrate or a session. Everything else is unknown: fill
  * it in. */
 void invcal_record_init(invcal_record *record, const invcal_calibration *calibration,
                         const invcal_quality *quality);

@@ -5,8 +5,8 @@
  *     invcal_thermal_calibrate   positions at several temperatures in, a calibration out
  *     invcal_thermal_at          the calibration at a temperature, to apply to samples
  *
- * Offsets, scales and angles are polynomials of degree 0, 1 or 2 of temperature, over a
- * reference and a span, so that t stays within about -1 ... 1:
+ * Offsets, scales and angles are polynomials of degree 0, 1 or 2 of temperature, over a reference
+ * and a span, so that t stays within about -1 ... 1:
  *
  *     t = (T - reference) / span,   X(T) = x0 + x1 t + x2 t^2,   X = (delta, dk, gamma)
  *
@@ -83,11 +83,11 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
 
 /* Calibrates from position means and their temperatures.
  *
- * raw          3 * count numbers, as invcal_calibrate_plain. At least nine positions for each
+ * raw          3 * count numbers, as invcal_calibrate. At least nine positions for each
  *              coefficient, at different temperatures; twelve to eighteen at each are good, in any
  *              order.
  * temperature  count numbers: the mean over each rest, see invcal_thermal_drift_limit.
- * count, nominal, noise  as invcal_calibrate_plain.
+ * count, nominal, noise  as invcal_calibrate.
  * out          reference and span are the middle and half the range of the temperatures, at least
  *              1 K.
  * quality      sigma at the reference; elsewhere: invcal_thermal_judge. All other members are of
@@ -97,7 +97,7 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
  * a failure. But without slopes over 5 K or more everything is weak, since the actual slopes then
  * pass for other errors, which residuals need not show; not if INVCAL_THERMAL_DEGREE is 0.
  *
- * Returns as invcal_calibrate_plain, and INVCAL_BAD_TEMPERATURE for one that is not finite.
+ * Returns as invcal_calibrate, and INVCAL_BAD_TEMPERATURE for one that is not finite.
  * Cost: 350,000 instructions for 36 positions (degree 1). Stack: 1.3, 2.0, 3.0 KB for degree 0, 1,
  * 2. */
 invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,
@@ -158,8 +158,9 @@ typedef struct {
  * degree  highest degree to fit.
  *
  * Returns as invcal_thermal_calibrate; INVCAL_BAD_TEMPERATURE also for one more than two spans from
- * the reference, INVCAL_BAD_COUNT for a degree, of the base too, above INVCAL_THERMAL_DEGREE, INVCAL_BAD_NOISE for a
- * prior without it, INVCAL_BAD_PRIOR for one that is negative or not finite. */
+ * the reference, INVCAL_BAD_COUNT for a degree, that of the base too, above INVCAL_THERMAL_DEGREE,
+ * INVCAL_BAD_NOISE for a prior without it, INVCAL_BAD_PRIOR for one that is negative or not
+ * finite. */
 invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
                                  const invcal_thermal_prior *prior, const invcal_thermal *base,
                                  unsigned degree, invcal_thermal *out, invcal_quality *quality);
@@ -216,8 +217,8 @@ invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
  *
  * Returns INVCAL_OK; on failure the bytes are overwritten: as invcal_record_encode,
  * INVCAL_NOT_FINITE, INVCAL_BAD_NOMINAL, INVCAL_NOT_ELLIPSOID, INVCAL_BAD_COUNT for a degree above
- * 2, and INVCAL_DAMAGED for what no fit gives, or a record of another
- * calibration. Stack: about 660 bytes. */
+ * 2, and INVCAL_DAMAGED for what no fit gives, or a record of another calibration.
+ * Stack: about 660 bytes. */
 invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
                                            uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE]);
 

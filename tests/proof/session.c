@@ -132,11 +132,11 @@ void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal
     Frama_C_make_unknown((char *)up, 3 * sizeof *up);
 }
 
-const char *invcal_direction_text(const invcal_real up[3], char words[INVCAL_TEXT_SIZE])
+const char *invcal_direction_text(const invcal_real up[3], char text[INVCAL_TEXT_SIZE])
 {
     (void)up[2];
-    Frama_C_make_unknown(words, INVCAL_TEXT_SIZE);
-    return words;
+    Frama_C_make_unknown(text, INVCAL_TEXT_SIZE);
+    return text;
 }
 
 const char *invcal_refusal_text(invcal_status status)
@@ -216,7 +216,7 @@ static void any_resume(void)
 
 static void any_look(void)
 {
-    char words[INVCAL_TEXT_SIZE];
+    char text[INVCAL_TEXT_SIZE];
     invcal_real up[3];
 
     any_session();
@@ -226,7 +226,7 @@ static void any_look(void)
     (void)invcal_session_reason_text(&session);
     (void)invcal_session_is_at(&session, up);
     invcal_session_next(&session, up);
-    (void)invcal_session_next_text(&session, words);
+    (void)invcal_session_next_text(&session, text);
 }
 
 static void any_result(void)

@@ -8,8 +8,8 @@
 void main(void)
 {
     invcal_real up[3];
-    char words[INVCAL_TEXT_SIZE];
+    char text[INVCAL_TEXT_SIZE];
 
     ANY(up);
-    (void)invcal_direction_text(up, words);
+    (void)invcal_direction_text(up, text);
 }

@@ -24,9 +24,9 @@ void report_count(const char *what, unsigned count)
 
 void report_next(const invcal_session *session)
 {
-    char words[INVCAL_TEXT_SIZE];
+    char text[INVCAL_TEXT_SIZE];
 
-    report("next", invcal_session_next_text(session, words));
+    report("next", invcal_session_next_text(session, text));
 }
 
 void report_event(const invcal_session *session, invcal_event event)

@@ -34,9 +34,9 @@ typedef char both_fit
 /* The up direction after the turn. */
 static void report_turn(void)
 {
-    char words[INVCAL_TEXT_SIZE];
+    char text[INVCAL_TEXT_SIZE];
 
-    report("next", invcal_direction_text(turn.up, words));
+    report("next", invcal_direction_text(turn.up, text));
 }
 
 /* The turn to a rest, counted from 0: through the faces, from z up to z up; then the most

@@ -48,10 +48,10 @@ static void show(const __FlashStringHelper *name, const float v[3], float unit)
 
 static void show_next()
 {
-    char words[INVCAL_TEXT_SIZE];
+    char text[INVCAL_TEXT_SIZE];
 
     Serial.print(F("next: "));
-    Serial.println(invcal_session_next_text(&session, words));
+    Serial.println(invcal_session_next_text(&session, text));
 }
 
 static void begin_session()

@@ -63,7 +63,7 @@ static void find_next(invcal_turn *turn)
 /* Skips a face that already points up. */
 static void show_next()
 {
-    char words[INVCAL_TEXT_SIZE];
+    char text[INVCAL_TEXT_SIZE];
     invcal_turn turn;
 
     find_next(&turn);
@@ -72,7 +72,7 @@ static void show_next()
         find_next(&turn);
     }
     Serial.print(F("next: "));
-    Serial.println(invcal_direction_text(turn.up, words));
+    Serial.println(invcal_direction_text(turn.up, text));
 }
 
 static void begin_session()

@@ -88,9 +88,9 @@ static void save(const invcal_calibration *calibration, const invcal_quality *qu
 
 static void print_next(void)
 {
-    char words[INVCAL_TEXT_SIZE];
+    char text[INVCAL_TEXT_SIZE];
 
-    printf("next: %s\n", invcal_session_next_text(&session, words));
+    printf("next: %s\n", invcal_session_next_text(&session, text));
 }
 
 static invcal_status begin_session(void)
