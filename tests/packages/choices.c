@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * A program with other build options than its library, and structures in zeros: every _init refuses them, writes
- * nothing behind their first bytes, and nothing is written afterwards, whatever is fed. Prints nothing then.
+ * A program that was compiled with other build options than its library: each _init must refuse its structure, and
+ * nothing behind the first bytes of it may be written, then or later, whatever is fed. Says what does not hold.
  *
- * WHAT     the structure, of 1 << OF_... those that the option changes
+ * SESSION, MOVES, ALLAN  1: the option changes these structures; 0: they are not tried
  */
 #include <stdio.h>
 #include <string.h>
@@ -13,10 +13,20 @@
 #include "invcal/gyro.h"
 #include "invcal/store.h"
 
-enum { HEAD = 64, BEHIND = 65536 }; /* bytes: what may be written; what must not be */
+enum {
+    FIRST = 64,
+    ALL = 65536
+}; /* bytes: those that may be written, and those of the largest structure */
 
-static unsigned char memory[BEHIND];
-static unsigned char before[BEHIND];
+static const invcal_calibration unit = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+static union {
+    unsigned char bytes[ALL];
+    invcal_session session;
+    invcal_background background;
+    invcal_moves moves;
+    invcal_allan allan;
+} memory;
+static unsigned char before[ALL];
 static int failures;
 
 static void expect(int holds, const char *what)
@@ -27,88 +37,80 @@ static void expect(int holds, const char *what)
     }
 }
 
-/* Nothing but the reason has changed, at the beginning. */
-static void expect_untouched(const char *what)
+static void fill(int byte)
 {
-    expect(memcmp(memory + HEAD, before + HEAD, BEHIND - HEAD) == 0, what);
+    memset(&memory, byte, sizeof memory);
+    memset(before, byte, sizeof before);
 }
 
-static void try_session(unsigned char fill)
+static void expect_untouched(size_t from, const char *what)
 {
-    invcal_session *session = (invcal_session *)(void *)memory;
-    const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    expect(memcmp(memory.bytes + from, before + from, ALL - from) == 0, what);
+}
 
-    memset(memory, fill, sizeof memory);
-    memset(before, fill, sizeof before);
+static void try_session(void)
+{
+    invcal_session *session = &memory.session;
+
     expect(invcal_session_init(session, sizeof *session, 16384, 100) == INVCAL_OTHER_BUILD,
            "session_init");
     expect(invcal_session_feed(session, 1, 2, 3) == INVCAL_REFUSED, "session_feed");
-    expect(invcal_session_reason(session) == INVCAL_OTHER_BUILD, "session_reason");
-    expect(strcmp(invcal_session_reason_text(session), "other build") == 0, "session_why");
-    expect_untouched("session_init");
-    expect(invcal_session_init_nominal(session, sizeof *session, &nominal, 100) ==
-               INVCAL_OTHER_BUILD,
-           "session_begin");
+    expect(strcmp(invcal_session_reason_text(session), "other build") == 0, "session_reason_text");
+    expect(invcal_session_init_nominal(session, sizeof *session, &unit, 100) == INVCAL_OTHER_BUILD,
+           "session_init_nominal");
     expect(!invcal_session_is_good(session), "session_is_good");
-    expect_untouched("session_begin");
+    expect_untouched(FIRST, "session");
 }
 
-static void try_background(unsigned char fill)
+static void try_background(void)
 {
-    invcal_background *background = (invcal_background *)(void *)memory;
-    const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    invcal_background *background = &memory.background;
 
-    memset(memory, fill, sizeof memory);
-    memset(before, fill, sizeof before);
-    expect(invcal_background_init(background, sizeof *background, &nominal, 100) ==
-               INVCAL_OTHER_BUILD,
+    expect(invcal_background_init(background, sizeof *background, &unit, 100) == INVCAL_OTHER_BUILD,
            "background_init");
     expect(invcal_background_feed(background, 1, 2, 3) == INVCAL_REFUSED, "background_feed");
-    expect_untouched("background_init");
+    expect_untouched(FIRST, "background");
 }
 
-static void try_moves(unsigned char fill)
+static void try_moves(void)
 {
-    invcal_moves *moves = (invcal_moves *)(void *)memory;
-    const invcal_calibration nominal = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    invcal_moves *moves = &memory.moves;
 
-    memset(memory, fill, sizeof memory);
-    memset(before, fill, sizeof before);
-    expect(invcal_moves_init(moves, sizeof *moves, &nominal, 100) == INVCAL_OTHER_BUILD,
-           "moves_init");
+    expect(invcal_moves_init(moves, sizeof *moves, &unit, 100) == INVCAL_OTHER_BUILD, "moves_init");
     for (int i = 0; i < 1000; i++) {
         invcal_moves_feed(moves, 1000, 2000, -3000);
     }
     invcal_moves_gap(moves);
+    expect(moves->layout == 0, "moves: begun");
     memset(before + offsetof(invcal_moves, layout), 0, sizeof moves->layout);
-    expect(memcmp(memory, before, BEHIND) == 0, "moves_init");
+    expect_untouched(0, "moves");
 }
 
-static void try_allan(unsigned char fill)
+static void try_allan(void)
 {
-    invcal_allan *allan = (invcal_allan *)(void *)memory;
+    invcal_allan *allan = &memory.allan;
     const uint32_t one = 1;
 
-    memset(memory, fill, sizeof memory);
-    memset(before, fill, sizeof before);
     expect(invcal_allan_init(allan, sizeof *allan) == INVCAL_OTHER_BUILD, "allan_init");
     expect(invcal_allan_init_taus(allan, sizeof *allan, &one, 1) == INVCAL_OTHER_BUILD,
-           "allan_begin");
+           "allan_init_taus");
     for (int i = 0; i < 1000; i++) {
         invcal_allan_feed(allan, i);
     }
-    expect_untouched("allan_init");
+    expect_untouched(FIRST, "allan");
 }
 
 int main(void)
 {
-    static const unsigned char fill[] = {0, 0x5A, 0xFF};
+    static void (*const tries[])(void) = {try_session, try_background, try_moves, try_allan};
+    static const int is_changed[] = {SESSION, SESSION, MOVES, ALLAN};
+    static const int bytes[] = {0, 0x5A, 0xFF};
 
-    for (unsigned i = 0; i < sizeof fill; i++) {
-        SESSION ? try_session(fill[i]) : (void)0;
-        SESSION ? try_background(fill[i]) : (void)0;
-        MOVES ? try_moves(fill[i]) : (void)0;
-        ALLAN ? try_allan(fill[i]) : (void)0;
+    for (unsigned i = 0; i < 4; i++) {
+        for (unsigned k = 0; k < 3 && is_changed[i]; k++) {
+            fill(bytes[k]);
+            tries[i]();
+        }
     }
     return failures > 0;
 }
