@@ -167,12 +167,12 @@ says $page "| stack | about {$(about m4f invcal_session_solve)} bytes for a sess
 says $page "without one the library takes {$(over m0plus session_solve "$(raw m4f session_solve)")} times as many instructions"
 
 page=port/cortex-m/firmware/README.md
-says $page "| the library | {$(figure m4f firmware.library)} | 0 |"
+says $page "| the library | {$(figure m4f firmware.invcal)} | 0 |"
 says $page "| this folder without \`sim/\` | {$(figure m4f firmware.own)} |"
 says $page "| libc: memory functions, and string functions for \`sim/\` | {$(figure m4f firmware.libc)} | 0 |"
 says $page "a call of the library takes {$(figure m4f stack.session)} bytes of stack at most"
 page=port/cortex-m/firmware_imu/README.md
-says $page "| the library | {$(figure m4f firmware_imu.library)} | 0 |"
+says $page "| the library | {$(figure m4f firmware_imu.invcal)} | 0 |"
 says $page "| \`main.c\` and its part of \`../firmware\`, without \`sim/\` | {$(figure m4f firmware_imu.own)} |"
 says $page "| libc: memory functions, and string functions for \`sim/\` | {$(figure m4f firmware_imu.libc)} | 0 |"
 says $page "a call of the library takes {$(figure m4f stack.turns)} bytes of stack at most"

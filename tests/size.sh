@@ -63,7 +63,7 @@ flash() { # program
 parts() { # firmware
     awk -f tests/size/hex.awk -f tests/size/sections.awk "$out/$1.map" |
         awk -v program="$1" -v out="$out/" '
-            index($4, out "src/") == 1 { n["library"] += $3 }
+            index($4, out "src/") == 1 { n["invcal"] += $3 }
             $4 ~ /\/firmware(_imu)?\/[a-z_]+\.o$/ { n["own"] += $3 }
             $4 ~ /\.a\(/ { n["libc"] += $3 }
             END { for (part in n) print program "." part, n[part] }'
