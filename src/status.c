@@ -72,19 +72,18 @@ const char *invcal_status_text(invcal_status status)
                                 "the memory cannot be read or written\0"
                                 "unknown status";
     const unsigned n = (unsigned)status;
-    unsigned place = UINT_MAX;
-    unsigned count = 0;
+    unsigned before = 0;
 
     if (n - INVCAL_OUT_OF_RANGE < REFUSALS) {
         return invcal_refusal_text(status);
     }
     for (unsigned i = 0; i < sizeof groups / sizeof groups[0]; i++) {
         if (n >= groups[i].first && n <= groups[i].last) {
-            place = count + n - groups[i].first;
+            return invcal_text(texts, before + n - groups[i].first, UINT_MAX);
         }
-        count += groups[i].last - (unsigned)groups[i].first + 1;
+        before += groups[i].last - (unsigned)groups[i].first + 1;
     }
-    return invcal_text(texts, place, count);
+    return invcal_text(texts, before, before);
 }
 
 const char *invcal_parameter_text(unsigned parameter)
