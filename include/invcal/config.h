@@ -58,17 +58,18 @@
 #endif
 
 /* gyro.h: segments of all moves together, 64 to 1000, 14 bytes each. A quarter turn takes five or
- * six, and 24 are kept free for the current move. A sixth of them, at most 32, is the number of
- * rests, 10 bytes each. If memory is short, 100 hold twelve quarter turns in 1.7 kB. */
+ * six, and 24 are kept free for the current move. The number of rests, 10 bytes each, is such that
+ * moves of six fit between them; from 192 on it is 32. If memory is short, 100 hold twelve quarter
+ * turns in 1.7 kB. */
 #ifndef INVCAL_MAX_SEGMENTS
 #ifdef __AVR__
-#define INVCAL_MAX_SEGMENTS 96 /* so that the solution fits into 8 KB of RAM */
+#define INVCAL_MAX_SEGMENTS 120 /* so that the solution fits into 8 KB of RAM */
 #else
 #define INVCAL_MAX_SEGMENTS 192 /* elsewhere */
 #endif
 #endif
 #if INVCAL_MAX_SEGMENTS < 192
-#define INVCAL_MAX_MOVES (INVCAL_MAX_SEGMENTS / 6)
+#define INVCAL_MAX_MOVES ((INVCAL_MAX_SEGMENTS - 24) / 6 + 1)
 #else
 #define INVCAL_MAX_MOVES 32 /* rests kept, and so moves */
 #endif
