@@ -8,6 +8,8 @@
 #include <string.h>
 
 #include "guidance.h"
+#include "invcal/background.h"
+#include "sums.h"
 #include "vector.h"
 
 /* Min h K h' of a position to keep: l = 9 of 20 without it in the sums, l / (1 + l) with it. */
@@ -35,7 +37,7 @@ static void drop_position(invcal_background *b, unsigned i)
     b->session.count--;
     b->session.good = 0; /* to be judged again */
     for (; i < b->session.count; i++) {
-        memcpy(b->session.mean[i], b->session.mean[i + 1], sizeof b->session.mean[0]);
+        b->session.mean[i] = b->session.mean[i + 1];
         b->age[i] = b->age[i + 1];
     }
 }
@@ -51,10 +53,11 @@ INVCAL_NOINLINE static invcal_event sift(invcal_background *b)
     invcal_sums sums;
     invcal_row row;
 
-    invcal_sum_readings(session->mean[0], session->count, &session->nominal, &sums, row.h);
+    const invcal_positions kept = {session->mean, session->count, &session->nominal, 0, NULL};
+    invcal_sum_readings(&kept, &sums, row.h);
     (void)invcal_ridged_inverse(&sums);
     for (unsigned i = 0; i < b->session.count; i++) {
-        (void)invcal_observe(&session->nominal, session->mean[i], &row); /* it was accepted */
+        (void)invcal_observe(&session->nominal, session->mean[i].v, &row); /* it was accepted */
         leverage = invcal_leverage(sums.sum, row.h); /* finally that of the newest */
         const invcal_real worth = (invcal_real)(DAYS - b->age[i]) * leverage;
         if (worth < least) {

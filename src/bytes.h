@@ -48,6 +48,12 @@ int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count);
 uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count);
 #define INVCAL_CRC_RESIDUE UINT32_C(0x2144DF1C) /* of anything followed by its own CRC-32 */
 
+/* A verdict as a byte of a record, and back: its steps of 16 are stored as steps of 1. */
+static inline uint8_t invcal_swap(unsigned verdict)
+{
+    return (uint8_t)(verdict >> 4 | verdict << 4);
+}
+
 /* Records have a frame: kind, version, length (16 bits), the content, and at the end of the length
  * the CRC of all before it. */
 enum { INVCAL_CRC_SIZE = 4 };

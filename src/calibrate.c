@@ -4,14 +4,17 @@
  * width of a 95 % interval in sigma, and the accuracy of a calibrated length. The solution itself
  * is that of judge.c with no position left out.
  */
-#include "invcal/expert.h"
+#include "invcal/result.h"
+#include "judge.h"
 #include "vector.h"
 
-invcal_status invcal_calibrate_plain(const invcal_real *raw, unsigned count,
-                                     const invcal_calibration *nominal, invcal_real noise,
-                                     invcal_calibration *out, invcal_quality *quality)
+invcal_status invcal_calibrate_plain(const invcal_positions *positions, invcal_calibration *out,
+                                     invcal_quality *quality)
 {
-    return invcal_calibrate_without(raw, count, 0, nominal, noise, out, quality);
+    INVCAL_ASSERT(invcal_are_given(positions) && out && quality);
+    const invcal_selection all = {*positions, 0};
+
+    return invcal_positions_calibrate(&all, out, quality);
 }
 
 /* Cornish and Fisher's expansion of Student's quantile about the normal one, z = 1.96 (Abramowitz
@@ -33,17 +36,42 @@ invcal_real invcal_coverage(unsigned dof)
 }
 
 /* The error of a length is h X. The mean squares of h over all directions: x 1/3, x^2 1/5, xy 1/15.
- * Covariances of dk are neglected. The sigma of gravity is stated, not estimated, so it has the
- * normal quantile. */
+ * Covariances of dk are neglected. What is stated, not estimated, has the normal quantile. */
 invcal_real invcal_accuracy(const invcal_quality *quality, invcal_real gravity)
 {
     INVCAL_ASSERT(quality);
-    const invcal_real *const delta = &quality->sigma[INVCAL_DELTA_X];
-    const invcal_real *const dk = &quality->sigma[INVCAL_DK_X];
-    const invcal_real *const gamma = &quality->sigma[INVCAL_GAMMA_XY];
+    static const invcal_real share[3] = {INVCAL_REAL(1.0) / 3, INVCAL_REAL(0.2),
+                                         INVCAL_REAL(1.0) / 15};
     const invcal_real wide = invcal_coverage(quality->sigma_dof);
-    const invcal_real square =
-        invcal_dot3(delta, delta) / 3 + invcal_dot3(dk, dk) / 5 + invcal_dot3(gamma, gamma) / 15;
+    invcal_real measured = 0;
+    invcal_real stated = gravity * gravity;
 
-    return INVCAL_SQRT(wide * wide * square + INVCAL_NORMAL * INVCAL_NORMAL * gravity * gravity);
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const invcal_real square = share[r / 3] * quality->sigma[r] * quality->sigma[r];
+        if ((unsigned)quality->held >> r & 1u) {
+            stated += square;
+        } else {
+            measured += square;
+        }
+    }
+    return INVCAL_SQRT(wide * wide * measured + INVCAL_NORMAL * INVCAL_NORMAL * stated);
+}
+
+/* With few degrees of freedom a sigma counts for more: its 95 % interval over 1.96. */
+int invcal_reaches(const invcal_quality *quality, invcal_real delta, invcal_real dk,
+                   invcal_real gamma)
+{
+    const invcal_real target[3] = {delta, dk, gamma};
+
+    INVCAL_ASSERT(quality);
+    if (quality->verdict != INVCAL_GOOD) {
+        return 0;
+    }
+    const invcal_real wider = invcal_coverage(quality->sigma_dof) / INVCAL_NORMAL;
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        if (!(quality->sigma[r] * wider <= target[r / 3])) {
+            return 0;
+        }
+    }
+    return 1;
 }

@@ -152,12 +152,12 @@ unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calib
 }
 
 /* The positions of all cells that have samples. Returns their number. */
-static unsigned make_points(const invcal_cell_fit *fit, invcal_real point[INVCAL_CELLS][3])
+static unsigned make_points(const invcal_cell_fit *fit, invcal_vector point[INVCAL_CELLS])
 {
     unsigned count = 0;
 
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
-        count += invcal_cells_point(&fit->tables, &fit->triad, k, point[count]) > 0;
+        count += invcal_cells_point(&fit->tables, &fit->triad, k, point[count].v) > 0;
     }
     return count;
 }
@@ -165,15 +165,15 @@ static unsigned make_points(const invcal_cell_fit *fit, invcal_real point[INVCAL
 invcal_status invcal_cells_calibrate(invcal_cell_fit *fit)
 {
     static const invcal_calibration unit = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    invcal_real point[INVCAL_CELLS][3];
+    invcal_vector point[INVCAL_CELLS];
 
     const invcal_status status = invcal_cells_solve(fit);
     if (status != INVCAL_OK) {
         return status;
     }
     invcal_zero(point, sizeof point);
-    const invcal_positions positions = {point[0], make_points(fit, point), 0, &unit, 0};
-    return invcal_positions_calibrate(&positions, &fit->triad, &fit->quality);
+    const invcal_selection all = {{point, make_points(fit, point), &unit, 0, NULL}, 0};
+    return invcal_positions_calibrate(&all, &fit->triad, &fit->quality);
 }
 
 invcal_real invcal_cells_field(const invcal_cell_fit *fit)

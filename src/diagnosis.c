@@ -57,7 +57,7 @@ static INVCAL_NOINLINE invcal_real chance_of(const invcal_fit *fit, const invcal
  * name needs the latter, since the noise may be stated too small. */
 static INVCAL_ONCE void try_kind(const invcal_fit *fit, diagnosis *d, unsigned kind)
 {
-    const invcal_real level = fit->positions.noise > 0 ? SIGNIFICANT : UNSTATED;
+    const invcal_real level = fit->selection.given.noise > 0 ? SIGNIFICANT : UNSTATED;
     invcal_test t;
     const int may_be_named = test(fit, d, kind, 0, &t);
     const invcal_real own = chance_of(fit, &t, 0);
@@ -94,7 +94,7 @@ static INVCAL_ONCE void try_kinds(const invcal_fit *fit, diagnosis *d)
  * with that of the four kinds it is then what the best rival of the group leaves. */
 static INVCAL_ONCE int is_ambiguous(const invcal_fit *fit, diagnosis *d, const invcal_group *g)
 {
-    const unsigned n = fit->positions.count;
+    const unsigned n = fit->selection.given.count;
     invcal_test t;
 
     /* at most 2/3 INVCAL_MAX_POSITIONS */
@@ -151,15 +151,15 @@ static INVCAL_NOINLINE invcal_set choose(const invcal_fit *fit, const invcal_gro
     return 0;
 }
 
-invcal_set invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
+invcal_set invcal_diagnose(const invcal_selection *selection, const invcal_calibration *c,
                            invcal_quality *q)
 {
     invcal_set out = 0;
     invcal_group g;
     invcal_fit fit;
 
-    fit.positions = *positions;
-    fit.positions.nominal = c;
+    fit.selection = *selection;
+    fit.selection.given.nominal = c;
     if (invcal_fit_solve(&fit) == INVCAL_OK) { /* uncovered: else c was determined by rounding */
         invcal_outliers_search(&fit, &g);
         out = q != NULL ? choose(&fit, &g, q) : g.group;

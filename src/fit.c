@@ -16,7 +16,7 @@ void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_real row[INVCAL_PA
 {
     const invcal_real *p = &fit->sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)];
 
-    (void)invcal_read(fit->positions.nominal, &fit->positions.raw[3 * (size_t)k], row);
+    (void)invcal_read(fit->selection.given.nominal, fit->selection.given.mean[k].v, row);
     row[INVCAL_J] += invcal_dot(p, row, INVCAL_PARAMETERS);
 }
 
@@ -26,13 +26,13 @@ invcal_status invcal_fit_solve(invcal_fit *fit)
     invcal_quality q; /* not used */
     invcal_real row[INVCAL_PARAMETERS + 1];
 
-    const invcal_status status = invcal_positions_solve(&fit->positions, &fit->sums, &q);
+    const invcal_status status = invcal_positions_solve(&fit->selection, &fit->sums, &q);
     if (status != INVCAL_OK) {
         return status;
     }
     fit->squares = ROUNDING * ROUNDING;
-    for (unsigned k = 0; k < fit->positions.count; k++) {
-        if (!(fit->positions.left_out >> k & 1u)) {
+    for (unsigned k = 0; k < fit->selection.given.count; k++) {
+        if (!(fit->selection.left_out >> k & 1u)) {
             invcal_fit_row(fit, k, row);
             fit->squares += row[INVCAL_J] * row[INVCAL_J];
         }
@@ -43,7 +43,7 @@ invcal_status invcal_fit_solve(invcal_fit *fit)
 invcal_real invcal_chance(const invcal_fit *fit, invcal_real after, invcal_real before, unsigned m,
                           unsigned unknowns, unsigned stated)
 {
-    const invcal_real noise = fit->positions.noise;
+    const invcal_real noise = fit->selection.given.noise;
     unsigned dof = invcal_fit_spare(fit, unknowns);
 
     if (!(after >= ROUNDED * fit->squares)) {

@@ -14,7 +14,7 @@
 
 /* The fit of the positions that are not left out. */
 typedef struct {
-    invcal_positions positions;
+    invcal_selection selection;
     invcal_real
         squares;      /* of the residuals; with rounding errors, so that exact readings have some */
     invcal_sums sums; /* their number; L^-1 of their system, then p */

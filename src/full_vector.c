@@ -8,6 +8,7 @@
 #include <limits.h>
 #include <string.h>
 
+#include "full_vector.h"
 #include "solve.h"
 #include "sums.h"
 #include "vector.h"

@@ -79,41 +79,39 @@ void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal
     invcal_direction(next, up);
 }
 
-void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
-                         invcal_sums *sums, invcal_real last[3])
+void invcal_sum_readings(const invcal_positions *positions, invcal_sums *sums, invcal_real last[3])
 {
     invcal_row row;
 
     invcal_sums_init(sums);
     invcal_zero(last, 3 * sizeof *last);
-    for (unsigned i = 0; i < count; i++) {
-        if (invcal_observe(nominal, &raw[3 * (size_t)i], &row) == INVCAL_OK) {
+    for (unsigned i = 0; i < positions->count; i++) {
+        if (invcal_observe(positions->nominal, positions->mean[i].v, &row) == INVCAL_OK) {
             invcal_sums_add_row(sums, &row, 1);
             memcpy(last, row.h, 3 * sizeof *last);
         }
     }
 }
 
-void invcal_next(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
-                 invcal_real up[3])
+void invcal_next(const invcal_positions *positions, invcal_real up[3])
 {
     invcal_sums sums;
     invcal_real last[3];
 
-    INVCAL_ASSERT((raw || count == 0) && nominal && up);
-    invcal_sum_readings(raw, count, nominal, &sums, last);
+    INVCAL_ASSERT(invcal_are_given(positions) && up);
+    invcal_sum_readings(positions, &sums, last);
     invcal_next_of_sums(&sums, last, up);
 }
 
 /* J of a direction only planned is 0: it does not enter K. */
-void invcal_prospect(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
-                     const invcal_real *up, invcal_real root[INVCAL_PARAMETERS])
+void invcal_prospect(const invcal_positions *positions, const invcal_real *up,
+                     invcal_real root[INVCAL_PARAMETERS])
 {
     invcal_sums sums;
     invcal_row row;
 
-    INVCAL_ASSERT((raw || count == 0) && nominal && root);
-    invcal_sum_readings(raw, count, nominal, &sums, row.h);
+    INVCAL_ASSERT(invcal_are_given(positions) && root);
+    invcal_sum_readings(positions, &sums, row.h);
     if (up != NULL) {
         memcpy(row.h, up, 3 * sizeof *up);
         invcal_row_of(row.h);

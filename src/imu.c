@@ -144,7 +144,7 @@ static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
     const unsigned start = m->rest[w->begin].when;
     const unsigned end = m->rest[m->count - 1u].when;
 
-    invcal_correct(&w->out->accelerometer, &w->raw[3 * (size_t)(rest - w->begin)], h);
+    invcal_correct(&w->out->accelerometer, w->mean[rest - w->begin].v, h);
     h[3] = invcal_number(at->when - start) / invcal_number(end - start);
     h[4] = 1;
     h[BIAS] = -w->bias[rest][axis];
@@ -350,7 +350,7 @@ static void add_prior(invcal_imu_work *w)
 invcal_status invcal_imu_sum(invcal_imu_work *w)
 {
     const invcal_moves *m = w->moves;
-    const invcal_real *raw = w->raw;
+    const invcal_vector *mean = w->mean;
     unsigned first = 0;
     invcal_real up[2][3];
 
@@ -360,7 +360,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
     for (unsigned i = 0; i < m->count; i++) {
         const unsigned segments = m->rest[i].move > 0 ? (unsigned)m->rest[i].move : 0;
         if (i >= w->begin) {
-            invcal_correct(&w->out->accelerometer, raw, up[1]);
+            invcal_correct(&w->out->accelerometer, mean->v, up[1]);
             const invcal_real length = INVCAL_SQRT(invcal_dot3(up[1], up[1]));
             scale_by(up[1], 1 / length);
             if (!(length >= INVCAL_REAL(0.1) && length <= 10)) {
@@ -375,7 +375,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
                 add_move(w, i, &m->segment[first], (const invcal_real(*)[3])up);
             }
             memcpy(up[0], up[1], sizeof up[0]);
-            raw += 3;
+            mean++;
         }
         first += segments;
     }
@@ -400,7 +400,7 @@ invcal_status invcal_imu_settings_check(const invcal_imu_settings *s)
     return INVCAL_OK;
 }
 
-invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsigned count,
+invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_vector *mean, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out)
 {
@@ -421,9 +421,9 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsig
     w->noise_square = s->noise > 0 ? s->noise * s->noise : NOISE_OF_MEAN * NOISE_OF_MEAN;
     w->n = s->held ? IMU_GYRO : IMU_ALL;
     w->begin = moves->count - both;
-    w->raw = raw;
-    if (count > moves->count) { /* else raw may be null, to which nothing is added */
-        w->raw += 3 * (size_t)(count - moves->count);
+    w->mean = mean;
+    if (count > moves->count) { /* else mean may be null, to which nothing is added */
+        w->mean += count - moves->count;
     }
     w->variance[INVCAL_OF_RESTS] = 1;
     w->variance[INVCAL_OF_MOVES] = 1;
@@ -602,14 +602,14 @@ static void deliver(invcal_imu_work *w)
     } /* cppcheck-suppress misra-c2012-15.7 ; good */
 }
 
-invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
+invcal_status invcal_imu_solve(const invcal_vector *mean, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out)
 {
     invcal_imu_work w;
 
-    INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && out);
-    invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, settings, out);
+    INVCAL_ASSERT((mean || count == 0) && accelerometer && moves && out);
+    invcal_status status = invcal_imu_begin(&w, mean, count, accelerometer, moves, settings, out);
     if (status == INVCAL_OK) {
         status = iterate(&w);
     }

@@ -7,6 +7,8 @@
 
 #include "invcal/expert.h"
 #include "invcal/gyro.h"
+#include "rests.h"
+#include "sums.h"
 
 /* The two kinds of equations. */
 enum { INVCAL_OF_RESTS, INVCAL_OF_MOVES, INVCAL_KINDS };
@@ -14,7 +16,7 @@ enum { INVCAL_OF_RESTS, INVCAL_OF_MOVES, INVCAL_KINDS };
 /* The data of a pass, and its results. */
 typedef struct {
     const invcal_moves *moves;
-    const invcal_real *raw; /* means of the rests from begin on */
+    const invcal_vector *mean; /* means of the rests from begin on */
     const invcal_imu_settings *settings;
     invcal_imu *out;          /* accelerometer and parameters so far, left_out, idle, worst */
     invcal_real noise_square; /* variance of a mean, stated or usual */
@@ -51,7 +53,7 @@ void invcal_replay_move(const invcal_imu_work *work, const invcal_segment *segme
 invcal_status invcal_imu_settings_check(const invcal_imu_settings *settings);
 
 /* Begins a solution. Returns INVCAL_OK, or which argument is bad. */
-invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, unsigned count,
+invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_vector *mean, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out);
 

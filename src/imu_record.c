@@ -25,7 +25,8 @@ typedef char invcal_imu_is_in_order
 /* A record is WEAK if and only if it has weak parameters. */
 static int is_sensible(const invcal_imu_record *r)
 {
-    return r->verdict <= INVCAL_WEAK && r->weak <= IMU_WEAK && r->g_is_used <= 1 &&
+    return (r->verdict & 15u) == 0 && r->verdict <= INVCAL_WEAK && r->weak <= IMU_WEAK &&
+           r->g_is_used <= 1 &&
            (r->verdict == INVCAL_WEAK ? (r->weak | r->accelerometer.weak) > 0 : r->weak == 0);
 }
 
@@ -48,7 +49,7 @@ static invcal_status read_imu(const uint8_t *bytes, uint32_t size, invcal_imu_re
     }
     r->weak = invcal_get_u16(bytes + IMU_WEAK_AT);
     r->dof = invcal_get_u16(bytes + IMU_DOF_AT);
-    r->verdict = bytes[IMU_VERDICT_AT];
+    r->verdict = invcal_swap(bytes[IMU_VERDICT_AT]);
     r->moves = bytes[IMU_MOVES_AT];
     r->g_is_used = bytes[IMU_G_AT];
     return is_sensible(r) ? invcal_nominal_check(&r->gyro) : INVCAL_DAMAGED;
@@ -78,8 +79,8 @@ void invcal_imu_record_init(invcal_imu_record *record, const invcal_imu *imu)
     a->calibration = imu->accelerometer;
     memcpy(a->sigma, &imu->sigma[INVCAL_GYRO_PARAMETERS], sizeof a->sigma);
     a->weak = (uint16_t)(imu->open >> (unsigned)INVCAL_GYRO_PARAMETERS);
-    a->verdict =
-        imu->verdict == INVCAL_WEAK && a->weak == 0 ? (uint8_t)INVCAL_NO_REDUNDANCY : imu->verdict;
+    a->verdict = imu->verdict == INVCAL_WEAK && a->weak == 0 ? (invcal_verdict)INVCAL_NO_REDUNDANCY
+                                                             : imu->verdict;
 }
 
 /* Decodes what was encoded: after rounding to float it may not be a record. */
@@ -95,7 +96,8 @@ invcal_status invcal_imu_record_encode(const invcal_imu_record *record,
         return status;
     }
     uint8_t *at = invcal_put_two(bytes + IMU_WEAK_AT, record->weak, record->dof);
-    at = invcal_put_two(at, record->verdict | (unsigned)record->moves << 8, record->g_is_used);
+    at = invcal_put_two(at, invcal_swap(record->verdict) | (unsigned)record->moves << 8,
+                        record->g_is_used);
     (void)invcal_put_reals(at, record, IMU_REALS);
     invcal_seal(bytes, INVCAL_IMU_KIND, INVCAL_IMU_RECORD_SIZE);
     return read_imu(bytes, INVCAL_IMU_RECORD_SIZE, &r);

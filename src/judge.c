@@ -38,7 +38,7 @@ static INVCAL_ONCE invcal_real derive(const invcal_real a[3][3], invcal_row *row
     return 1 / square;
 }
 
-invcal_status invcal_positions_pass(const invcal_positions *positions, const invcal_calibration *c,
+invcal_status invcal_positions_pass(const invcal_selection *selection, const invcal_calibration *c,
                                     const invcal_real a[3][3], invcal_sums *sums, invcal_quality *q)
 {
     invcal_row row;
@@ -47,12 +47,12 @@ invcal_status invcal_positions_pass(const invcal_positions *positions, const inv
     if (q != NULL) {
         invcal_judge_begin(q);
     }
-    for (unsigned i = 0; i < positions->count; i++) {
+    for (unsigned i = 0; i < selection->given.count; i++) {
         invcal_real weight = 1;
-        if (invcal_is_left_out(positions, i)) {
+        if (invcal_is_left_out(selection, i)) {
             continue;
         }
-        const invcal_status status = invcal_read(c, &positions->raw[3 * (size_t)i], row.h);
+        const invcal_status status = invcal_read(c, selection->given.mean[i].v, row.h);
         if (status != INVCAL_OK) { /* readings that pass the first pass may be absurd after it */
             return q != NULL ? INVCAL_NOT_ELLIPSOID : status;
         }
@@ -102,10 +102,10 @@ invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_quality *q)
                : INVCAL_UNDETERMINED;
 }
 
-invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,
+invcal_status invcal_positions_solve(const invcal_selection *selection, invcal_sums *sums,
                                      invcal_quality *q)
 {
-    invcal_status status = invcal_positions_sum(positions, sums);
+    invcal_status status = invcal_positions_sum(selection, sums);
 
     if (status == INVCAL_OK) {
         status = sums->count < INVCAL_PARAMETERS
@@ -178,7 +178,7 @@ invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real
 /* ---- all in one ------------------------------------------------------------------------------ */
 
 /* Not inline: its caller needs the stack for more tests. */
-INVCAL_NOINLINE invcal_status invcal_positions_calibrate(const invcal_positions *positions,
+INVCAL_NOINLINE invcal_status invcal_positions_calibrate(const invcal_selection *selection,
                                                          invcal_calibration *out,
                                                          invcal_quality *quality)
 {
@@ -188,9 +188,9 @@ INVCAL_NOINLINE invcal_status invcal_positions_calibrate(const invcal_positions 
     invcal_quality q;
     invcal_sums sums;
 
-    invcal_status status = invcal_positions_check(positions);
+    invcal_status status = invcal_positions_check(&selection->given);
     if (status == INVCAL_OK) {
-        status = invcal_positions_solve(positions, &sums, &q);
+        status = invcal_positions_solve(selection, &sums, &q);
     }
     if (status == INVCAL_OK) {
         status = invcal_ellipsoid(&sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], sums.sum, &triad);
@@ -200,32 +200,22 @@ INVCAL_NOINLINE invcal_status invcal_positions_calibrate(const invcal_positions 
     }
     if (status == INVCAL_OK) {
         invcal_copy(&c, &triad, sizeof c);
-        status = invcal_compose(positions->nominal, &c);
+        status = invcal_compose(selection->given.nominal, &c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_positions_pass(positions, &c, a, &sums, &q);
+        status = invcal_positions_pass(selection, &c, a, &sums, &q);
     }
     if (status == INVCAL_OK) {
         status = invcal_determine(sums.sum, INVCAL_PARAMETERS, &q);
     }
     if (status == INVCAL_OK) {
         invcal_copy(out, &c, sizeof c); /* which may be nominal */
-        q.left_out = positions->left_out;
+        q.left_out = selection->left_out;
         q.dof = (uint16_t)(q.positions - INVCAL_PARAMETERS);
-        invcal_weigh_noise(positions->noise,
+        invcal_weigh_noise(selection->given.noise,
                            sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)], &q);
         invcal_judge_parameters(a, &q);
         invcal_copy(quality, &q, sizeof q);
     }
     return status;
-}
-
-invcal_status invcal_calibrate_without(const invcal_real *raw, unsigned count, invcal_mask left_out,
-                                       const invcal_calibration *nominal, invcal_real noise,
-                                       invcal_calibration *out, invcal_quality *quality)
-{
-    const invcal_positions positions = {raw, count, (invcal_set)left_out, nominal, noise};
-
-    INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
-    return invcal_positions_calibrate(&positions, out, quality);
 }

@@ -7,7 +7,8 @@
 
 #include <stddef.h>
 
-#include "invcal/expert.h"
+#include "invcal/positions.h"
+#include "sums.h"
 #include "vector.h"
 
 /* An invcal_mask of positions in as few bits as the build needs, in which it computes. */
@@ -19,18 +20,15 @@ typedef uint64_t invcal_set;
 typedef uint32_t invcal_set;
 #endif
 
-/* Positions, with nominal and noise. */
+/* Positions, less some of them. */
 typedef struct {
-    const invcal_real *raw;
-    unsigned count;
+    invcal_positions given;
     invcal_set left_out; /* only of the first INVCAL_MAX_POSITIONS */
-    const invcal_calibration *nominal;
-    invcal_real noise; /* stated, over field; 0: not known */
-} invcal_positions;
+} invcal_selection;
 
-static inline int invcal_is_left_out(const invcal_positions *positions, unsigned i)
+static inline int invcal_is_left_out(const invcal_selection *selection, unsigned i)
 {
-    return i < INVCAL_MAX_POSITIONS && (positions->left_out >> i & 1u);
+    return i < INVCAL_MAX_POSITIONS && (selection->left_out >> i & 1u);
 }
 
 /* INVCAL_BAD_... of the nominal and noise. */
@@ -47,19 +45,19 @@ invcal_status invcal_positions_check(const invcal_positions *positions);
  *
  * Returns as invcal_observe for the first that is not a reading; in the second INVCAL_NOT_ELLIPSOID
  * if a residual is absurd, or all are. */
-invcal_status invcal_positions_pass(const invcal_positions *positions, const invcal_calibration *c,
+invcal_status invcal_positions_pass(const invcal_selection *selection, const invcal_calibration *c,
                                     const invcal_real a[3][3], invcal_sums *sums,
                                     invcal_quality *q);
 
-static inline invcal_status invcal_positions_sum(const invcal_positions *positions,
+static inline invcal_status invcal_positions_sum(const invcal_selection *selection,
                                                  invcal_sums *sums)
 {
-    return invcal_positions_pass(positions, positions->nominal, NULL, sums, NULL);
+    return invcal_positions_pass(selection, selection->given.nominal, NULL, sums, NULL);
 }
 
 /* First pass, and its solution: sums become L^-1 and p, and q has their K and their condition.
  * Returns as the pass, then INVCAL_TOO_FEW, then as invcal_determine. */
-invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_sums *sums,
+invcal_status invcal_positions_solve(const invcal_selection *selection, invcal_sums *sums,
                                      invcal_quality *q);
 
 /* The system of nine to L^-1, and to p if there is a row behind them.
@@ -70,8 +68,8 @@ invcal_status invcal_positions_solve(const invcal_positions *positions, invcal_s
  * INVCAL_UNDETERMINED if it is determined by rounding only. */
 invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_quality *q);
 
-/* invcal_calibrate_without. */
-invcal_status invcal_positions_calibrate(const invcal_positions *positions, invcal_calibration *out,
+/* invcal_calibrate_plain of what is left. */
+invcal_status invcal_positions_calibrate(const invcal_selection *selection, invcal_calibration *out,
                                          invcal_quality *quality);
 
 /* ---- the steps of a judgement ---------------------------------------------------------------- */
@@ -141,6 +139,20 @@ enum { INVCAL_STATED = 4 }; /* residuals that a stated noise counts as */
  * dof      their degrees of freedom, q->dof rounded down; below 1 they do not count. */
 void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
                         invcal_real silent, invcal_quality *q);
+
+/* Weighs a stated noise against the residuals (mathematics.md, "Uncertainty"), for equations of
+ * your own. The stated noise counts as four residuals, unless the residuals are clearly larger (at
+ * 95 %) or nearly zero; then they alone count. Residuals too large for noise (at 99.7 %) raise the
+ * verdict to rough.
+ *
+ * stated   standard deviation of a position mean on each axis, over field; 0: not known. With a NaN
+ *          the verdict is rough.
+ * squares  the sum of the squared residuals, each over its standard deviation at a noise of 1.
+ * quality  reads dof and verdict; sets noise, sigma_dof and verdict. noise is 1, the whole field,
+ *          if there is neither a residual nor a stated noise.
+ *
+ * Stack: about 10 bytes. */
+void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality *quality);
 
 /* dof rounded down, and limited so that a stated noise can still be added. */
 static inline uint16_t invcal_whole(invcal_real dof)

@@ -6,6 +6,7 @@
  * be tested").
  */
 #include "diagnosis.h"
+#include "invcal/positions.h"
 #include "outliers.h"
 
 #include <stddef.h>
@@ -15,14 +16,14 @@
 #define VISITED INVCAL_REAL(0.0228) /* three times the square of the chord of 5 degrees */
 
 /* Has the direction of position i been visited before? near: a squared distance, counts. */
-static INVCAL_ONCE int is_visited(const invcal_positions *p, invcal_set left_out, unsigned i,
+static INVCAL_ONCE int is_visited(const invcal_vector *mean, invcal_set left_out, unsigned i,
                                   invcal_real near)
 {
     for (unsigned k = 0; k < i; k++) {
         invcal_real square = 0;
         INVCAL_UNROLL
         for (unsigned a = 0; a < 3; a++) {
-            const invcal_real d = p->raw[3 * i + a] - p->raw[3 * k + a];
+            const invcal_real d = mean[i].v[a] - mean[k].v[a];
             square += d * d;
         }
         if (!(left_out >> k & 1u) && square <= near) {
@@ -42,7 +43,7 @@ static INVCAL_ONCE void judge_directions(const invcal_positions *p, const invcal
     const invcal_set left_out = (invcal_set)q->left_out;
 
     for (unsigned i = 0; i < p->count; i++) {
-        if (!(left_out >> i & 1u) && is_visited(p, left_out, i, near) && q->dof > 0) {
+        if (!(left_out >> i & 1u) && is_visited(p->mean, left_out, i, near) && q->dof > 0) {
             q->dof--;
         }
     }
@@ -54,42 +55,40 @@ static INVCAL_ONCE void judge_directions(const invcal_positions *p, const invcal
 /* Group by group, since one may mask the next. If one is so wrong that all together give no
  * ellipsoid, search in nominal units. Rough: too many are left out, or the others are not
  * determined without them. */
-static INVCAL_ONCE invcal_status leave_out_groups(invcal_positions *p, invcal_calibration *c,
+static INVCAL_ONCE invcal_status leave_out_groups(invcal_selection *s, invcal_calibration *c,
                                                   invcal_quality *q)
 {
     int has_solution = 0;
 
     for (;;) { /* at most INVCAL_MAX_POSITIONS times: each but the last leaves one out */
-        const invcal_status status = invcal_positions_calibrate(p, c, q);
+        const invcal_status status = invcal_positions_calibrate(s, c, q);
         const int is_solved = status == INVCAL_OK;
         invcal_set more = 0;
         has_solution |= is_solved;
-        if (is_solved ? !invcal_are_many(q->positions, p->count)
+        if (is_solved ? !invcal_are_many(q->positions, s->given.count)
                       : !has_solution && status == INVCAL_NOT_ELLIPSOID) {
-            more = invcal_diagnose(p, is_solved ? c : p->nominal, is_solved ? q : NULL);
+            more = invcal_diagnose(s, is_solved ? c : s->given.nominal, is_solved ? q : NULL);
         } else if (has_solution) {
             invcal_raise(q, INVCAL_ROUGH);
         } /* cppcheck-suppress misra-c2012-15.7 ; there is no calibration */
         if (more == 0) {
             return has_solution ? INVCAL_OK : status;
         }
-        p->left_out |= more;
+        s->left_out |= more;
     }
 }
 
-invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
-                               const invcal_calibration *nominal, invcal_real noise,
-                               invcal_calibration *out, invcal_quality *quality)
+invcal_status invcal_calibrate(const invcal_positions *positions, invcal_calibration *out,
+                               invcal_quality *quality)
 {
-    invcal_positions positions = {raw, count, 0, nominal, noise};
-
-    INVCAL_ASSERT((raw || count == 0) && nominal && out && out != nominal && quality);
-    if (count > INVCAL_MAX_POSITIONS) {
+    INVCAL_ASSERT(invcal_are_given(positions) && out && out != positions->nominal && quality);
+    if (positions->count > INVCAL_MAX_POSITIONS) {
         return INVCAL_BAD_COUNT;
     }
-    const invcal_status status = leave_out_groups(&positions, out, quality);
+    invcal_selection selection = {*positions, 0};
+    const invcal_status status = leave_out_groups(&selection, out, quality);
     if (status == INVCAL_OK) {
-        judge_directions(&positions, out, quality);
+        judge_directions(positions, out, quality);
     }
     return status;
 }

@@ -5,6 +5,7 @@
  * the equations, without an unknown and without a sample.
  */
 #include "imu.h"
+#include "invcal/result.h"
 #include "rotation.h"
 #include "vector.h"
 
@@ -90,7 +91,7 @@ static invcal_status try_all(invcal_imu_work *w, best_mounting *best)
     return best->next > CLEAR * best->squares ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
-invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
+invcal_status invcal_imu_mounting(const invcal_vector *mean, unsigned count,
                                   const invcal_calibration *accelerometer,
                                   const invcal_moves *moves, int8_t axes[3], invcal_real *unit)
 {
@@ -98,8 +99,8 @@ invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
     invcal_imu out;
     best_mounting best;
 
-    INVCAL_ASSERT((raw || count == 0) && accelerometer && moves && axes && unit);
-    invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, NULL, &out);
+    INVCAL_ASSERT((mean || count == 0) && accelerometer && moves && axes && unit);
+    invcal_status status = invcal_imu_begin(&w, mean, count, accelerometer, moves, NULL, &out);
     best.squares = INVCAL_REAL_MAX;
     best.next = INVCAL_REAL_MAX;
     best.unit = 1;

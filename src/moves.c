@@ -409,7 +409,7 @@ void invcal_moves_gap(invcal_moves *moves)
     close_segment(moves, 0);
 }
 
-void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_event event)
+void invcal_moves_follow(invcal_moves *moves, const invcal_private_rests *rests, invcal_event event)
 {
     INVCAL_ASSERT(moves && rests);
     if (event == INVCAL_NOTHING || !are_begun(moves)) {

@@ -114,7 +114,7 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
     member *const m = &s->group[d < INVCAL_GROUP ? d : 0]; /* of the third only v, for a moment */
     invcal_real share = 0;
 
-    if ((before->out | s->fit->positions.left_out) >> k & 1u) {
+    if ((before->out | s->fit->selection.left_out) >> k & 1u) {
         return 0;
     }
     const invcal_set out = before->out | bit(k);
@@ -151,7 +151,7 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
 static INVCAL_ONCE void search_groups(search *s)
 {
     const invcal_fit *const fit = s->fit;
-    const unsigned count = fit->positions.count;
+    const unsigned count = fit->selection.given.count;
     invcal_real *const row = s->group[0].v;
 
     for (unsigned k = 0; k < count; k++) {

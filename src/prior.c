@@ -9,6 +9,7 @@
  */
 #include <string.h>
 
+#include "invcal/positions.h"
 #include "judge.h"
 #include "solve.h"
 #include "vector.h"
@@ -27,7 +28,6 @@ typedef struct {
     invcal_calibration c;
     invcal_quality q;
     uint8_t of_noise; /* verdict on the residuals alone */
-    uint16_t from_prior;
 } update;
 
 static invcal_status check_prior(const invcal_positions *positions, update *prior)
@@ -81,10 +81,10 @@ static invcal_status factor_with(const invcal_real *of_positions, update *prior,
 }
 
 /* First pass. triad calibrates u. */
-static invcal_status solve_with(const invcal_positions *positions, update *prior, invcal_sums *sums,
+static invcal_status solve_with(const invcal_selection *all, update *prior, invcal_sums *sums,
                                 invcal_real l[SYSTEM], invcal_calibration *triad)
 {
-    invcal_status status = invcal_positions_sum(positions, sums);
+    invcal_status status = invcal_positions_sum(all, sums);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -138,24 +138,25 @@ static invcal_status judge_with(const invcal_real *information, update *prior,
     q->noise = prior->noise; /* the weight of the prior */
     prior->noise = seen;
     invcal_judge_parameters(a, q);
-    prior->from_prior = (uint16_t)bits;
+    q->held = (uint16_t)bits;
     return INVCAL_OK;
 }
 
 static invcal_status calibrate(const invcal_positions *positions, update *prior)
 {
+    const invcal_selection all = {*positions, 0};
     invcal_sums sums;
     invcal_calibration triad;
     invcal_real l[SYSTEM];
     const invcal_real(*a)[3] = (const invcal_real(*)[3])triad.matrix;
 
-    invcal_status status = solve_with(positions, prior, &sums, l, &triad);
+    invcal_status status = solve_with(&all, prior, &sums, l, &triad);
     if (status == INVCAL_OK) {
         prior->c = triad;
         status = invcal_compose(positions->nominal, &prior->c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_positions_pass(positions, &prior->c, a, &sums, &prior->q);
+        status = invcal_positions_pass(&all, &prior->c, a, &sums, &prior->q);
     }
     if (status != INVCAL_OK) {
         return status;
@@ -185,42 +186,35 @@ static invcal_status calibrate_twice(const invcal_positions *positions, const in
     return status;
 }
 
-invcal_status invcal_calibrate_prior(const invcal_real *raw, unsigned count,
-                                     const invcal_calibration *nominal, invcal_real noise,
+invcal_status invcal_calibrate_prior(const invcal_positions *positions,
                                      const invcal_real prior[INVCAL_PARAMETERS],
-                                     invcal_calibration *out, invcal_quality *quality,
-                                     uint16_t *from_prior)
+                                     invcal_calibration *out, invcal_quality *quality)
 {
-    const invcal_positions positions = {raw, count, 0, nominal, noise};
     update u;
 
-    INVCAL_ASSERT((raw || count == 0) && nominal && prior && out && quality && from_prior);
-    const invcal_status status = calibrate_twice(&positions, prior, &u);
+    INVCAL_ASSERT(invcal_are_given(positions) && prior && out && quality);
+    const invcal_status status = calibrate_twice(positions, prior, &u);
     if (status == INVCAL_OK) {
         *out = u.c;
         *quality = u.q;
-        *from_prior = u.from_prior;
     }
     return status;
 }
 
 /* An angle that the positions hardly determine is held by the prior, and the verdict ignores it. */
-invcal_status invcal_calibrate_faces(const invcal_real *raw, unsigned count,
-                                     const invcal_calibration *nominal, invcal_real noise,
-                                     invcal_real gamma, invcal_calibration *out,
-                                     invcal_quality *quality, uint16_t *held)
+invcal_status invcal_calibrate_faces(const invcal_positions *positions, invcal_real gamma,
+                                     invcal_calibration *out, invcal_quality *quality)
 {
-    const invcal_positions positions = {raw, count, 0, nominal, noise};
     const invcal_real prior[INVCAL_PARAMETERS] = {0, 0, 0, 0, 0, 0, gamma, gamma, gamma};
     const unsigned angles = 0x1C0;
     update u;
 
-    INVCAL_ASSERT((raw || count == 0) && nominal && out && quality && held);
+    INVCAL_ASSERT(invcal_are_given(positions) && out && quality);
     const invcal_status status =
-        gamma < 1 ? calibrate_twice(&positions, prior, &u) : INVCAL_BAD_PRIOR;
+        gamma < 1 ? calibrate_twice(positions, prior, &u) : INVCAL_BAD_PRIOR;
     if (status == INVCAL_OK) {
         const unsigned weak = u.q.weak;
-        *held = (uint16_t)(u.from_prior | (weak & angles));
+        u.q.held = (uint16_t)(u.q.held | (weak & angles));
         u.q.weak = (uint16_t)(weak & ~angles);
         if (u.q.weak == 0) {
             u.q.verdict = u.of_noise;
@@ -230,23 +224,4 @@ invcal_status invcal_calibrate_faces(const invcal_real *raw, unsigned count,
         *quality = u.q;
     }
     return status;
-}
-
-/* A stated sigma needs no Student's t, and neither does gravity: so it joins that, with the mean
- * squares of h as in invcal_accuracy. */
-invcal_real invcal_accuracy_held(const invcal_quality *quality, uint16_t held, invcal_real gravity)
-{
-    static const invcal_real share[3] = {INVCAL_REAL(1.0) / 3, INVCAL_REAL(0.2),
-                                         INVCAL_REAL(1.0) / 15};
-
-    INVCAL_ASSERT(quality);
-    invcal_quality measured = *quality;
-    invcal_real square = gravity * gravity;
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        if ((unsigned)held >> r & 1u) {
-            square += share[r / 3] * measured.sigma[r] * measured.sigma[r];
-            measured.sigma[r] = 0;
-        }
-    }
-    return invcal_accuracy(&measured, INVCAL_SQRT(square));
 }

@@ -44,6 +44,7 @@ void invcal_record_init(invcal_record *record, const invcal_calibration *calibra
     memcpy(record->sigma, quality->sigma, sizeof record->sigma);
     record->positions = quality->positions;
     record->weak = quality->weak;
+    record->held = quality->held;
     record->verdict = quality->verdict;
 }
 
@@ -52,7 +53,7 @@ static INVCAL_ONCE void put_record(const invcal_record *r, uint8_t *bytes)
     memcpy(bytes + SENSOR_AT, r->sensor, sizeof r->sensor);
     uint8_t *at = invcal_put_u32(bytes + DATE_AT, r->date);
     at = invcal_put_two(at, r->positions, r->weak);
-    at = invcal_put_two(at, r->from_prior, r->verdict | (unsigned)r->temperature_known << 8);
+    at = invcal_put_two(at, r->held, invcal_swap(r->verdict) | (unsigned)r->temperature_known << 8);
     (void)invcal_put_reals(at, r, RECORD_REALS);
 }
 
@@ -63,7 +64,8 @@ static INVCAL_ONCE int is_consistent(const uint8_t *bytes)
     const unsigned verdict = bytes[VERDICT_AT];
     const unsigned known = bytes[KNOWN_AT];
 
-    return verdict <= INVCAL_WEAK && (weak > 0) == (verdict == INVCAL_WEAK) &&
+    return verdict <= invcal_swap(INVCAL_WEAK) &&
+           (weak > 0) == (verdict == invcal_swap(INVCAL_WEAK)) &&
            (weak | invcal_get_u16(bytes + PRIOR_AT)) <= EVERY_PARAMETER &&
            (known > 0 ? known == 1 : invcal_get_u32(bytes + TEMPERATURE_AT) << 1 == 0);
 }
@@ -111,8 +113,8 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
         r.date = invcal_get_u32(bytes + DATE_AT);
         r.positions = invcal_get_u16(bytes + POSITIONS_AT);
         r.weak = invcal_get_u16(bytes + WEAK_AT);
-        r.from_prior = invcal_get_u16(bytes + PRIOR_AT);
-        r.verdict = bytes[VERDICT_AT];
+        r.held = invcal_get_u16(bytes + PRIOR_AT);
+        r.verdict = invcal_swap(bytes[VERDICT_AT]);
         r.temperature_known = bytes[KNOWN_AT];
         *out = r;
     }
@@ -130,7 +132,7 @@ invcal_status invcal_save(const invcal_calibration *calibration, const invcal_qu
     INVCAL_ASSERT(calibration && quality);
     invcal_zero(bytes, sizeof bytes);
     (void)invcal_put_two(bytes + POSITIONS_AT, quality->positions, quality->weak);
-    bytes[VERDICT_AT] = quality->verdict;
+    (void)invcal_put_two(bytes + PRIOR_AT, quality->held, invcal_swap(quality->verdict));
     uint8_t *at = invcal_put_reals(bytes + NOISE_AT, &quality->noise, 2); /* and rms */
     at = invcal_put_reals(at, &quality->condition, 1);
     at = invcal_put_reals(at, calibration, CALIBRATION_REALS);

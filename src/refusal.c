@@ -4,21 +4,20 @@
  * are open (mathematics.md, "Verdict, and near cones"). Computed again from the positions, so that
  * the solution need not carry it along.
  */
-#include <stddef.h>
-
 #include "guidance.h"
+#include "sums.h"
 
 #define RIDGED INVCAL_REAL(0.1) /* share of the ridge in a parameter; above: it is open */
 
-unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
-                            const invcal_calibration *nominal)
+unsigned invcal_bad_reading(const invcal_positions *positions)
 {
     invcal_row row;
     unsigned i = 0;
 
-    INVCAL_ASSERT((raw || count == 0) && nominal);
+    INVCAL_ASSERT(invcal_are_given(positions));
     /* at most count steps */
-    while (i < count && invcal_observe(nominal, &raw[3 * (size_t)i], &row) == INVCAL_OK) {
+    while (i < positions->count &&
+           invcal_observe(positions->nominal, positions->mean[i].v, &row) == INVCAL_OK) {
         i++;
     }
     return i;
@@ -26,15 +25,14 @@ unsigned invcal_bad_reading(const invcal_real *raw, unsigned count,
 
 /* ridge K(r,r) is the share of the ridge in what is known of parameter r: 1 if the positions
  * contribute nothing. */
-uint16_t invcal_undetermined(const invcal_real *raw, unsigned count,
-                             const invcal_calibration *nominal)
+uint16_t invcal_undetermined(const invcal_positions *positions)
 {
     invcal_sums sums;
     invcal_real last[3];
     unsigned open = 0;
 
-    INVCAL_ASSERT((raw || count == 0) && nominal);
-    invcal_sum_readings(raw, count, nominal, &sums, last);
+    INVCAL_ASSERT(invcal_are_given(positions));
+    invcal_sum_readings(positions, &sums, last);
     const invcal_real ridge = invcal_ridged_inverse(&sums);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         const invcal_real k = invcal_variance(sums.sum, INVCAL_PARAMETERS, r);

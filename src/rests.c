@@ -8,7 +8,7 @@
  * Block means count from `origin`, in 1/1024 count: so they fit 32 bits wherever in the range of
  * int32 the rest is.
  */
-#include "invcal/expert.h"
+#include "rests.h"
 
 #include "vector.h"
 
@@ -175,7 +175,7 @@ INVCAL_OFTEN static int level_of(uint64_t square)
 }
 
 /* The level of the distance of the rest from the previous position. */
-INVCAL_OFTEN static int distance_from_place(const invcal_rests *s)
+INVCAL_OFTEN static int distance_from_place(const invcal_private_rests *s)
 {
     uint64_t square = 0;
 
@@ -187,7 +187,7 @@ INVCAL_OFTEN static int distance_from_place(const invcal_rests *s)
 }
 
 /* Takes the rest as the place of the last position, or of the first rest. */
-INVCAL_NOINLINE static void mark_place(invcal_rests *s)
+INVCAL_NOINLINE static void mark_place(invcal_private_rests *s)
 {
     INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
@@ -199,13 +199,13 @@ INVCAL_NOINLINE static void mark_place(invcal_rests *s)
 
 /* After motion 0.5 s of quiet blocks are skipped: half the min of a position, rounded up, and the
  * one that may have begun in motion. */
-static INVCAL_ONCE void skip(invcal_rests *s)
+static INVCAL_ONCE void skip(invcal_private_rests *s)
 {
     s->skip = (uint8_t)((s->least + 3u) / 2);
 }
 
 /* There is no rest: look for the next one. */
-INVCAL_NOINLINE static void clear_rest(invcal_rests *s)
+INVCAL_NOINLINE static void clear_rest(invcal_private_rests *s)
 {
     s->blocks = 0;
     s->pended = 0;
@@ -216,13 +216,13 @@ INVCAL_NOINLINE static void clear_rest(invcal_rests *s)
 }
 
 /* The samples of a block. */
-static INVCAL_ONCE uint16_t samples_of(const invcal_rests *s)
+static INVCAL_ONCE uint16_t samples_of(const invcal_private_rests *s)
 {
     return (uint16_t)(1u << s->bits);
 }
 
 /* Drops the block: the next sample begins another. */
-static INVCAL_ONCE void drop(invcal_rests *s)
+static INVCAL_ONCE void drop(invcal_private_rests *s)
 {
     s->missing = 0;
     s->span = 0;
@@ -230,7 +230,7 @@ static INVCAL_ONCE void drop(invcal_rests *s)
 
 #if INVCAL_FAST
 /* The fast sum is for a first sample far from the rails, with the quantum known. */
-static uint32_t fast_span(const invcal_rests *s, const int32_t raw[3])
+static uint32_t fast_span(const invcal_private_rests *s, const int32_t raw[3])
 {
     uint32_t span = s->quantum == 1 ? 2 * NEAR : 0;
 
@@ -245,7 +245,7 @@ static uint32_t fast_span(const invcal_rests *s, const int32_t raw[3])
 #endif
 
 /* Differences are to the first sample. */
-static INVCAL_ONCE void begin(invcal_rests *s, const int32_t raw[3])
+static INVCAL_ONCE void begin(invcal_private_rests *s, const int32_t raw[3])
 {
     if (s->stage == LEFT) {
         clear_rest(s);
@@ -265,7 +265,7 @@ static INVCAL_ONCE void begin(invcal_rests *s, const int32_t raw[3])
 
 /* Any sample: the first of a block, one far from it or near a rail, or one that may reduce the
  * quantum. */
-INVCAL_NOINLINE static void add_any(invcal_rests *s, const int32_t raw[3])
+INVCAL_NOINLINE static void add_any(invcal_private_rests *s, const int32_t raw[3])
 {
     if (s->missing == 0) {
         begin(s, raw);
@@ -293,7 +293,7 @@ INVCAL_NOINLINE static void add_any(invcal_rests *s, const int32_t raw[3])
 /* Adds a sample whose differences d are all small: -span/2 <= d < span/2, tested at once, since
  * d + span/2 has no bit from that of span upwards. Returns 0 if they are not. Modulo 2^32, as
  * unsigned arithmetic is everywhere. */
-static int add_small(invcal_rests *s, const int32_t raw[3])
+static int add_small(invcal_private_rests *s, const int32_t raw[3])
 {
     const uint32_t span = s->span;
     const uint32_t half = span / 2;
@@ -315,7 +315,7 @@ static int add_small(invcal_rests *s, const int32_t raw[3])
 /* The block's mean, from its first sample, and instead of the squares its variance, 1/2^20
  * counts^2, without n / (n - 1). Integers, so nothing cancels, and it is never below 0: Cauchy and
  * Schwarz. */
-static INVCAL_ONCE void measure(invcal_rests *s)
+static INVCAL_ONCE void measure(invcal_private_rests *s)
 {
     const unsigned up = 2 * FINE - s->bits; /* 10 to 18 */
     const uint32_t low = (uint32_t)s->square;
@@ -336,13 +336,13 @@ static INVCAL_ONCE void measure(invcal_rests *s)
 /* ---- learning from the stream ---------------------------------------------------------------- */
 
 /* The level of the quantum; that of 1/2 count until it is known. */
-static INVCAL_ONCE int quantum_level(const invcal_rests *s)
+static INVCAL_ONCE int quantum_level(const invcal_private_rests *s)
 {
     return 2 * octaves(s->quantum) + ONE;
 }
 
 /* Places that differ by less are the same. */
-INVCAL_OFTEN static int resolution_level(const invcal_rests *s)
+INVCAL_OFTEN static int resolution_level(const invcal_private_rests *s)
 {
     return larger(s->reach + OF_REACH, quantum_level(s) + OF_QUANTUM);
 }
@@ -360,7 +360,7 @@ INVCAL_OFTEN static int follow(int level, int x)
  * updates it. A block with far less noise, so that there was motion before, sets the level and
  * restarts the rest; but once there are enough blocks for a position, a single one changes
  * little. */
-static INVCAL_ONCE void learn_noise(invcal_rests *s, int level, int hidden)
+static INVCAL_ONCE void learn_noise(invcal_private_rests *s, int level, int hidden)
 {
     int noise = larger(s->noise, hidden);
 
@@ -374,7 +374,7 @@ static INVCAL_ONCE void learn_noise(invcal_rests *s, int level, int hidden)
 /* A fan is switched on, or the device moves from a hand to a table: blocks in a row, not quiet, but
  * of similar variance, and closer to where they are expected (without a rest, where the previous
  * block was) than their noise. Then that is the new noise. */
-static INVCAL_ONCE void learn_new_noise(invcal_rests *s, int level, int jump)
+static INVCAL_ONCE void learn_new_noise(invcal_private_rests *s, int level, int jump)
 {
     const int d = level - s->other;
 
@@ -395,7 +395,7 @@ static INVCAL_ONCE void learn_new_noise(invcal_rests *s, int level, int jump)
 
 /* Measures the mean of an axis from origin; without a rest, origin moves to it, in whole counts.
  * Returns the distance of the block from the trend of the rest, which may drift slowly. */
-static INVCAL_ONCE uint32_t locate_axis(invcal_rests_axis *x, int has_rest)
+static INVCAL_ONCE uint32_t locate_axis(invcal_private_axis *x, int has_rest)
 {
     uint32_t off = (uint32_t)x->first - (uint32_t)x->origin;
     const uint32_t d = x->sum + (off << FINE) - (uint32_t)x->rest.once - (uint32_t)x->rest.lag;
@@ -409,14 +409,14 @@ static INVCAL_ONCE uint32_t locate_axis(invcal_rests_axis *x, int has_rest)
 }
 
 /* The level of that distance, all axes together. */
-static INVCAL_ONCE int locate(invcal_rests *s)
+static INVCAL_ONCE int locate(invcal_private_rests *s)
 {
     uint64_t square = 0;
     int is_beyond = 0;
 
     INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
-        invcal_rests_axis *const x = &s->axis[a];
+        invcal_private_axis *const x = &s->axis[a];
         is_beyond |= (uint32_t)x->first - (uint32_t)x->origin + WIDE >= 2 * WIDE;
         add_squared(&square, locate_axis(x, s->pended > 0));
     }
@@ -424,14 +424,14 @@ static INVCAL_ONCE int locate(invcal_rests *s)
 }
 
 /* The blocks of the rest, with those held back. */
-static INVCAL_ONCE uint32_t blocks_of(const invcal_rests *s)
+static INVCAL_ONCE uint32_t blocks_of(const invcal_private_rests *s)
 {
     return (uint32_t)s->blocks + s->pended;
 }
 
 /* Brown's double exponential smoothing: an exponential mean, and the exponential mean of that. On a
  * slope the first lags, the second lags again: that lag gives the slope. */
-static INVCAL_ONCE void add_mean(invcal_rests_axis *x, unsigned bits, unsigned fade)
+static INVCAL_ONCE void add_mean(invcal_private_axis *x, unsigned bits, unsigned fade)
 {
     x->rest.total += (uint64_t)(int64_t)shifted(x->rest.pending[0], bits);
     x->rest.pending[0] = x->rest.pending[1];
@@ -445,7 +445,7 @@ static INVCAL_ONCE void add_mean(invcal_rests_axis *x, unsigned bits, unsigned f
 
 /* The rest has one more block: the oldest one held back is safe now, since no motion followed it.
  * The first blocks have nearly equal weights. */
-static INVCAL_ONCE void add_block(invcal_rests *s)
+static INVCAL_ONCE void add_block(invcal_private_rests *s)
 {
     const unsigned fade = (unsigned)smaller(top_of(2 * blocks_of(s) + 1), FADE);
 
@@ -470,7 +470,7 @@ static INVCAL_ONCE void add_block(invcal_rests *s)
  * v / (5.5 g^3), within 30 %, so chance is less than 1e-4 (chi^2 of 24 for three axes) above
  * b^2 g^3 = 8 / 5.5 v. The wander includes the slope, up to 8 b^2 before the trend is known: so an
  * eighth of it counts as v. */
-static INVCAL_ONCE int is_drifting(const invcal_rests *s)
+static INVCAL_ONCE int is_drifting(const invcal_private_rests *s)
 {
     const int g = octaves(smaller(blocks_of(s), 60)) - 2 * OCTAVE;
     uint64_t lag = 0;
@@ -489,14 +489,14 @@ static INVCAL_ONCE int is_drifting(const invcal_rests *s)
 /* ---- events of a rest ------------------------------------------------------------------------ */
 
 /* Has nothing ever changed, or one axis not, although the others are too noisy for that? */
-static INVCAL_ONCE int is_stuck(const invcal_rests *s)
+static INVCAL_ONCE int is_stuck(const invcal_private_rests *s)
 {
     return s->quantum == 0 ||
            ((s->flags & ALL_CHANGED) != ALL_CHANGED && s->noise > quantum_level(s) + ALIVE);
 }
 
 /* What is wrong with it? */
-INVCAL_NOINLINE static invcal_status fault(const invcal_rests *s)
+INVCAL_NOINLINE static invcal_status fault(const invcal_private_rests *s)
 {
     if (s->blocks >= s->least) {
         if (s->drift > 0 && s->stage != HELD) {
@@ -518,14 +518,15 @@ INVCAL_NOINLINE static invcal_status fault(const invcal_rests *s)
     return (s->flags & LOST) != 0 ? INVCAL_REST_GAP : INVCAL_REST_SHORT;
 }
 
-static INVCAL_ONCE invcal_event report(invcal_rests *s, invcal_status why, invcal_event event)
+static INVCAL_ONCE invcal_event report(invcal_private_rests *s, invcal_status why,
+                                       invcal_event event)
 {
     s->reason = (uint8_t)why;
     return event;
 }
 
 /* The rest is over. A very short one is not reported. */
-INVCAL_NOINLINE static invcal_event finish(invcal_rests *s)
+INVCAL_NOINLINE static invcal_event finish(invcal_private_rests *s)
 {
     const invcal_status why = fault(s);
     invcal_event event = INVCAL_MOVING;
@@ -544,14 +545,14 @@ INVCAL_NOINLINE static invcal_event finish(invcal_rests *s)
 }
 
 /* Drift and shortness are not reported yet: the rest may settle, or become long enough. */
-static INVCAL_ONCE int is_news(const invcal_rests *s, invcal_status why)
+static INVCAL_ONCE int is_news(const invcal_private_rests *s, invcal_status why)
 {
     return s->stage != HELD && s->stage != (uint8_t)why && why != INVCAL_REST_DRIFT &&
            why != INVCAL_REST_SHORT && why != INVCAL_REST_GAP;
 }
 
 /* Is there a new event of the rest? */
-static INVCAL_ONCE invcal_event announce(invcal_rests *s)
+static INVCAL_ONCE invcal_event announce(invcal_private_rests *s)
 {
     if (s->blocks >= s->least) {
         s->drift = is_drifting(s) ? (uint8_t)(s->drift + 1u) : 0;
@@ -572,7 +573,7 @@ static INVCAL_ONCE invcal_event announce(invcal_rests *s)
 
 /* A knock passes, motion does not; another place is quiet, but elsewhere. After a shock blocks are
  * not trusted at once, nor after any motion as long as there is no position. */
-INVCAL_NOINLINE static invcal_event disagree(invcal_rests *s, int is_quiet, int excess)
+INVCAL_NOINLINE static invcal_event disagree(invcal_private_rests *s, int is_quiet, int excess)
 {
     if (excess > HARD || (!is_quiet && s->blocks < s->least)) {
         skip(s);
@@ -582,7 +583,7 @@ INVCAL_NOINLINE static invcal_event disagree(invcal_rests *s, int is_quiet, int 
 }
 
 /* The block belongs to the rest. */
-static INVCAL_ONCE invcal_event agree(invcal_rests *s)
+static INVCAL_ONCE invcal_event agree(invcal_private_rests *s)
 {
     s->flags |= s->seen;
     if (s->skip > 0) {
@@ -598,14 +599,14 @@ static INVCAL_ONCE invcal_event agree(invcal_rests *s)
 
 /* No noise, although there was some before; or the same number on all three axes, which no triad
  * delivers: the sensor is not being read. */
-static INVCAL_ONCE int is_dead(const invcal_rests *s, int quantum)
+static INVCAL_ONCE int is_dead(const invcal_private_rests *s, int quantum)
 {
     return s->square == 0 && (s->noise > quantum || (s->axis[0].first == s->axis[1].first &&
                                                      s->axis[1].first == s->axis[2].first));
 }
 
 /* A rest may begin with this block. */
-static INVCAL_ONCE void look_for(invcal_rests *s)
+static INVCAL_ONCE void look_for(invcal_private_rests *s)
 {
     INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
@@ -621,7 +622,7 @@ static INVCAL_ONCE void look_for(invcal_rests *s)
 
 /* The block is alive. Returns by how much it exceeds the limits of the rest, and whether it is
  * quiet. */
-static INVCAL_ONCE int judge(invcal_rests *s, int quantum, int *is_quiet)
+static INVCAL_ONCE int judge(invcal_private_rests *s, int quantum, int *is_quiet)
 {
     const int level = larger(level_of(s->square), quantum + HIDDEN);
     int jump = locate(s);
@@ -642,14 +643,14 @@ static INVCAL_ONCE int judge(invcal_rests *s, int quantum, int *is_quiet)
 }
 
 /* Has it been dead long enough to report, and was this not reported yet? */
-static INVCAL_ONCE int is_frozen(invcal_rests *s)
+static INVCAL_ONCE int is_frozen(invcal_private_rests *s)
 {
     s->run++;
     return s->run >= FREEZE && s->reason != INVCAL_REST_FROZEN;
 }
 
 /* A block is full. Is it quiet, and where it is expected? */
-INVCAL_NOINLINE static invcal_event decide(invcal_rests *s)
+INVCAL_NOINLINE static invcal_event decide(invcal_private_rests *s)
 {
     const int quantum = quantum_level(s);
     int is_quiet = 0;
@@ -673,13 +674,13 @@ INVCAL_NOINLINE static invcal_event decide(invcal_rests *s)
 
 /* ---- sums and means -------------------------------------------------------------------------- */
 
-static INVCAL_ONCE int is_readable(const invcal_rests *s)
+static INVCAL_ONCE int is_readable(const invcal_private_rests *s)
 {
     return s->stage == HELD || s->stage == LEFT;
 }
 
 /* The sum of the raw samples. */
-static int64_t sum_of(const invcal_rests *s, unsigned a)
+static int64_t sum_of(const invcal_private_rests *s, unsigned a)
 {
     const int64_t off = (int64_t)s->axis[a].rest.total;
 
@@ -696,7 +697,7 @@ static invcal_real as_real(uint64_t x)
 
 /* ---- public functions ------------------------------------------------------------------------ */
 
-invcal_status invcal_rests_init(invcal_rests *rests, invcal_real rate)
+invcal_status invcal_rests_init(invcal_private_rests *rests, invcal_real rate)
 {
     INVCAL_ASSERT(rests);
     if (!(rate >= INVCAL_RATE_MIN && rate <= INVCAL_RATE_MAX)) {
@@ -717,7 +718,7 @@ invcal_status invcal_rests_init(invcal_rests *rests, invcal_real rate)
     return invcal_rests_rails(rests, INT32_MIN, INT32_MAX);
 }
 
-invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
+invcal_status invcal_rests_rails(invcal_private_rests *rests, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(rests);
     if (low >= high) {
@@ -728,7 +729,7 @@ invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
     return INVCAL_OK;
 }
 
-void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
+void invcal_rests_hold(invcal_private_rests *rests, uint32_t milliseconds)
 {
     INVCAL_ASSERT(rests);
     const uint32_t time = smaller(milliseconds / 8 + 1, HOUR);
@@ -739,7 +740,7 @@ void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
     }
 }
 
-invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
+invcal_event invcal_rests_feed(invcal_private_rests *rests, const int32_t raw[3])
 {
     INVCAL_ASSERT(rests && raw);
 #if INVCAL_FAST
@@ -753,21 +754,21 @@ invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
     return rests->missing > 0 ? INVCAL_NOTHING : decide(rests);
 }
 
-void invcal_rests_gap(invcal_rests *rests)
+void invcal_rests_gap(invcal_private_rests *rests)
 {
     INVCAL_ASSERT(rests);
     drop(rests);
     rests->flags |= LOST;
 }
 
-invcal_event invcal_rests_finish(invcal_rests *rests)
+invcal_event invcal_rests_finish(invcal_private_rests *rests)
 {
     INVCAL_ASSERT(rests);
     drop(rests);
     return rests->stage == LEFT ? INVCAL_MOVING : finish(rests);
 }
 
-unsigned invcal_rests_progress(const invcal_rests *rests)
+unsigned invcal_rests_progress(const invcal_private_rests *rests)
 {
     INVCAL_ASSERT(rests);
     if (rests->blocks == 0 || rests->stage == LEFT) {
@@ -780,13 +781,13 @@ unsigned invcal_rests_progress(const invcal_rests *rests)
     return (unsigned)smaller(percent, 99);
 }
 
-invcal_status invcal_rests_reason(const invcal_rests *rests)
+invcal_status invcal_rests_reason(const invcal_private_rests *rests)
 {
     INVCAL_ASSERT(rests);
     return (invcal_status)rests->reason;
 }
 
-int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
+int invcal_rests_get(const invcal_private_rests *rests, invcal_rest *out)
 {
     INVCAL_ASSERT(rests && out);
     if (!is_readable(rests)) {
@@ -805,7 +806,7 @@ int invcal_rests_get(const invcal_rests *rests, invcal_rest *out)
 }
 
 /* In two parts, as in as_real: a total has less than 48 bits and a sign. */
-int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3])
+int invcal_rests_mean(const invcal_private_rests *rests, invcal_real mean[3])
 {
     INVCAL_ASSERT(rests && mean);
     if (!is_readable(rests)) {

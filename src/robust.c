@@ -7,39 +7,37 @@
 #include "vector.h"
 
 /* In nominal units, in which no position is too wrong to be tested. Returns the suspected ones. */
-static INVCAL_NOINLINE invcal_set leave_out_outliers(invcal_positions *positions)
+static INVCAL_NOINLINE invcal_set leave_out_outliers(invcal_selection *selection)
 {
     invcal_group g;
     invcal_fit fit;
 
-    fit.positions = *positions;
+    fit.selection = *selection;
     g.suspected = 0;
     while (invcal_fit_solve(&fit) == INVCAL_OK) { /* at most INVCAL_MAX_POSITIONS times */
-        positions->left_out = fit.positions.left_out;
+        selection->left_out = fit.selection.left_out;
         invcal_outliers_search(&fit, &g);
         if (g.group == 0) {
             break;
         }
-        fit.positions.left_out |= g.group;
+        fit.selection.left_out |= g.group;
     }
     return g.suspected;
 }
 
-invcal_status invcal_calibrate_robust(const invcal_real *raw, unsigned count,
-                                      const invcal_calibration *nominal, invcal_real noise,
-                                      invcal_calibration *out, invcal_quality *quality)
+invcal_status invcal_calibrate_robust(const invcal_positions *positions, invcal_calibration *out,
+                                      invcal_quality *quality)
 {
-    invcal_positions positions = {raw, count, 0, nominal, noise};
-
-    INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
-    if (count > INVCAL_MAX_POSITIONS) {
+    INVCAL_ASSERT(invcal_are_given(positions) && out && quality);
+    if (positions->count > INVCAL_MAX_POSITIONS) {
         return INVCAL_BAD_COUNT;
     }
-    const invcal_set suspected = leave_out_outliers(&positions);
-    const invcal_status status = invcal_positions_calibrate(&positions, out, quality);
+    invcal_selection selection = {*positions, 0};
+    const invcal_set suspected = leave_out_outliers(&selection);
+    const invcal_status status = invcal_positions_calibrate(&selection, out, quality);
     if (status == INVCAL_OK) {
         quality->suspected = suspected;
-        if (suspected != 0 || invcal_are_many(quality->positions, count)) {
+        if (suspected != 0 || invcal_are_many(quality->positions, selection.given.count)) {
             invcal_raise(quality, INVCAL_ROUGH);
         }
     }

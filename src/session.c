@@ -8,8 +8,10 @@
 #include <stddef.h>
 
 #include "guidance.h"
+#include "invcal/plan.h"
 #include "invcal/store.h"
 #include "judge.h"
+#include "rests.h"
 #include "session.h"
 #include "solve.h"
 #include "texts.h"
@@ -163,10 +165,10 @@ static INVCAL_ONCE void keep(invcal_session *session)
     if (count == INVCAL_MAX_POSITIONS) {
         count--;
         for (unsigned i = 0; i < count; i++) {
-            invcal_copy(session->mean[i], session->mean[i + 1], sizeof session->mean[0]);
+            invcal_copy(&session->mean[i], &session->mean[i + 1], sizeof session->mean[0]);
         }
     }
-    (void)invcal_rests_mean(&session->rests, session->mean[count]); /* TAKEN: there is one */
+    (void)invcal_rests_mean(&session->rests, session->mean[count].v); /* TAKEN: there is one */
     session->count = (uint8_t)(count + 1u);
     session->good = NOT_ASKED;
 }
@@ -227,6 +229,14 @@ invcal_event invcal_session_end(invcal_session *session)
                                             : refuse_all(session);
 }
 
+static INVCAL_ONCE invcal_positions positions_of(const invcal_session *session)
+{
+    const invcal_positions positions = {session->mean, session->count, &session->nominal,
+                                        session->noise, NULL};
+
+    return positions;
+}
+
 /* ---- instructions ---------------------------------------------------------------------------- */
 
 unsigned invcal_session_progress(const invcal_session *session)
@@ -252,7 +262,8 @@ INVCAL_NOINLINE static int read_last(const invcal_session *session, invcal_row *
     if (session->count == 0) {
         return 0;
     }
-    (void)invcal_observe(&session->nominal, session->mean[session->count - 1], row); /* accepted */
+    (void)invcal_observe(&session->nominal, session->mean[session->count - 1].v,
+                         row); /* accepted */
     return 1;
 }
 
@@ -262,7 +273,7 @@ void invcal_session_next(const invcal_session *session, invcal_real up[3])
     invcal_row row;
 
     INVCAL_ASSERT(session && up);
-    const invcal_positions taken = {session->mean[0], session->count, 0, &session->nominal, 0};
+    const invcal_selection taken = {positions_of(session), 0};
     (void)invcal_positions_sum(&taken, &sums); /* accepted */
     if (session->last != INVCAL_TAKEN && read_rest(session, &row) == INVCAL_OK) {
         invcal_sums_add_row(&sums, &row, 1);
@@ -305,8 +316,8 @@ invcal_status invcal_session_solve(const invcal_session *session, invcal_calibra
         return INVCAL_OK;
     }
 #endif
-    return invcal_calibrate(session->mean[0], session->count, &session->nominal, session->noise,
-                            out, quality);
+    const invcal_positions positions = positions_of(session);
+    return invcal_calibrate(&positions, out, quality);
 }
 
 /* NOT_GOOD, or GOOD with its solution. */
@@ -332,23 +343,4 @@ int invcal_session_is_good(invcal_session *session)
 #endif
     }
     return session->good == GOOD;
-}
-
-/* With few degrees of freedom a sigma counts for more: its 95 % interval over 1.96. */
-int invcal_session_reaches(const invcal_session *session, const invcal_real target[3])
-{
-    invcal_calibration c;
-    invcal_quality q;
-
-    INVCAL_ASSERT(session && target);
-    if (judge_session(session, &c, &q) != GOOD) {
-        return 0;
-    }
-    const invcal_real wider = invcal_coverage(q.sigma_dof) / INVCAL_NORMAL;
-    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        if (!(q.sigma[r] * wider <= target[r / 3])) {
-            return 0;
-        }
-    }
-    return 1;
 }

@@ -12,7 +12,6 @@
 #include <string.h>
 
 #include "sums.h"
-#include "invcal/expert.h"
 #include "vector.h"
 
 /* Of ten: no semi-axis is shorter than 1/10 of nominal, or of another one; the centre is within
@@ -198,8 +197,8 @@ invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibrati
     return invcal_nominal_check(c);
 }
 
-invcal_status invcal_solve(invcal_sums *sums, const invcal_calibration *nominal,
-                           invcal_calibration *out)
+invcal_status invcal_sums_solve(invcal_sums *sums, const invcal_calibration *nominal,
+                                invcal_calibration *out)
 {
     invcal_calibration c;
 

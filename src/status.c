@@ -6,6 +6,8 @@
  */
 #include <limits.h>
 
+#include "bytes.h"
+#include "invcal/result.h"
 #include "texts.h"
 
 const char *invcal_text(const char *texts, unsigned n, unsigned count)
@@ -101,7 +103,7 @@ const char *invcal_verdict_text(invcal_verdict verdict)
     static const char names[] = "good\0no redundancy\0rough\0drifting\0bent\0weak\0"
                                 "unknown verdict";
 
-    return invcal_text(names, (unsigned)verdict, INVCAL_WEAK + 1u);
+    return invcal_text(names, invcal_swap(verdict), invcal_swap(INVCAL_WEAK) + 1u);
 }
 
 const char *invcal_systematic_text(invcal_systematic systematic)
@@ -113,5 +115,5 @@ const char *invcal_systematic_text(invcal_systematic systematic)
                                 "hysteresis\0"
                                 "unknown error";
 
-    return invcal_text(names, (unsigned)systematic, INVCAL_HYSTERESIS + 1u);
+    return invcal_text(names, systematic, INVCAL_HYSTERESIS + 1u);
 }

@@ -8,7 +8,6 @@
 #include <limits.h>
 #include <stddef.h>
 
-#include "invcal/expert.h"
 #include "vector.h"
 
 void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
@@ -112,14 +111,17 @@ void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real w
 }
 
 invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nominal,
-                              const invcal_real raw[3])
+                              const invcal_real mean[3], invcal_real weight)
 {
     invcal_row row;
 
-    INVCAL_ASSERT(sums && nominal && raw);
-    const invcal_status status = invcal_read(nominal, raw, row.h);
+    INVCAL_ASSERT(sums && nominal && mean);
+    if (!invcal_is_positive(weight)) {
+        return INVCAL_BAD_NOISE;
+    }
+    const invcal_status status = invcal_read(nominal, mean, row.h);
     if (status == INVCAL_OK) {
-        invcal_sums_add_row(sums, &row, 1);
+        invcal_sums_add_row(sums, &row, weight);
     }
     return status;
 }

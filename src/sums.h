@@ -6,7 +6,35 @@
 #define INVCAL_SUMS_H
 
 #include "invcal/expert.h"
+#include "invcal/positions.h"
+#include "system.h"
 #include "vector.h"
+
+#define INVCAL_J INVCAL_PARAMETERS /* index of J: after the row */
+
+/* One equation. */
+typedef struct {
+    invcal_real h[INVCAL_PARAMETERS + 1]; /* the row, its first three elements u; then J */
+} invcal_row;
+
+/* The exact row of a reading.
+ *
+ * Returns INVCAL_OK; INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE for a length outside 0.1 ... 10. On
+ * failure row is overwritten. */
+invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_real raw[3],
+                             invcal_row *row);
+
+/* Adds an existing row.
+ *
+ * weight  1 for a position like the others; (sigma_usual / sigma_this)^2 for another precision;
+ *         finite. Checks nothing. */
+void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real weight);
+
+/* No programming error. */
+static inline int invcal_are_given(const invcal_positions *positions)
+{
+    return positions && (positions->mean || positions->count == 0) && positions->nominal;
+}
 
 /* The part of a row after its first three elements g:
  *

@@ -5,7 +5,7 @@
  * row; invcal_back_substitute turns y into p; invcal_invert makes L^-1, from which variances and
  * leverages are sums of squares that cannot become negative.
  */
-#include "invcal/expert.h"
+#include "system.h"
 
 #include "sums.h"
 #include "vector.h"

@@ -47,7 +47,7 @@ static INVCAL_ONCE invcal_real error_of(unsigned kind, invcal_real x, invcal_rea
 static INVCAL_ONCE void sum_columns(const invcal_fit *fit, unsigned kind, unsigned step,
                                     column columns[MORE])
 {
-    const invcal_positions *p = &fit->positions;
+    const invcal_positions *p = &fit->selection.given;
     invcal_real before[3];
     column v;
 
@@ -56,7 +56,7 @@ static INVCAL_ONCE void sum_columns(const invcal_fit *fit, unsigned kind, unsign
         const unsigned passed = step ? k >= step : k;
         const unsigned all = step ? 1 : p->count - 1;
         const invcal_real tau = invcal_number(passed) / invcal_number(all) - INVCAL_REAL(0.5);
-        (void)invcal_read(p->nominal, &p->raw[3 * (size_t)k], v);
+        (void)invcal_read(p->nominal, p->mean[k].v, v);
         v[REST] = v[INVCAL_J];
         INVCAL_UNROLL
         for (unsigned a = 0; a < MORE; a++) {
@@ -67,7 +67,7 @@ static INVCAL_ONCE void sum_columns(const invcal_fit *fit, unsigned kind, unsign
             v[C + a] = x * error_of(kind, x, before[a], tau);
             before[a] = x;
         }
-        if (p->left_out >> k & 1u) {
+        if (fit->selection.left_out >> k & 1u) {
             continue;
         }
         INVCAL_UNROLL

@@ -12,7 +12,6 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "invcal/expert.h"
 #include "judge.h"
 #include "polynomials.h"
 #include "sums.h"
@@ -32,7 +31,7 @@ enum {
 
 /* The state of a fit. */
 typedef struct {
-    const invcal_thermal_positions *positions;
+    const invcal_positions *positions;
     const invcal_thermal *base; /* the mean of a prior */
     invcal_real noise;          /* the weight of a prior, over field */
     invcal_real held[UNKNOWNS]; /* 1 / standard deviation of the prior; 0: none */
@@ -83,7 +82,7 @@ static void add_at(job *j, unsigned n, const invcal_row *row, invcal_real weight
  * judge.c. Both are weighted by the actual noise, 1 / |g|^2. */
 static invcal_status gather(job *j, unsigned n)
 {
-    const invcal_thermal_positions *p = j->positions;
+    const invcal_positions *p = j->positions;
     invcal_calibration triad;
     invcal_real u[3];
     invcal_real g[NINE];
@@ -95,7 +94,7 @@ static invcal_status gather(job *j, unsigned n)
     j->q.positions = 0;
     for (unsigned i = 0; i < p->count; i++) {
         const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
-        invcal_correct(&j->now.nominal, &p->raw[3 * (size_t)i], u);
+        invcal_correct(&j->now.nominal, p->mean[i].v, u);
         invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
         if (status == INVCAL_OK) {
             status = invcal_observe(&triad, u, &row);
@@ -393,18 +392,21 @@ static invcal_status judge_range(job *j, const invcal_real *temperature, unsigne
 
 /* ---- all in one ------------------------------------------------------------------------------ */
 
-static invcal_status find_range(const invcal_real *temperature, unsigned count, invcal_real *min,
+static invcal_status find_range(const invcal_positions *positions, invcal_real *min,
                                 invcal_real *max)
 {
-    for (unsigned i = 0; i < count; i++) {
-        const invcal_real one = temperature[i];
+    if (positions->temperature == NULL && positions->count > 0) {
+        return INVCAL_BAD_TEMPERATURE;
+    }
+    for (unsigned i = 0; i < positions->count; i++) {
+        const invcal_real one = positions->temperature[i];
         if (!invcal_is_finite(one)) {
             return INVCAL_BAD_TEMPERATURE;
         }
         *min = i > 0 && *min < one ? *min : one;
         *max = i > 0 && *max > one ? *max : one;
     }
-    return count > 0 ? INVCAL_OK : INVCAL_TOO_FEW;
+    return positions->count > 0 ? INVCAL_OK : INVCAL_TOO_FEW;
 }
 
 /* What is known beforehand, over the span. */
@@ -428,13 +430,13 @@ static invcal_status set_prior(job *j, const invcal_thermal_prior *prior)
     return j->noise > 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
 }
 
-static invcal_status set_up(job *j, const invcal_thermal_positions *positions,
+static invcal_status set_up(job *j, const invcal_positions *positions,
                             const invcal_thermal_prior *prior, const invcal_thermal *base,
                             unsigned degree)
 {
-    const invcal_positions plain = {positions->raw, positions->count, 0, &base->nominal,
-                                    positions->noise};
+    invcal_positions plain = *positions;
 
+    plain.nominal = &base->nominal;
     invcal_zero(j, sizeof *j);
     j->positions = positions;
     j->base = base;
@@ -444,7 +446,7 @@ static invcal_status set_up(job *j, const invcal_thermal_positions *positions,
                                ? invcal_positions_check(&plain)
                                : INVCAL_BAD_COUNT;
     if (status == INVCAL_OK) {
-        status = find_range(positions->temperature, positions->count, &j->min, &j->max);
+        status = find_range(positions, &j->min, &j->max);
     }
     if (status == INVCAL_OK && (!(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST) ||
                                 !(INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST))) {
@@ -477,18 +479,46 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
     return status == INVCAL_OUT_OF_RANGE ? INVCAL_NOT_ELLIPSOID : status;
 }
 
-invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
+/* The nominal calibration at all temperatures: X = 0. */
+static invcal_status begin(const invcal_positions *positions, invcal_thermal *base)
+{
+    invcal_status status = invcal_nominal_check(positions->nominal);
+
+    invcal_zero(base, sizeof *base);
+    if (status == INVCAL_OK) {
+        status = find_range(positions, &base->min, &base->max);
+    }
+    if (status == INVCAL_OK) {
+        const invcal_real half = base->max / 2 - base->min / 2;
+        base->nominal = *positions->nominal;
+        base->reference = base->min + half;
+        base->span = half >= 1 ? half : 1;
+    }
+    return status;
+}
+
+invcal_status invcal_thermal_fit(const invcal_positions *positions,
                                  const invcal_thermal_prior *prior, const invcal_thermal *base,
                                  unsigned degree, invcal_thermal *out, invcal_quality *quality)
 {
+    invcal_thermal begun;
     job j;
 
-    INVCAL_ASSERT(positions && base && out && quality);
-    const invcal_status status = set_up(&j, positions, prior, base, degree);
+    INVCAL_ASSERT(positions && (base || positions->nominal) && out && quality);
+    invcal_status status = base == NULL ? begin(positions, &begun) : INVCAL_OK;
+    if (status == INVCAL_OK) {
+        status = set_up(&j, positions, prior, base == NULL ? &begun : base, degree);
+    }
     return status == INVCAL_OK ? run(&j, degree, out, quality) : status;
 }
 
-invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
+invcal_status invcal_thermal_calibrate(const invcal_positions *positions, unsigned degree,
+                                       invcal_thermal *out, invcal_quality *quality)
+{
+    return invcal_thermal_fit(positions, NULL, NULL, degree, out, quality);
+}
+
+invcal_status invcal_thermal_judge(const invcal_positions *positions,
                                    const invcal_thermal_prior *prior, const invcal_thermal *thermal,
                                    invcal_real temperature, invcal_quality *quality)
 {
@@ -497,42 +527,4 @@ invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
     INVCAL_ASSERT(positions && thermal && quality);
     const invcal_status status = set_up(&j, positions, prior, thermal, thermal->fitted);
     return status == INVCAL_OK ? judge_range(&j, &temperature, 1, quality) : status;
-}
-
-invcal_status invcal_thermal_start(const invcal_calibration *nominal,
-                                   const invcal_real *temperature, unsigned count,
-                                   invcal_thermal *out)
-{
-    invcal_real min = 0;
-    invcal_real max = 0;
-
-    INVCAL_ASSERT(nominal && (temperature || count == 0) && out);
-    invcal_status status = invcal_nominal_check(nominal);
-    if (status == INVCAL_OK) {
-        status = find_range(temperature, count, &min, &max);
-    }
-    if (status == INVCAL_OK) {
-        const invcal_real half = max / 2 - min / 2;
-        invcal_zero(out, sizeof *out);
-        out->nominal = *nominal;
-        out->reference = min + half;
-        out->span = half >= 1 ? half : 1;
-        out->min = min;
-        out->max = max;
-    }
-    return status;
-}
-
-invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,
-                                       unsigned count, const invcal_calibration *nominal,
-                                       invcal_real noise, invcal_thermal *out,
-                                       invcal_quality *quality)
-{
-    const invcal_thermal_positions positions = {raw, temperature, count, noise};
-    invcal_thermal base;
-
-    INVCAL_ASSERT((raw || count == 0) && nominal && out && quality);
-    const invcal_status status = invcal_thermal_start(nominal, temperature, count, &base);
-    return status == INVCAL_OK ? invcal_thermal_fit(&positions, NULL, &base, DEGREE, out, quality)
-                               : status;
 }

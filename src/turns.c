@@ -280,15 +280,15 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
     return INVCAL_OK;
 }
 
-invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, unsigned count,
+invcal_status invcal_turns_after(invcal_turns *turns, const invcal_vector *mean, unsigned count,
                                  const invcal_calibration *accelerometer, const invcal_moves *moves,
                                  const invcal_imu_settings *settings)
 {
     invcal_imu_work w;
     invcal_imu imu;
 
-    INVCAL_ASSERT(turns && (raw || count == 0) && accelerometer && moves);
-    invcal_status status = invcal_imu_begin(&w, raw, count, accelerometer, moves, settings, &imu);
+    INVCAL_ASSERT(turns && (mean || count == 0) && accelerometer && moves);
+    invcal_status status = invcal_imu_begin(&w, mean, count, accelerometer, moves, settings, &imu);
     const unsigned last = moves->count - w.begin - 1u; /* of the rests; or too large */
     if (status == INVCAL_OK && last >= INVCAL_MAX_MOVES) {
         status = INVCAL_TOO_FEW;
@@ -301,7 +301,7 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, un
         for (unsigned i = 0; i < SIZE; i++) { /* with 9 unknowns the surplus is never read */
             turns->sum[i] = w.noise_square * w.pass.sum[i];
         }
-        invcal_correct(accelerometer, &w.raw[3 * (size_t)last], turns->up);
+        invcal_correct(accelerometer, w.mean[last].v, turns->up);
         scale(turns->up, 1 / INVCAL_SQRT(invcal_dot3(turns->up, turns->up)));
     }
     return status;

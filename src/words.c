@@ -4,7 +4,7 @@
  * first; each other one that is more than 6 degrees above or below the horizon is named as rising,
  * with its sign.
  */
-#include "invcal/invcal.h"
+#include "invcal/plan.h"
 #include "vector.h"
 
 /* Components are counted in parts, 640, so that the last border of tilt, 250, still fits a byte. */

@@ -23,7 +23,7 @@
  *         if (event == INVCAL_TAKEN)
  *             invcal_imu_session_save(&both, &progress);
  *             if (both.moves.count > 12 &&
- *                 invcal_imu_solve(both.session.mean[0], both.session.count,
+ *                 invcal_imu_solve(both.session.mean, both.session.count,
  *                                  &both.session.nominal, &both.moves, NULL, &imu) == INVCAL_OK &&
  *                 imu.verdict == INVCAL_GOOD)
  *                 invcal_imu_save(&imu, &result);
@@ -129,7 +129,8 @@ void invcal_moves_gap(invcal_moves *moves);
  *        nothing.
  *
  * Cost: 1,400 instructions once per 1/8 s. Stack: about 180 bytes. */
-void invcal_moves_follow(invcal_moves *moves, const invcal_rests *rests, invcal_event event);
+void invcal_moves_follow(invcal_moves *moves, const invcal_private_rests *rests,
+                         invcal_event event);
 
 /* Why the move that led to a rest is unusable; INVCAL_OK if it is usable. INVCAL_REST_CLIPPED,
  * INVCAL_MOVE_GAP, INVCAL_MOVE_LONG, INVCAL_NO_SPACE; INVCAL_REST_DRIFT: the biases of its two
@@ -190,7 +191,7 @@ typedef struct {
 
 /* Solves both sensors, or the gyroscope with a calibrated accelerometer.
  *
- * raw            means of the rests, as for invcal_calibrate. They are paired with the rests of
+ * mean           of the rests, raw counts. They are paired with the rests of
  *                moves from the end: the last with the last. If there are more of one, its oldest
  *                are ignored.
  * count          number of means.
@@ -213,7 +214,7 @@ typedef struct {
  *                         none, if too few moves to converge;
  *   INVCAL_MOUNTING       residuals of 0.1 rad, or divergence: call invcal_imu_mounting.
  * Cost: 300,000 instructions per pass for 25 rests and 24 moves. Stack: about 2,400 bytes. */
-invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
+invcal_status invcal_imu_solve(const invcal_vector *mean, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out);
 
@@ -230,7 +231,7 @@ invcal_status invcal_imu_solve(const invcal_real *raw, unsigned count,
  * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_UNDETERMINED: the moves do not distinguish the
  * mountings; INVCAL_BAD_NOMINAL, INVCAL_OUT_OF_RANGE as invcal_imu_solve.
  * Cost: 96 passes, each a third of a pass of the solution. Stack: about 2,500 bytes. */
-invcal_status invcal_imu_mounting(const invcal_real *raw, unsigned count,
+invcal_status invcal_imu_mounting(const invcal_vector *mean, unsigned count,
                                   const invcal_calibration *accelerometer,
                                   const invcal_moves *moves, int8_t axes[3], invcal_real *unit);
 
@@ -404,7 +405,7 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW without a rest; and as invcal_imu_solve for its arguments.
  * Cost: a pass of invcal_imu_solve. Stack: about 2,500 bytes. */
-invcal_status invcal_turns_after(invcal_turns *turns, const invcal_real *raw, unsigned count,
+invcal_status invcal_turns_after(invcal_turns *turns, const invcal_vector *mean, unsigned count,
                                  const invcal_calibration *accelerometer, const invcal_moves *moves,
                                  const invcal_imu_settings *settings);
 

@@ -95,6 +95,19 @@ enum {
  * vertical  a unit vector; any other, or a NaN, does no harm. */
 uint8_t invcal_axis_up(const invcal_real vertical[3]);
 
+/* A direction in words: "+z up"; "+z up, tilt 45 deg, +x rises"; "-z up, tilt 55 deg, +x and -y
+ * rise": from an axis pointing up, tilt the case by that angle (rounded to 5 degrees) so that the
+ * sides named come up. Plain ASCII, terminated by zero.
+ *
+ * up  unit vector; anything else, a NaN too, gives words like any other. Returns text. */
+const char *invcal_direction_text(const invcal_real up[3], char text[INVCAL_TEXT_SIZE]);
+
+/* Is the position that is READY, or else the last one, within 20 degrees of a direction, such as
+ * that of a program (plan.h)? Returns 1 or 0; 0 if there is neither.
+ *
+ * up  unit vector. */
+int invcal_session_is_at(const invcal_session *session, const invcal_real up[3]);
+
 #ifdef __cplusplus
 }
 #endif

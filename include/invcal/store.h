@@ -189,7 +189,7 @@ invcal_status invcal_store_erase(const invcal_store *store);
  *      12   4     date                          44   4     condition
  *      16   2     positions                     48   12    offset x, y, z
  *      18   2     weak                          60   36    matrix by rows
- *      20   2     from_prior                    96   36    sigma of the nine parameters
+ *      20   2     held                          96   36    sigma of the nine parameters
  *      22   1     verdict                      132   4     CRC
  *      23   1     temperature_known
  *      24   4     field
@@ -212,7 +212,7 @@ typedef struct {
     uint32_t date;                        /* when: in any unit, such as seconds since your epoch */
     uint16_t positions;                   /* of invcal_quality */
     uint16_t weak;                        /* of invcal_quality */
-    uint16_t from_prior;                  /* bit r: of invcal_calibrate_prior (expert.h) */
+    uint16_t held;                        /* of invcal_quality */
     uint8_t verdict;                      /* of invcal_quality */
     uint8_t temperature_known;            /* 1: temperature is known; 0: temperature is 0 */
 } invcal_record;
@@ -254,7 +254,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
  * the structure refuses them. A table of another size accepts them if they fit. */
 #define INVCAL_SESSION_SIZE                                                                        \
     ((uint32_t)(offsetof(invcal_session, mean) +                                                   \
-                sizeof(invcal_real[INVCAL_MAX_POSITIONS][3]))) /* bytes at most */
+                INVCAL_MAX_POSITIONS * sizeof(invcal_vector))) /* bytes at most */
 
 /* The number of bytes to save, from the beginning of a session. Without an invcal_store, save these
  * yourself. */

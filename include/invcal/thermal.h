@@ -22,6 +22,7 @@
 #ifndef INVCAL_THERMAL_H
 #define INVCAL_THERMAL_H
 
+#include "invcal/positions.h"
 #include "invcal/store.h"
 
 #ifdef __cplusplus
@@ -68,7 +69,8 @@ invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real tempe
 /* ---- the fit --------------------------------------------------------------------------------- */
 
 /* Why the degree is lower than requested: the obstacle to the next higher one. */
-typedef enum {
+typedef uint8_t invcal_thermal_fallback;
+enum {
     INVCAL_THERMAL_AS_ASKED, /* it is not lower */
     INVCAL_THERMAL_FEW,      /* fewer positions than coefficients without a prior: 9 (degree + 1) */
     INVCAL_THERMAL_NARROW, /* temperatures span less than 5 K per degree, and there is no prior: the
@@ -76,66 +78,34 @@ typedef enum {
     INVCAL_THERMAL_OPEN    /* the positions leave slopes open: some coefficient's sqrt(K) exceeds
                                 10. Temperatures fill less than 8 % of the span, are only two for a
                                 parabola, or one of two has too few orientations */
-} invcal_thermal_fallback;
+};
 
 /* A phrase for it, in read-only memory. Any other value: "unknown reason". */
 const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback);
 
 /* Calibrates from position means and their temperatures.
  *
- * raw          3 * count numbers, as invcal_calibrate. At least nine positions for each
- *              coefficient, at different temperatures; twelve to eighteen at each are good, in any
- *              order.
- * temperature  count numbers: the mean over each rest, see invcal_thermal_drift_limit.
- * count, nominal, noise  as invcal_calibrate.
- * out          reference and span are the middle and half the range of the temperatures, at least
- *              1 K.
- * quality      sigma at the reference; elsewhere: invcal_thermal_judge. All other members are of
- *              the whole range, and of all positions and coefficients.
+ * positions  with temperatures, the mean over each rest, which should not drift by more than
+ *            2 noise / slope: 0.2 K, if neither is known. At least nine positions for each
+ *            coefficient, at different temperatures; twelve to eighteen at each are good, in any
+ *            order. Any number.
+ * degree     highest degree to fit: 0 (constants), 1 (slopes), 2 (parabolas); at most
+ *            INVCAL_THERMAL_DEGREE of the library.
+ * out        reference and span are the middle and half the range of the temperatures, at least
+ *            1 K.
+ * quality    sigma at the reference; elsewhere: invcal_thermal_judge. All other members are of
+ *            the whole range, and of all positions and coefficients.
  *
  * Slopes that the positions leave open are omitted, and out->fallback gives the reason: that is not
  * a failure. But without slopes over 5 K or more everything is weak, since the actual slopes then
- * pass for other errors, which residuals need not show; not if INVCAL_THERMAL_DEGREE is 0.
+ * pass for other errors, which residuals need not show; not if degree is 0.
  *
- * Returns as invcal_calibrate, and INVCAL_BAD_TEMPERATURE for one that is not finite.
- * Cost: 350,000 instructions for 36 positions (degree 1). Stack: 1.3, 2.0, 3.0 KB for degree 0, 1,
- * 2. */
-invcal_status invcal_thermal_calibrate(const invcal_real *raw, const invcal_real *temperature,
-                                       unsigned count, const invcal_calibration *nominal,
-                                       invcal_real noise, invcal_thermal *out,
-                                       invcal_quality *quality);
-
-/* The max drift of temperature in a rest, K from min to max: 2 noise / slope. The error of a
- * thermometer that lags behind the sensor is at most half the drift, and its effect then at most
- * the noise of a position. (The drift itself does no harm: the mean reading belongs to the mean
- * temperature.)
- *
- * noise  of a position mean, over field; 0: not known, 1e-4.
- * slope  the largest one of an offset, 1/K; 0: not known, 1 mg/K. Both unknown give 0.2 K.
- *
- * Returns 0, no drift at all, for a noise or slope that is negative or NaN. */
-invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope);
-
-/* ---- by parts, for other choices ------------------------------------------------------------- */
-
-/* Positions with temperatures and noise: see invcal_thermal_calibrate. */
-typedef struct {
-    const invcal_real *raw;         /* 3 * count numbers */
-    const invcal_real *temperature; /* count numbers */
-    unsigned count;                 /* of the positions */
-    invcal_real noise;              /* of a position mean, over field; 0: not known */
-} invcal_thermal_positions;
-
-/* Makes a base of the nominal calibration only: X = 0 at all temperatures.
- *
- * temperature  count numbers, those of the positions or the ends of the range of use: they
- *              determine reference and span, as in invcal_thermal_calibrate.
- *
- * Returns INVCAL_OK; INVCAL_BAD_NOMINAL, INVCAL_BAD_TEMPERATURE, INVCAL_TOO_FEW if there are
- * none. */
-invcal_status invcal_thermal_start(const invcal_calibration *nominal,
-                                   const invcal_real *temperature, unsigned count,
-                                   invcal_thermal *out);
+ * Returns as invcal_calibrate_plain; INVCAL_BAD_TEMPERATURE if there are none, or one is not
+ * finite; INVCAL_BAD_COUNT for the degree.
+ * Cost: 350,000 instructions for 36 positions (degree 1). Stack: 1.3, 2.0, 3.0 KB for an
+ * INVCAL_THERMAL_DEGREE of 0, 1, 2. */
+invcal_status invcal_thermal_calibrate(const invcal_positions *positions, unsigned degree,
+                                       invcal_thermal *out, invcal_quality *quality);
 
 /* What is known beforehand of X against the base, as standard deviations about 0: sigma[0] of X at
  * the reference, sigma[1] of its slopes (per K), sigma[2] of its curvature terms (per K^2); 0: not
@@ -144,7 +114,7 @@ typedef struct {
     invcal_real sigma[INVCAL_THERMAL_ROWS][INVCAL_PARAMETERS]; /* 0: not known */
 } invcal_thermal_prior;
 
-/* Solves for the deviation of the positions from the base, and corrects it.
+/* The same with an earlier calibration, or with what is known beforehand.
  *
  * A base with slopes keeps them if the positions determine no others: a few positions at one
  * temperature, degree 0, renew offsets, scales and angles of a calibration that has aged. The range
@@ -154,14 +124,13 @@ typedef struct {
  *         slope even one temperature is enough. If the residuals show more noise than stated,
  *         theirs, quality->noise, weighs the prior: judge with that. Where sigma is more than 0.7
  *         of its prior, that parameter is determined by the prior more than by the positions.
- * base    of invcal_thermal_start, or an earlier calibration; may equal out.
- * degree  highest degree to fit.
+ * base    null: positions->nominal at all temperatures; or an earlier calibration, which replaces
+ *         it; may equal out.
  *
  * Returns as invcal_thermal_calibrate; INVCAL_BAD_TEMPERATURE also for one more than two spans from
- * the reference, INVCAL_BAD_COUNT for a degree, that of the base too, above INVCAL_THERMAL_DEGREE,
- * INVCAL_BAD_NOISE for a prior without it, INVCAL_BAD_PRIOR for one that is negative or not
+ * the reference, INVCAL_BAD_COUNT also for the degree of the base, INVCAL_BAD_NOISE for a prior without it, INVCAL_BAD_PRIOR for one that is negative or not
  * finite. */
-invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
+invcal_status invcal_thermal_fit(const invcal_positions *positions,
                                  const invcal_thermal_prior *prior, const invcal_thermal *base,
                                  unsigned degree, invcal_thermal *out, invcal_quality *quality);
 
@@ -172,7 +141,7 @@ invcal_status invcal_thermal_fit(const invcal_thermal_positions *positions,
  * temperature       outside the range seen: at its edge, where the value is held.
  *
  * Returns as invcal_thermal_fit. */
-invcal_status invcal_thermal_judge(const invcal_thermal_positions *positions,
+invcal_status invcal_thermal_judge(const invcal_positions *positions,
                                    const invcal_thermal_prior *prior, const invcal_thermal *thermal,
                                    invcal_real temperature, invcal_quality *quality);
 

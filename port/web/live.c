@@ -107,7 +107,7 @@ void EXPORT(uncertainty)(unsigned n)
 
     invcal_sums_init(&sums);
     for (unsigned i = 0; i < session.count; i++) {
-        (void)invcal_sums_add(&sums, &session.nominal, session.mean[i]);
+        (void)invcal_sums_add(&sums, &session.nominal, session.mean[i], 1);
     }
     const invcal_real ridge = 1e-5 * (10 + invcal_trace(sums.sum, INVCAL_PARAMETERS));
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {

@@ -86,22 +86,22 @@ static void bench_core(void)
     begin();
     invcal_sums_init(&sums);
     for (unsigned i = 0; i < POSITIONS; i++) {
-        (void)invcal_sums_add(&sums, &nominal, raw[i]);
+        (void)invcal_sums_add(&sums, &nominal, raw[i], 1);
     }
-    const invcal_status status = invcal_solve(&sums, &nominal, &calibration);
+    const invcal_status status = invcal_sums_solve(&sums, &nominal, &calibration);
     report("18_positions_and_solve", end());
     if (status != INVCAL_OK) {
         board_exit(1);
     }
     invcal_sums_init(&sums);
     for (unsigned i = 1; i < POSITIONS; i++) {
-        (void)invcal_sums_add(&sums, &nominal, raw[i]);
+        (void)invcal_sums_add(&sums, &nominal, raw[i], 1);
     }
     begin();
-    (void)invcal_sums_add(&sums, &nominal, raw[0]);
+    (void)invcal_sums_add(&sums, &nominal, raw[0], 1);
     report("add_position", end());
     begin();
-    (void)invcal_solve(&sums, &nominal, &calibration);
+    (void)invcal_sums_solve(&sums, &nominal, &calibration);
     report("solve", end());
     begin();
     for (unsigned i = 0; i < REPEATS; i++) {
@@ -273,24 +273,25 @@ static void bench_all(void)
     uint16_t set;
 
     begin();
-    const invcal_status status =
-        invcal_calibrate_plain(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
+    const invcal_status status = invcal_calibrate_plain(
+        POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), &calibration, &quality);
     report("18_positions_and_everything", end());
     if (status != INVCAL_OK || quality.verdict != INVCAL_GOOD) {
         board_exit(1);
     }
     begin();
-    (void)invcal_calibrate(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
+    (void)invcal_calibrate(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), &calibration, &quality);
     report("judged_18_positions", end());
     begin();
-    (void)invcal_calibrate_robust(raw[0], POSITIONS, &nominal, 0, &calibration, &quality);
+    (void)invcal_calibrate_robust(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), &calibration,
+                                  &quality);
     report("robust_18_positions", end());
     begin();
-    (void)invcal_calibrate_prior(raw[0], POSITIONS, &nominal, INVCAL_REAL(0.001), prior,
-                                 &calibration, &quality, &set);
+    (void)invcal_calibrate_prior(POSITIONS_OF(raw[0], POSITIONS, &nominal, INVCAL_REAL(0.001)),
+                                 prior, &calibration, &quality) /*HELD &set*/;
     report("18_positions_with_prior", end());
     begin();
-    set = invcal_undetermined(raw[0], POSITIONS, &nominal);
+    set = invcal_undetermined(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0));
     report("undetermined", end());
     if (set != 0) {
         board_exit(1);
@@ -308,8 +309,9 @@ static void bench_six_faces(void)
         face[i][i / 2] = i % 2 ? -8100 : 8300;
     }
     begin();
-    const invcal_status status = invcal_calibrate_faces(
-        face[0], 6, &nominal, INVCAL_REAL(0.001), INVCAL_CROSS_AXIS, &calibration, &quality, &held);
+    const invcal_status status =
+        invcal_calibrate_faces(POSITIONS_OF(face[0], 6, &nominal, INVCAL_REAL(0.001)),
+                               INVCAL_CROSS_AXIS, &calibration, &quality) /*HELD &held*/;
     report("six_faces", end());
     if (status != INVCAL_OK || held != 7u << INVCAL_GAMMA_XY) {
         board_exit(1);
@@ -386,7 +388,7 @@ static void bench_session(void)
 
     report("feed_100_Hz", feed(100));
     begin();
-    invcal_next(raw[0], POSITIONS, &nominal, up);
+    invcal_next(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), up);
     report("next_orientation", end());
 }
 
@@ -530,8 +532,9 @@ static void bench_thermal(void)
         }
     }
     begin();
-    const invcal_status status = invcal_thermal_calibrate(means[0], temperature, 2 * POSITIONS,
-                                                          &nominal, 0, &thermal, &quality);
+    const invcal_status status =
+        invcal_thermal_calibrate(POSITIONS_AT(means[0], temperature, 2 * POSITIONS, &nominal, 0),
+                                 INVCAL_THERMAL_DEGREE, &thermal, &quality);
     report("36_positions_thermal", end());
     if (status != INVCAL_OK || thermal.fitted != INVCAL_THERMAL_DEGREE) {
         board_exit(1);
@@ -585,7 +588,7 @@ static void bench_gyro(void)
         count += end();
     }
     report("gyro_feed", count / BLOCK);
-    invcal_rests rests = session.rests;
+    invcal_private_rests rests = session.rests;
     rests.pended = 0;
     count = 0;
     for (unsigned i = 0; i < BLOCK; i++) {
@@ -600,7 +603,7 @@ static void bench_gyro(void)
     make_moves();
     begin();
     const invcal_status status =
-        invcal_imu_solve(session.mean[0], INVCAL_MAX_POSITIONS, &nominal, &moves, NULL, &imu);
+        invcal_imu_solve(session.mean, INVCAL_MAX_POSITIONS, &nominal, &moves, NULL, &imu);
     count = end();
     if (status != INVCAL_OK) {
         board_exit(1);

@@ -22,13 +22,13 @@ static void calibrate(const char *name, unsigned count, float noise)
 {
     invcal_calibration calibration;
     invcal_quality quality;
-    const invcal_status status =
-        invcal_calibrate_plain(raw[0], count, &nominal, noise, &calibration, &quality);
+    const invcal_status status = invcal_calibrate_plain(
+        POSITIONS_OF(raw[0], count, &nominal, noise), &calibration, &quality);
 
     begin_set(name, status);
     if (status != INVCAL_OK) {
-        digest_bits("position", invcal_bad_reading(raw[0], count, &nominal));
-        digest_bits("undetermined", invcal_undetermined(raw[0], count, &nominal));
+        digest_bits("position", invcal_bad_reading(POSITIONS_OF(raw[0], count, &nominal, 0)));
+        digest_bits("undetermined", invcal_undetermined(POSITIONS_OF(raw[0], count, &nominal, 0)));
         return;
     }
     digest_calibration(&calibration, &nominal);
@@ -87,8 +87,9 @@ static void sets_with_a_prior(void)
         invcal_quality quality;
         uint16_t from_prior = 0;
         input_positions(raw, count, 0.02f, 1e-3f);
-        const invcal_status status = invcal_calibrate_prior(raw[0], count, &nominal, 1e-3f, prior,
-                                                            &calibration, &quality, &from_prior);
+        const invcal_status status =
+            invcal_calibrate_prior(POSITIONS_OF(raw[0], count, &nominal, 1e-3f), prior,
+                                   &calibration, &quality) /*HELD &from_prior*/;
         begin_set("prior", status);
         if (status == INVCAL_OK) {
             digest_calibration(&calibration, &nominal);
@@ -110,8 +111,9 @@ static void six_faces(void)
         }
         raw[i][i / 2] += i % 2 ? -4060 : 4150;
     }
-    const invcal_status status = invcal_calibrate_faces(
-        raw[0], 6, &nominal, 1e-3f, INVCAL_CROSS_AXIS, &calibration, &quality, &held);
+    const invcal_status status =
+        invcal_calibrate_faces(POSITIONS_OF(raw[0], 6, &nominal, 1e-3f), INVCAL_CROSS_AXIS,
+                               &calibration, &quality) /*HELD &held*/;
     begin_set("six faces", status);
     digest_calibration(&calibration, &nominal);
     digest_quality(&quality, &nominal);
@@ -125,7 +127,7 @@ static void judge(const char *name, unsigned count)
     invcal_calibration calibration;
     invcal_quality quality;
     const invcal_status status =
-        invcal_calibrate(raw[0], count, &nominal, 0, &calibration, &quality);
+        invcal_calibrate(POSITIONS_OF(raw[0], count, &nominal, 0), &calibration, &quality);
 
     begin_set(name, status);
     if (status == INVCAL_OK) {
@@ -168,13 +170,13 @@ static void robust(void)
     input_positions(raw, 18, 0.02f, 1e-3f);
     raw[7][0] -= 300;
     const invcal_status status =
-        invcal_calibrate_robust(raw[0], 18, &nominal, 1e-3f, &calibration, &quality);
+        invcal_calibrate_robust(POSITIONS_OF(raw[0], 18, &nominal, 1e-3f), &calibration, &quality);
     begin_set("robust", status);
     digest_calibration(&calibration, &nominal);
     digest_quality(&quality, &nominal);
-    invcal_next(raw[0], 18, &nominal, up);
+    invcal_next(POSITIONS_OF(raw[0], 18, &nominal, 0), up);
     digest_reals("next", up, 3);
-    invcal_prospect(raw[0], 18, &nominal, up, root);
+    invcal_prospect(POSITIONS_OF(raw[0], 18, &nominal, 0), up, root);
     digest_reals("root", root, INVCAL_PARAMETERS);
 }
 

@@ -61,23 +61,23 @@ static void level(void)
 }
 
 /* The sums of a stand whose axes are known, and of one whose are not. */
-static void add_to(invcal_linear_sums *linear, invcal_full_vector *full, const float vertical[3])
+static void add_to(invcal_directions *linear, invcal_full_vector *full, const float vertical[3])
 {
     float raw[3];
 
     read_askew(vertical, raw);
     digest_bits("added", invcal_full_vector_add(full, &nominal, raw, vertical));
-    digest_bits("added", invcal_linear_add_vertical(linear, &nominal, raw, vertical));
-    digest_bits("added", invcal_linear_add_scalar(linear, &nominal, raw, vertical));
+    digest_bits("added", invcal_directions_add(linear, &nominal, raw, vertical));
+    digest_bits("added", invcal_directions_add_scalar(linear, &nominal, raw, vertical));
 }
 
-static void solve_linear(invcal_linear_sums *linear)
+static void solve_linear(invcal_directions *linear)
 {
     invcal_calibration calibration;
     float x[INVCAL_PARAMETERS];
 
     digest_set("linear");
-    digest_bits("status", invcal_linear_solve(linear, &nominal, &calibration, x));
+    digest_bits("status", invcal_directions_solve(linear, &nominal, &calibration, x));
     digest_calibration(&calibration, &nominal);
     digest_reals("x", x, INVCAL_PARAMETERS);
 }
@@ -85,13 +85,13 @@ static void solve_linear(invcal_linear_sums *linear)
 static void stand(void)
 {
     invcal_plan plan = {.per_group = 6, .start = {0, 0, 0}};
-    invcal_linear_sums linear;
+    invcal_directions linear;
     invcal_full_vector full;
     invcal_calibration calibration;
     float x[INVCAL_PARAMETERS], mounting[3][3];
 
     digest_set("stand");
-    invcal_linear_init(&linear);
+    invcal_directions_init(&linear);
     digest_bits("starts", invcal_plan_starts(plan.per_group, plan.start));
     digest_reals("start", plan.start, INVCAL_PLAN_GROUPS);
     invcal_full_vector_init(&full);

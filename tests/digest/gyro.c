@@ -148,7 +148,7 @@ static void solve(void)
     const invcal_imu_settings usual = INVCAL_IMU_USUAL;
 
     digest_set("solution");
-    digest_bits("status", invcal_imu_solve(both.session.mean[0], both.session.count,
+    digest_bits("status", invcal_imu_solve(both.session.mean, both.session.count,
                                            &both.session.nominal, &both.moves, &usual, &imu));
     digest_calibration(&imu.gyro, &both.moves.nominal);
     digest_calibration(&imu.accelerometer, &both.session.nominal);
@@ -191,7 +191,7 @@ static void mounting(void)
     float unit = 0;
 
     digest_set("mounting");
-    digest_bits("status", invcal_imu_mounting(both.session.mean[0], both.session.count,
+    digest_bits("status", invcal_imu_mounting(both.session.mean, both.session.count,
                                               &both.session.nominal, &both.moves, axes, &unit));
     for (int i = 0; i < 3; i++) {
         digest_bits("axis", (uint8_t)axes[i]);
@@ -232,6 +232,6 @@ void part_gyro(void)
     mounting();
     plan("turns from the beginning", &turns, invcal_turns_begin(&turns, up, NULL));
     plan("turns after these", &turns,
-         invcal_turns_after(&turns, both.session.mean[0], both.session.count, &both.session.nominal,
+         invcal_turns_after(&turns, both.session.mean, both.session.count, &both.session.nominal,
                             &both.moves, NULL));
 }

@@ -98,8 +98,9 @@ void part_thermal(void)
     input_nominal(&nominal);
     make_positions();
     digest_set("fit");
-    digest_bits("status", invcal_thermal_calibrate(means[0], temperature, COUNT, &nominal, 0,
-                                                   &thermal, &quality));
+    digest_bits("status",
+                invcal_thermal_calibrate(POSITIONS_AT(means[0], temperature, COUNT, &nominal, 0),
+                                         INVCAL_THERMAL_DEGREE, &thermal, &quality));
     thermal_results(&thermal);
     digest_quality(&quality, &nominal);
     at_temperatures(&thermal);

@@ -160,12 +160,14 @@ static void prospect(const drive_state *d)
     invcal_real up[3];
 
     ask_next(d, up);
-    invcal_prospect(raw, session->count, &session->nominal, NULL, before);
-    invcal_prospect(raw, session->count, &session->nominal, up, after);
+    invcal_prospect(POSITIONS_OF(raw, session->count, &session->nominal, 0), NULL, before);
+    invcal_prospect(POSITIONS_OF(raw, session->count, &session->nominal, 0), up, after);
     require_sigma(before, INVCAL_PARAMETERS);
     require_sigma(after, INVCAL_PARAMETERS);
-    REQUIRE(invcal_undetermined(raw, session->count, &session->nominal) < 1u << INVCAL_PARAMETERS);
-    REQUIRE(invcal_bad_reading(raw, session->count, &session->nominal) == session->count);
+    REQUIRE(invcal_undetermined(POSITIONS_OF(raw, session->count, &session->nominal, 0)) <
+            1u << INVCAL_PARAMETERS);
+    REQUIRE(invcal_bad_reading(POSITIONS_OF(raw, session->count, &session->nominal, 0)) ==
+            session->count);
 }
 
 /* Power off and on: the session is begun as it was, and goes on. */

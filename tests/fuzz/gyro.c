@@ -13,7 +13,7 @@
 enum { MOST = 40, BITS = 3 };
 
 static invcal_moves moves;
-static invcal_rests rests;
+static invcal_private_rests rests;
 static double up[3];          /* as the samples turn it, if they are those of a hand */
 static double resting[3];     /* in the newest quiet block */
 static double taken[MOST][3]; /* in the rests */
@@ -129,8 +129,9 @@ static void solve(source *s)
         prior[i] = take_real(s, INVCAL_REAL(0.05));
     }
     settings.prior = take_byte(s) % 2 ? prior : NULL;
-    const invcal_status status = invcal_imu_solve(&mean[0][0], count, &c.nominal, &moves,
-                                                  take_byte(s) % 4 ? &settings : NULL, &out);
+    const invcal_status status =
+        invcal_imu_solve((const invcal_vector *)&mean[0][0], count, &c.nominal, &moves,
+                         take_byte(s) % 4 ? &settings : NULL, &out);
     REQUIRE(*invcal_status_text(status) != '\0');
     if (status == INVCAL_OK) {
         require_finite(out.gyro.offset, 3);
@@ -143,7 +144,8 @@ static void solve(source *s)
     }
     REQUIRE(status != INVCAL_UNDETERMINED || out.open < 1u << INVCAL_IMU_PARAMETERS);
     mark(axes, sizeof axes);
-    if (invcal_imu_mounting(&mean[0][0], count, &c.nominal, &moves, axes, &unit) != INVCAL_OK) {
+    if (invcal_imu_mounting((const invcal_vector *)&mean[0][0], count, &c.nominal, &moves, axes,
+                            &unit) != INVCAL_OK) {
         require_mark(axes, sizeof axes);
     }
 }

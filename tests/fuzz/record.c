@@ -129,7 +129,7 @@ static void look_at_both(const uint8_t *bytes, uint32_t size)
         return;
     }
     REQUIRE(both.moves.count <= INVCAL_MAX_MOVES && both.moves.used <= INVCAL_MAX_SEGMENTS);
-    (void)invcal_imu_solve(both.session.mean[0], both.session.count, &both.session.nominal,
+    (void)invcal_imu_solve(both.session.mean, both.session.count, &both.session.nominal,
                            &both.moves, NULL, &imu);
     source s = {bytes, size};
     while (s.left > 0) {
@@ -168,7 +168,8 @@ static void look_at_session(const uint8_t *bytes, uint32_t size)
     (void)invcal_session_solve(&session, &calibration, &quality);
     invcal_session_next(&session, up);
     require_finite(up, 3);
-    if (invcal_bad_reading(session.mean[0], session.count, &session.nominal) == session.count) {
+    if (invcal_bad_reading(POSITIONS_OF(session.mean[0], session.count, &session.nominal, 0)) ==
+        session.count) {
         source s = {bytes + length, size - length};
         drive(&session, NULL, &s);
     }

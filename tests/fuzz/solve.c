@@ -66,7 +66,7 @@ static invcal_sums sums_of_rows(source *s, const conditions *c)
         const invcal_sums before = sums;
         const invcal_status status = invcal_observe(&c->nominal, raw, &row);
         if (take_byte(s) % 4 == 0) {
-            REQUIRE(invcal_sums_add(&sums, &c->nominal, raw) == status);
+            REQUIRE(invcal_sums_add(&sums, &c->nominal, raw, 1) == status);
             REQUIRE(status == INVCAL_OK || memcmp(&before, &sums, sizeof sums) == 0);
         } else if (status == INVCAL_OK) {
             invcal_sums_add_row(&sums, &row, take_weight(s));
@@ -85,7 +85,7 @@ static void solve(invcal_sums *sums, const conditions *c)
     invcal_calibration out;
 
     mark(&out, sizeof out);
-    if (invcal_solve(sums, &c->nominal, &out) != INVCAL_OK) {
+    if (invcal_sums_solve(sums, &c->nominal, &out) != INVCAL_OK) {
         require_mark(&out, sizeof out);
     } else if (invcal_nominal_check(&c->nominal) == INVCAL_OK) {
         require_solution(&out, c);
@@ -101,22 +101,22 @@ static void solve_linear(source *s, const conditions *c)
     invcal_real raw[3];
     invcal_real eta[3];
     invcal_calibration out;
-    invcal_linear_sums linear;
+    invcal_directions linear;
 
-    invcal_linear_init(&linear);
+    invcal_directions_init(&linear);
     for (unsigned i = 0; i < count; i++) {
         take_reading(s, i, raw);
         direction_of(i, eta);
         eta[i % 3] = take_real(s, eta[i % 3]);
-        const invcal_linear_sums before = linear;
+        const invcal_directions before = linear;
         const invcal_status status =
-            is_vertical ? invcal_linear_add_vertical(&linear, &c->nominal, raw, eta)
-                        : invcal_linear_add_scalar(&linear, &c->nominal, raw, eta);
+            is_vertical ? invcal_directions_add(&linear, &c->nominal, raw, eta)
+                        : invcal_directions_add_scalar(&linear, &c->nominal, raw, eta);
         REQUIRE(status == INVCAL_OK || memcmp(&before, &linear, sizeof linear) == 0);
     }
     mark(&out, sizeof out);
     mark(x, sizeof x);
-    if (invcal_linear_solve(&linear, &c->nominal, &out, x) != INVCAL_OK) {
+    if (invcal_directions_solve(&linear, &c->nominal, &out, x) != INVCAL_OK) {
         require_mark(&out, sizeof out);
         require_mark(x, sizeof x);
         return;
@@ -205,7 +205,7 @@ static unsigned take_means(source *s, invcal_real mean[MOST][3])
 static void look_at_guidance(const invcal_real *raw, unsigned count, const conditions *c, source *s)
 {
     const int is_nominal = invcal_nominal_check(&c->nominal) == INVCAL_OK;
-    const unsigned bad = invcal_bad_reading(raw, count, &c->nominal);
+    const unsigned bad = invcal_bad_reading(POSITIONS_OF(raw, count, &c->nominal, 0));
     invcal_real root[INVCAL_PARAMETERS];
     invcal_real up[3];
     invcal_row row;
@@ -218,10 +218,11 @@ static void look_at_guidance(const invcal_real *raw, unsigned count, const condi
     if (!is_nominal) {
         return;
     }
-    REQUIRE(invcal_undetermined(raw, count, &c->nominal) < 1u << INVCAL_PARAMETERS);
-    invcal_next(raw, count, &c->nominal, up);
+    REQUIRE(invcal_undetermined(POSITIONS_OF(raw, count, &c->nominal, 0)) <
+            1u << INVCAL_PARAMETERS);
+    invcal_next(POSITIONS_OF(raw, count, &c->nominal, 0), up);
     require_direction(up);
-    invcal_prospect(raw, count, &c->nominal, take_byte(s) % 2 ? up : NULL, root);
+    invcal_prospect(POSITIONS_OF(raw, count, &c->nominal, 0), take_byte(s) % 2 ? up : NULL, root);
     require_sigma(root, INVCAL_PARAMETERS);
 }
 
@@ -247,8 +248,9 @@ static void calibrate(source *s)
 
     mark(&out, sizeof out);
     mark(&quality, sizeof quality);
-    if (invcal_calibrate_without(&mean[0][0], count, left_out & all, &c.nominal, c.noise, &out,
-                                 &quality) == INVCAL_OK) {
+    if (invcal_positions_calibrate(
+            SELECTION(&mean[0][0], count, left_out & all, &c.nominal, c.noise), &out, &quality) ==
+        INVCAL_OK) {
         require_solution(&out, &c);
         invcal_mask of_these = left_out & all;
         of_these &= count < INVCAL_MAX_POSITIONS ? ((invcal_mask)1 << count) - 1 : all;
@@ -276,8 +278,9 @@ static void calibrate_six_faces(const invcal_real *mean, unsigned count, const c
     mark(&out, sizeof out);
     mark(&quality, sizeof quality);
     mark(&held, sizeof held);
-    if (invcal_calibrate_faces(mean, count, &c->nominal, c->noise, gamma, &out, &quality, &held) !=
-        INVCAL_OK) {
+    if (invcal_calibrate_faces(POSITIONS_OF(mean, count, &c->nominal, c->noise), gamma, &out,
+                               &quality) /*HELD &held*/
+        != INVCAL_OK) {
         require_mark(&out, sizeof out);
         require_mark(&quality, sizeof quality);
         require_mark(&held, sizeof held);
@@ -288,7 +291,7 @@ static void calibrate_six_faces(const invcal_real *mean, unsigned count, const c
     REQUIRE(count >= 6 && gamma > 0 && gamma < 1);
     REQUIRE((held & ~angles) == 0 && (quality.weak & angles) == 0);
     REQUIRE((quality.weak != 0) == (quality.verdict == INVCAL_WEAK));
-    const invcal_real right = invcal_accuracy_held(&quality, held, 0);
+    const invcal_real right = invcal_accuracy(&quality, 0) /*HELD held*/;
     REQUIRE(right >= 0 && right <= invcal_accuracy(&quality, 0) * (1 + 8 * INVCAL_EPSILON));
 }
 
@@ -306,8 +309,9 @@ static void calibrate_with_prior(source *s)
     mark(&out, sizeof out);
     mark(&quality, sizeof quality);
     mark(&from_prior, sizeof from_prior);
-    if (invcal_calibrate_prior(&mean[0][0], count, &c.nominal, c.noise, c.prior, &out, &quality,
-                               &from_prior) != INVCAL_OK) {
+    if (invcal_calibrate_prior(POSITIONS_OF(&mean[0][0], count, &c.nominal, c.noise), c.prior, &out,
+                               &quality) /*HELD &from_prior*/
+        != INVCAL_OK) {
         require_mark(&out, sizeof out);
         require_mark(&quality, sizeof quality);
         require_mark(&from_prior, sizeof from_prior);
@@ -408,8 +412,8 @@ static void calibrate_thermal(source *s)
 
     mark(&thermal, sizeof thermal);
     mark(&quality, sizeof quality);
-    if (invcal_thermal_calibrate(&mean[0][0], temperature, count, &c.nominal, c.noise, &thermal,
-                                 &quality) != INVCAL_OK) {
+    if (invcal_thermal_calibrate(POSITIONS_AT(&mean[0][0], temperature, count, &c.nominal, c.noise),
+                                 INVCAL_THERMAL_DEGREE, &thermal, &quality) != INVCAL_OK) {
         require_mark(&thermal, sizeof thermal);
         require_mark(&quality, sizeof quality);
         return;

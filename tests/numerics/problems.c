@@ -106,7 +106,7 @@ static double condition_of(direction_set directions, unsigned count)
 
     invcal_sums_init(&sums);
     for (unsigned i = 0; i < count; i++) {
-        (void)invcal_sums_add(&sums, &nominal, directions[i]);
+        (void)invcal_sums_add(&sums, &nominal, directions[i], 1);
     }
     const double trace = invcal_trace(sums.sum, INVCAL_PARAMETERS);
     if (invcal_factor(sums.sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS, 1e-13) != INVCAL_OK) {

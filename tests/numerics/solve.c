@@ -94,7 +94,7 @@ int main(void)
         }
         found = nominal;
         const invcal_status status =
-            invcal_calibrate_plain(raw[0], count, &nominal, noise, &found, &quality);
+            invcal_calibrate_plain(POSITIONS_OF(raw[0], count, &nominal, noise), &found, &quality);
         print_result(status, &found, &nominal, is_triangular, &quality);
     }
     return ferror(stdin) || ferror(stdout);

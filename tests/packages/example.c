@@ -46,7 +46,8 @@ int main(void)
     const unsigned n = measure(mean);
     invcal_status status = invcal_nominal(zero, counts, &nominal);
     if (status == INVCAL_OK) {
-        status = invcal_calibrate_plain(mean[0], n, &nominal, 0, &calibration, &quality);
+        status =
+            invcal_calibrate_plain(POSITIONS_OF(mean[0], n, &nominal, 0), &calibration, &quality);
     }
     if (status == INVCAL_OK) {
         invcal_record_init(&record, &calibration, &quality);

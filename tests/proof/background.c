@@ -37,7 +37,8 @@ invcal_event invcal_session_feed(invcal_session *session, int32_t x, int32_t y, 
     return event;
 }
 
-void invcal_sum_readings(const invcal_real *raw, unsigned count, const invcal_calibration *nominal,
+void invcal_sum_readings(POSITIONS_OF(const invcal_real *raw, unsigned count,
+                                      const invcal_calibration *nominal, 0),
                          invcal_sums *sums, invcal_real last[3])
 {
     if (count > 0) {

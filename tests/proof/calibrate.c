@@ -24,5 +24,6 @@ void main(void)
     (void)invcal_coverage(BETWEEN(0, 0xFFFFFFFF));
     ANY(quality);
     (void)invcal_accuracy(&quality, noise);
-    (void)invcal_calibrate_plain(raw, BETWEEN(1, COUNT), &nominal, noise, &out, &quality);
+    (void)invcal_calibrate_plain(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, noise), &out,
+                                 &quality);
 }

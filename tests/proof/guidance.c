@@ -21,10 +21,10 @@ void main(void)
     ANY(raw);
     ANY(nominal);
     ANY(up);
-    invcal_next(NULL, 0, &nominal, next);
-    invcal_next(raw, BETWEEN(1, COUNT), &nominal, next);
-    invcal_prospect(NULL, 0, &nominal, NULL, root);
-    invcal_prospect(raw, BETWEEN(1, COUNT), &nominal, up, root);
+    invcal_next(POSITIONS_OF(NULL, 0, &nominal, 0), next);
+    invcal_next(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, 0), next);
+    invcal_prospect(POSITIONS_OF(NULL, 0, &nominal, 0), NULL, root);
+    invcal_prospect(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, 0), up, root);
     ANY(sums);
     invcal_next_of_sums(&sums, up, next);
     ANY(sums);

@@ -17,7 +17,7 @@
 #define PACE_TO(bits) PACE(bits, RATE_TO(bits))
 
 /* Any state of the detector of rests at these rates, within the bounds that the code relies on. */
-static void any_rests(invcal_rests *s, unsigned bits)
+static void any_rests(invcal_private_rests *s, unsigned bits)
 {
     ANY(*s);
     s->bits = (uint8_t)bits;
@@ -32,7 +32,7 @@ static void any_rests(invcal_rests *s, unsigned bits)
     s->other = (int16_t)BETWEEN(0, LEVEL_MAX);
 }
 
-static void check_rests(const invcal_rests *s, unsigned bits)
+static void check_rests(const invcal_private_rests *s, unsigned bits)
 {
     HOLDS(s->bits == bits);
     WITHIN(s->pace, PACE_FROM(bits), PACE_TO(bits));

@@ -140,8 +140,9 @@ static void solve(unsigned rests, unsigned means, int held)
     moves.count = (uint8_t)rests;
     settings.held = (uint8_t)held;
     settings.prior = BETWEEN(0, 1) ? prior : NULL;
-    (void)invcal_imu_solve(means > 0 ? &raw[3 * (INVCAL_MAX_MOVES + 8 - means)] : NULL, means,
-                           &accelerometer, &moves, &settings, &out);
+    (void)invcal_imu_solve(
+        (const invcal_vector *)means > 0 ? &raw[3 * (INVCAL_MAX_MOVES + 8 - means)] : NULL, means,
+        &accelerometer, &moves, &settings, &out);
 }
 
 void main(void)
@@ -153,7 +154,7 @@ void main(void)
     ANY(moves);
     ANY(accelerometer);
     moves.count = 0;
-    (void)invcal_imu_solve(NULL, 0, &accelerometer, &moves, NULL, &out);
+    (void)invcal_imu_solve((const invcal_vector *)NULL, 0, &accelerometer, &moves, NULL, &out);
     solve(INVCAL_MAX_MOVES, INVCAL_MAX_MOVES + 8, 0);
     solve(INVCAL_MAX_MOVES, INVCAL_MAX_MOVES - 8, 1);
     solve(13, 13, 0);

@@ -95,11 +95,11 @@ static void any_calibrate(void)
 
     ANY(left_out);
     ANY(noise);
-    (void)invcal_calibrate_without(NULL, 0, left_out, &nominal, noise, &out, &quality);
-    (void)invcal_calibrate_without(raw, BETWEEN(1, COUNT), left_out, &nominal, noise, &out,
-                                   &quality);
-    (void)invcal_calibrate_without(raw, BETWEEN(1, COUNT), left_out, &nominal, noise, &nominal,
-                                   &quality);
+    (void)invcal_positions_calibrate(SELECTION(NULL, 0, left_out, &nominal, noise), &out, &quality);
+    (void)invcal_positions_calibrate(SELECTION(raw, BETWEEN(1, COUNT), left_out, &nominal, noise),
+                                     &out, &quality);
+    (void)invcal_positions_calibrate(SELECTION(raw, BETWEEN(1, COUNT), left_out, &nominal, noise),
+                                     &nominal, &quality);
 }
 
 void main(void)

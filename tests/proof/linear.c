@@ -7,21 +7,21 @@
 
 void main(void)
 {
-    invcal_linear_sums linear;
+    invcal_directions linear;
     invcal_calibration nominal;
     invcal_calibration out;
     invcal_real raw[3];
     invcal_real eta[3];
     invcal_real x[INVCAL_PARAMETERS];
 
-    invcal_linear_init(&linear);
+    invcal_directions_init(&linear);
     ANY(linear);
     ANY(nominal);
     ANY(raw);
     ANY(eta);
-    (void)invcal_linear_add_vertical(&linear, &nominal, raw, eta);
-    (void)invcal_linear_add_scalar(&linear, &nominal, raw, eta);
+    (void)invcal_directions_add(&linear, &nominal, raw, eta);
+    (void)invcal_directions_add_scalar(&linear, &nominal, raw, eta);
     ANY(linear);
-    (void)invcal_linear_solve(&linear, &nominal, &out, x);
-    (void)invcal_linear_solve(&linear, &nominal, &nominal, x);
+    (void)invcal_directions_solve(&linear, &nominal, &out, x);
+    (void)invcal_directions_solve(&linear, &nominal, &nominal, x);
 }

@@ -49,6 +49,6 @@ void main(void)
     ANY(raw);
     ANY(accelerometer);
     moves.first = (uint16_t)BETWEEN(0, INVCAL_MAX_SEGMENTS);
-    (void)invcal_imu_mounting(raw, 1, &accelerometer, &moves, axes, &unit);
+    (void)invcal_imu_mounting((const invcal_vector *)raw, 1, &accelerometer, &moves, axes, &unit);
     (void)*invcal_imu_parameter_text(BETWEEN(0, 0xFFFFFFFF));
 }

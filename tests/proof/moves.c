@@ -20,7 +20,7 @@ void main(void)
 {
     static invcal_moves m;
     invcal_calibration nominal;
-    invcal_rests rests;
+    invcal_private_rests rests;
     invcal_real rate;
     int32_t raw[3];
     int32_t low;

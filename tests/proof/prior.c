@@ -26,12 +26,13 @@ void main(void)
     ANY(prior);
     ANY(noise);
     ANY(gamma);
-    (void)invcal_calibrate_prior(NULL, 0, &nominal, noise, prior, &out, &quality, &from_prior);
-    (void)invcal_calibrate_prior(raw, BETWEEN(1, COUNT), &nominal, noise, prior, &out, &quality,
-                                 &from_prior);
-    (void)invcal_calibrate_faces(raw, BETWEEN(1, COUNT), &nominal, noise, gamma, &out, &quality,
-                                 &from_prior);
+    (void)invcal_calibrate_prior(POSITIONS_OF(NULL, 0, &nominal, noise), prior, &out,
+                                 &quality) /*HELD &from_prior*/;
+    (void)invcal_calibrate_prior(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, noise), prior, &out,
+                                 &quality) /*HELD &from_prior*/;
+    (void)invcal_calibrate_faces(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, noise), gamma, &out,
+                                 &quality) /*HELD &from_prior*/;
     ANY(quality);
     ANY(from_prior);
-    (void)invcal_accuracy_held(&quality, from_prior, gamma);
+    (void)invcal_accuracy(&quality, gamma) /*HELD from_prior*/;
 }

@@ -17,8 +17,8 @@ void main(void)
     ANY(raw);
     ANY(nominal);
     count = BETWEEN(1, COUNT);
-    (void)invcal_bad_reading(NULL, 0, &nominal);
-    (void)invcal_bad_reading(&raw[0], count, &nominal);
-    (void)invcal_undetermined(NULL, 0, &nominal);
-    (void)invcal_undetermined(&raw[0], count, &nominal);
+    (void)invcal_bad_reading(POSITIONS_OF(NULL, 0, &nominal, 0));
+    (void)invcal_bad_reading(POSITIONS_OF(&raw[0], count, &nominal, 0));
+    (void)invcal_undetermined(POSITIONS_OF(NULL, 0, &nominal, 0));
+    (void)invcal_undetermined(POSITIONS_OF(&raw[0], count, &nominal, 0));
 }

@@ -10,7 +10,7 @@
 static void begin(unsigned bits)
 {
     int32_t low, high;
-    invcal_rests rests;
+    invcal_private_rests rests;
 
     ANY(low);
     ANY(high);
@@ -24,7 +24,7 @@ static void begin(unsigned bits)
 static void feed(unsigned bits)
 {
     int32_t raw[3];
-    invcal_rests rests;
+    invcal_private_rests rests;
 
     ANY(raw);
     any_rests(&rests, bits);
@@ -34,7 +34,7 @@ static void feed(unsigned bits)
 
 static void hold(unsigned bits)
 {
-    invcal_rests rests;
+    invcal_private_rests rests;
 
     any_rests(&rests, bits);
     invcal_rests_hold(&rests, BETWEEN(0, UINT_MAX));
@@ -44,7 +44,7 @@ static void hold(unsigned bits)
 
 static void finish(unsigned bits)
 {
-    invcal_rests rests;
+    invcal_private_rests rests;
 
     any_rests(&rests, bits);
     invcal_rests_finish(&rests);
@@ -53,7 +53,7 @@ static void finish(unsigned bits)
 
 static void look(unsigned bits)
 {
-    invcal_rests rests;
+    invcal_private_rests rests;
     invcal_rest rest;
     invcal_real mean[3];
 
@@ -66,7 +66,7 @@ static void look(unsigned bits)
 
 void main(void)
 {
-    invcal_rests rests;
+    invcal_private_rests rests;
 
     (void)invcal_rests_init(&rests, BETWEEN(0, UINT_MAX));
     //@ loop unroll 9;

@@ -38,11 +38,12 @@ void main(void)
     ANY(raw);
     ANY(nominal);
     ANY(noise);
-    (void)invcal_calibrate_robust(NULL, 0, &nominal, noise, &out, &quality);
-    (void)invcal_calibrate_robust(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise, &out,
-                                  &quality);
-    (void)invcal_calibrate_robust(raw, BETWEEN(INVCAL_MAX_POSITIONS + 1, 0xFFFFFFFF), &nominal,
-                                  noise, &out, &quality);
-    (void)invcal_calibrate_robust(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise, &nominal,
-                                  &quality);
+    (void)invcal_calibrate_robust(POSITIONS_OF(NULL, 0, &nominal, noise), &out, &quality);
+    (void)invcal_calibrate_robust(
+        POSITIONS_OF(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise), &out, &quality);
+    (void)invcal_calibrate_robust(
+        POSITIONS_OF(raw, BETWEEN(INVCAL_MAX_POSITIONS + 1, 0xFFFFFFFF), &nominal, noise), &out,
+        &quality);
+    (void)invcal_calibrate_robust(
+        POSITIONS_OF(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise), &nominal, &quality);
 }

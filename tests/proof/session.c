@@ -21,13 +21,13 @@ static invcal_status any_status(void)
     return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 }
 
-static invcal_event any_event(invcal_rests *rests)
+static invcal_event any_event(invcal_private_rests *rests)
 {
     ANY(*rests);
     return (invcal_event)BETWEEN(INVCAL_NOTHING, INVCAL_REFUSED);
 }
 
-invcal_status invcal_rests_init(invcal_rests *rests, invcal_real rate)
+invcal_status invcal_rests_init(invcal_private_rests *rests, invcal_real rate)
 {
     const invcal_status status = any_status();
 
@@ -38,7 +38,7 @@ invcal_status invcal_rests_init(invcal_rests *rests, invcal_real rate)
     return status;
 }
 
-invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
+invcal_status invcal_rests_rails(invcal_private_rests *rests, int32_t low, int32_t high)
 {
     (void)low;
     (void)high;
@@ -46,41 +46,41 @@ invcal_status invcal_rests_rails(invcal_rests *rests, int32_t low, int32_t high)
     return any_status();
 }
 
-void invcal_rests_hold(invcal_rests *rests, uint32_t milliseconds)
+void invcal_rests_hold(invcal_private_rests *rests, uint32_t milliseconds)
 {
     (void)milliseconds;
     ANY(*rests);
 }
 
-invcal_event invcal_rests_feed(invcal_rests *rests, const int32_t raw[3])
+invcal_event invcal_rests_feed(invcal_private_rests *rests, const int32_t raw[3])
 {
     (void)raw[2];
     return any_event(rests);
 }
 
-void invcal_rests_gap(invcal_rests *rests)
+void invcal_rests_gap(invcal_private_rests *rests)
 {
     ANY(*rests);
 }
 
-invcal_event invcal_rests_finish(invcal_rests *rests)
+invcal_event invcal_rests_finish(invcal_private_rests *rests)
 {
     return any_event(rests);
 }
 
-unsigned invcal_rests_progress(const invcal_rests *rests)
+unsigned invcal_rests_progress(const invcal_private_rests *rests)
 {
     (void)rests->bits;
     return BETWEEN(0, 100);
 }
 
-invcal_status invcal_rests_reason(const invcal_rests *rests)
+invcal_status invcal_rests_reason(const invcal_private_rests *rests)
 {
     (void)rests->reason;
     return any_status();
 }
 
-int invcal_rests_mean(const invcal_rests *rests, invcal_real mean[3])
+int invcal_rests_mean(const invcal_private_rests *rests, invcal_real mean[3])
 {
     (void)rests->bits;
     if (BETWEEN(0, 1)) {
@@ -98,8 +98,8 @@ static void look_at(const invcal_real *raw, unsigned count)
     }
 }
 
-invcal_status invcal_calibrate(const invcal_real *raw, unsigned count,
-                               const invcal_calibration *nominal, invcal_real noise,
+invcal_status invcal_calibrate(POSITIONS_OF(const invcal_real *raw, unsigned count,
+                                            const invcal_calibration *nominal, invcal_real noise),
                                invcal_calibration *out, invcal_quality *quality)
 {
     const invcal_status status = any_status();

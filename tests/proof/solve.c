@@ -25,6 +25,6 @@ void main(void)
     (void)invcal_triad(p, &out);
     ANY(out);
     (void)invcal_compose(&nominal, &out);
-    (void)invcal_solve(&sums, &nominal, &out);
-    (void)invcal_solve(&sums, &nominal, &nominal);
+    (void)invcal_sums_solve(&sums, &nominal, &out);
+    (void)invcal_sums_solve(&sums, &nominal, &nominal);
 }

@@ -236,9 +236,11 @@ static void any_calibrate(void)
 
     ANY(nominal);
     ANY(noise);
-    (void)invcal_thermal_calibrate(NULL, NULL, 0, &nominal, noise, &out, &quality);
-    (void)invcal_thermal_calibrate(raw, temperature, BETWEEN(1, COUNT), &nominal, noise, &out,
-                                   &quality);
+    (void)invcal_thermal_calibrate(POSITIONS_AT(NULL, NULL, 0, &nominal, noise),
+                                   INVCAL_THERMAL_DEGREE, &out, &quality);
+    (void)invcal_thermal_calibrate(
+        POSITIONS_AT(raw, temperature, BETWEEN(1, COUNT), &nominal, noise), INVCAL_THERMAL_DEGREE,
+        &out, &quality);
 }
 
 /* From a base with that many coefficients fitted. */

@@ -66,8 +66,9 @@ void main(void)
     ANY(nominal);
     ANY(moves);
     moves.count = (uint8_t)BETWEEN(0, INVCAL_MAX_MOVES);
-    (void)invcal_turns_after(&turns, raw, 0, &nominal, &moves, 0);
-    (void)invcal_turns_after(&turns, raw, COUNT, &nominal, &moves, &settings);
+    (void)invcal_turns_after(&turns, (const invcal_vector *)raw, 0, &nominal, &moves, 0);
+    (void)invcal_turns_after(&turns, (const invcal_vector *)raw, COUNT, &nominal, &moves,
+                             &settings);
     ANY(turns);
     turns.n = Frama_C_int_interval(0, 1) ? INVCAL_IMU_PARAMETERS : INVCAL_GYRO_PARAMETERS;
     ANY(turn);

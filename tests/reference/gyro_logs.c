@@ -58,7 +58,8 @@ static int read_rows(FILE *file)
     double x[6];
     int rows = 0;
 
-    while (rows < ROWS && fscanf(file, "%lf %lf %lf %lf %lf %lf", x, x + 1, x + 2, x + 3, x + 4, x + 5) == 6) {
+    while (rows < ROWS &&
+           fscanf(file, "%lf %lf %lf %lf %lf %lf", x, x + 1, x + 2, x + 3, x + 4, x + 5) == 6) {
         for (int i = 0; i < 3; i++) {
             row[rows][i] = x[i] * 16384 / 9.81;
             row[rows][3 + i] = x[3 + i] * 131 / RAD;
@@ -93,7 +94,7 @@ static void take(const double sum[3], int samples)
 
 static void feed_stated(int rows)
 {
-    invcal_rests *r = &session.rests;
+    invcal_private_rests *r = &session.rests;
     double sum[3] = {0, 0, 0};
     int blocks = 0, since = 0;
 
@@ -187,12 +188,15 @@ int main(int count, char **names)
     double x[6], time;
 
     if (!m1) {
-        fputs("usage: gyro_logs XSENS_ACC XSENS_GYRO MPU_0 MPU_1, as the head of this source says; each must be "
-              "readable\n", stderr);
+        fputs("usage: gyro_logs XSENS_ACC XSENS_GYRO MPU_0 MPU_1, as the head of this source says; "
+              "each must be "
+              "readable\n",
+              stderr);
         return 3;
     }
     printf("/* SPDX-License-Identifier: MIT\n *\n"
-           " * Made by tests/reference/gyro_logs.c, which names the logs. */\n/* clang-format off */\n");
+           " * Made by tests/reference/gyro_logs.c, which names the logs. */\n/* clang-format off "
+           "*/\n");
     begin(32768, 1 / (414.4 * 9.81744), 1 / 4772.0);
     while (moves.count < 16 && fscanf(a, "%lf %lf %lf %lf", &time, x, x + 1, x + 2) == 4 &&
            fscanf(g, "%lf %lf %lf %lf", &time, x + 3, x + 4, x + 5) == 4) {

@@ -109,7 +109,7 @@ static unsigned open_in(const double v[][3], unsigned count)
     const invcal_calibration unit = unit_nominal();
 
     assert_undetermined(&design);
-    return invcal_undetermined(v[0], count, &unit);
+    return invcal_undetermined(POSITIONS_OF(v[0], count, &unit, 0));
 }
 
 static void turn_all(random_source *random, double v[][3], unsigned count)
@@ -798,7 +798,7 @@ static void assert_promise_is_kept(const double v[][3], unsigned count, const do
         invcal_calibration calibration;
         read_positions(&truth, v, count, noise, &random, &set);
         invcal_sums sums = sums_of(&set);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_solve(&sums, &unit, &calibration));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_sums_solve(&sums, &unit, &calibration));
         for (unsigned r = 0; r < NINE; r++) {
             const double error = parameter(&calibration, r) - truth.x[r];
             squares[r] += error * error;

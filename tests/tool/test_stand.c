@@ -313,15 +313,15 @@ static void j1_sees_a_misset_angle_to_the_second_order(void)
         const double e = sizes[i];
         const double eta[3] = {0, 0.6, 0.8};
         const double off[3] = {0, 0.6 * cos(e) - 0.8 * sin(e), 0.8 * cos(e) + 0.6 * sin(e)};
-        invcal_linear_sums linear;
+        invcal_directions linear;
         double u[3];
         double there[3];
         double norm = 0;
         triad_read(&sensor, off, u);
         triad_read(&sensor, eta, there);
-        invcal_linear_init(&linear);
+        invcal_directions_init(&linear);
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_linear_add_vertical(&linear, &unit_scale_calibration, u, eta));
+                              invcal_directions_add(&linear, &unit_scale_calibration, u, eta));
         const double j = linear.sums.sum[INVCAL_PACKED(9, 1)] / eta[1]; /* H'J of one row */
         const double right = there[0] * eta[0] + there[1] * eta[1] + there[2] * eta[2] - 1;
         for (int p = 0; p < 9; p++) {

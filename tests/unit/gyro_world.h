@@ -68,7 +68,7 @@ typedef struct {
     double flicker[4][3];
     double c[3][3]; /* of the move */
     invcal_moves moves;
-    invcal_rests rests; /* as the detector of rests would want it */
+    invcal_private_rests rests; /* as the detector of rests would want it */
     int samples, hold, quiet;
     double mean[WORLD_RESTS][3];
     int count;
@@ -121,7 +121,7 @@ static inline void world_draw(world *w, double gyro, double accelerometer)
 /* What the detector of rests would say about this block, and its state then. */
 static inline void world_block(world *w, int is_quiet)
 {
-    invcal_rests *r = &w->rests;
+    invcal_private_rests *r = &w->rests;
     invcal_event event = INVCAL_MOVING;
 
     if (r->pended == 0) {
@@ -285,7 +285,8 @@ static inline invcal_status world_solve(const world *w, const invcal_imu_setting
     const invcal_calibration nominal = unit_nominal();
 
     world_means(w, raw);
-    return invcal_imu_solve(raw[0], (unsigned)w->count, &nominal, &w->moves, settings, out);
+    return invcal_imu_solve((const invcal_vector *)raw[0], (unsigned)w->count, &nominal, &w->moves,
+                            settings, out);
 }
 
 /* The shortest turn that makes this direction up. */

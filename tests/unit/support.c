@@ -196,7 +196,7 @@ invcal_sums sums_of(const reading_set *set)
 
     invcal_sums_init(&sums);
     for (unsigned i = 0; i < set->count; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_sums_add(&sums, &nominal, set->u[i]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_sums_add(&sums, &nominal, set->u[i], 1));
     }
     return sums;
 }
@@ -211,8 +211,9 @@ invcal_status calibrate_set(const reading_set *set, double noise, invcal_calibra
 {
     const invcal_calibration nominal = unit_nominal();
 
-    return invcal_calibrate_plain(&set->u[0][0], set->count, &nominal, (invcal_real)noise,
-                                  calibration, quality);
+    return invcal_calibrate_plain(
+        POSITIONS_OF(&set->u[0][0], set->count, &nominal, (invcal_real)noise), calibration,
+        quality);
 }
 
 double calibrated_length(const invcal_calibration *calibration, const triad_truth *truth,

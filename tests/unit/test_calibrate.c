@@ -82,7 +82,8 @@ static void calibrate(const data_set *set, const invcal_calibration *nominal,
         raw[i] = (invcal_real)set->position[i / 3][i % 3];
     }
     TEST_ASSERT_EQUAL_INT(
-        INVCAL_OK, invcal_calibrate_plain(raw, set->count, nominal, 0, calibration, quality));
+        INVCAL_OK,
+        invcal_calibrate_plain(POSITIONS_OF(raw, set->count, nominal, 0), calibration, quality));
 }
 
 /* A data set, calibrated with the reference's nominal. */
@@ -210,8 +211,8 @@ static void no_position_at_all_is_too_few(void)
     invcal_calibration calibration;
     invcal_quality quality;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
-                          invcal_calibrate_plain(raw, 0, &nominal, 0, &calibration, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_calibrate_plain(POSITIONS_OF(raw, 0, &nominal, 0),
+                                                                 &calibration, &quality));
 }
 
 /* Position 1 is in no sum, position 5 has the largest residual of the others: as if there had been
@@ -239,9 +240,10 @@ static void positions_that_are_left_out_do_not_count(void)
         }
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&rest, 1e-3, &expected, &of_expected));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_calibrate_without(set.u[0], COUNT, (invcal_mask)1 << OUT, &nominal,
-                                                   (invcal_real)1e-3, &calibration, &quality));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_positions_calibrate(SELECTION(set.u[0], COUNT, (invcal_mask)1 << OUT,
+                                                        &nominal, (invcal_real)1e-3),
+                                              &calibration, &quality));
     TEST_ASSERT_EQUAL_MEMORY(&expected, &calibration, sizeof expected);
     TEST_ASSERT_EQUAL_MEMORY(of_expected.sigma, quality.sigma, sizeof quality.sigma);
     TEST_ASSERT_EQUAL_UINT(WORST, quality.worst);
@@ -268,12 +270,14 @@ static void of_many_positions_all_count(void)
             raw[i][k] = (invcal_real)eta[k];
         }
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_without(raw[0], 255, first, &nominal, 0,
-                                                              &calibration, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_positions_calibrate(SELECTION(raw[0], 255, first, &nominal, 0),
+                                                     &calibration, &quality));
     TEST_ASSERT_EQUAL_UINT(254, quality.positions);
     TEST_ASSERT_EQUAL_UINT(245, quality.dof);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT, invcal_calibrate_plain(raw[0], UINT16_MAX, &nominal, 0,
-                                                                   &calibration, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
+                          invcal_calibrate_plain(POSITIONS_OF(raw[0], UINT16_MAX, &nominal, 0),
+                                                 &calibration, &quality));
 }
 
 static void left_out_positions_may_leave_too_few(void)
@@ -286,8 +290,9 @@ static void left_out_positions_may_leave_too_few(void)
     reading_set set;
 
     read_positions(&truth, expected_plan18, 12, 1e-4, &random, &set);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_calibrate_without(set.u[0], 12, 0xF0u, &nominal, 0,
-                                                                   &calibration, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
+                          invcal_positions_calibrate(SELECTION(set.u[0], 12, 0xF0u, &nominal, 0),
+                                                     &calibration, &quality));
 }
 
 static void the_calibration_may_overwrite_nominal(void)
@@ -302,8 +307,8 @@ static void the_calibration_may_overwrite_nominal(void)
 
     read_positions(&truth, expected_plan18, 18, 1e-4, &random, &set);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, 0, &calibration, &quality));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_calibrate_plain(set.u[0], 18, &place, 0, &place, &quality));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_calibrate_plain(POSITIONS_OF(set.u[0], 18, &place, 0), &place, &quality));
     TEST_ASSERT_EQUAL_MEMORY(&calibration, &place, sizeof place);
 }
 
@@ -320,8 +325,8 @@ static void a_second_pass_finds_almost_nothing(void)
 
     read_positions(&truth, expected_plan18, 18, 0, &random, &set);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&set, 0, &first, &quality));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_calibrate_plain(set.u[0], 18, &first, 0, &second, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_plain(POSITIONS_OF(set.u[0], 18, &first, 0),
+                                                            &second, &quality));
     invcal_deviation(&second, &first, x);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-14), 0, (double)x[r]);
@@ -344,8 +349,8 @@ static void assert_refused(const invcal_calibration *nominal, double noise, invc
     quality_before = quality;
     read_positions(&truth, expected_plan18, 18, 1e-4, &random, &set);
     TEST_ASSERT_EQUAL_INT(
-        expected,
-        invcal_calibrate_plain(set.u[0], 18, nominal, (invcal_real)noise, &calibration, &quality));
+        expected, invcal_calibrate_plain(POSITIONS_OF(set.u[0], 18, nominal, (invcal_real)noise),
+                                         &calibration, &quality));
     TEST_ASSERT_EQUAL_MEMORY(&before, &calibration, sizeof before);
     TEST_ASSERT_EQUAL_MEMORY(&quality_before, &quality, sizeof quality);
 }

@@ -734,7 +734,8 @@ static invcal_status find_mounting(int8_t axes[3], invcal_real *scale)
     world_means(&w, raw);
     axes[0] = axes[1] = axes[2] = 9;
     *scale = 9;
-    return invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, scale);
+    return invcal_imu_mounting((const invcal_vector *)raw[0], (unsigned)w.count, &nominal, &w.moves,
+                               axes, scale);
 }
 
 /* Moves about the space diagonal look the same after the axes are exchanged in a circle. */
@@ -1174,7 +1175,8 @@ static void without_moves_nothing_is_solved(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, world_solve(&w, NULL, &imu));
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, find_mounting(axes, &scale));
     TEST_ASSERT_TRUE(axes[0] == 9 && scale == 9);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_imu_solve(raw, 0, &nominal, &w.moves, NULL, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_imu_solve((const invcal_vector *)raw, 0, &nominal,
+                                                           &w.moves, NULL, &imu));
 }
 
 /* All about one axis, with a hand that wobbles: never good. */
@@ -1401,11 +1403,12 @@ static void bad_readings_and_scales_are_refused(void)
     world_means(&w, raw);
     for (int i = 0; i < 3; i++) {
         nominal.matrix[1][1] = (invcal_real)bad[i];
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_imu_solve(raw[0], (unsigned)w.count,
-                                                                   &nominal, &w.moves, NULL, &imu));
-        TEST_ASSERT_EQUAL_INT(
-            INVCAL_BAD_NOMINAL,
-            invcal_imu_mounting(raw[0], (unsigned)w.count, &nominal, &w.moves, axes, &scale));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
+                              invcal_imu_solve((const invcal_vector *)raw[0], (unsigned)w.count,
+                                               &nominal, &w.moves, NULL, &imu));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
+                              invcal_imu_mounting((const invcal_vector *)raw[0], (unsigned)w.count,
+                                                  &nominal, &w.moves, axes, &scale));
     }
     TEST_ASSERT_TRUE(axes[0] == 9 && scale == 9);
     w.mean[3][1] = NOT_A_NUMBER;

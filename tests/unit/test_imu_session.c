@@ -269,8 +269,8 @@ static void assert_back(void)
 
 static invcal_status solve(const invcal_imu_session *of, invcal_imu *out)
 {
-    return invcal_imu_solve(of->session.mean[0], of->session.count, &of->session.nominal,
-                            &of->moves, NULL, out);
+    return invcal_imu_solve(of->session.mean, of->session.count, &of->session.nominal, &of->moves,
+                            NULL, out);
 }
 
 /* After each rest, and at each time in a move and in the rest after it. */

@@ -202,7 +202,8 @@ static invcal_status judge(const reading_set *set, double stated, invcal_calibra
 {
     const invcal_calibration nominal = unit_nominal();
 
-    return invcal_calibrate(set->u[0], set->count, &nominal, (invcal_real)stated, out, quality);
+    return invcal_calibrate(POSITIONS_OF(set->u[0], set->count, &nominal, (invcal_real)stated), out,
+                            quality);
 }
 
 /* ---- what comes of it, as shares of the draws ------------------------------------------------ */
@@ -532,7 +533,8 @@ static void signs_are_those_of_the_field_however_the_axes_point(void)
     for (unsigned i = 0; i < set.count; i++) {
         set.u[i][1] = -set.u[i][1];
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate(set.u[0], 18, &nominal, 0, &c, &q));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_calibrate(POSITIONS_OF(set.u[0], 18, &nominal, 0), &c, &q));
     TEST_ASSERT_EQUAL_UINT(INVCAL_DRIFT, q.systematic);
     TEST_ASSERT_EQUAL_UINT(1, q.axis);
     TEST_ASSERT_DOUBLE_WITHIN(4e-4, 0.004, (double)q.size);

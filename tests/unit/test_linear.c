@@ -17,7 +17,7 @@ void tearDown(void)
 {
 }
 
-typedef invcal_status (*adder)(invcal_linear_sums *linear, const invcal_calibration *nominal,
+typedef invcal_status (*adder)(invcal_directions *linear, const invcal_calibration *nominal,
                                const invcal_real raw[3], const invcal_real eta[3]);
 
 static void to_real(const double v[3], invcal_real out[3])
@@ -27,7 +27,7 @@ static void to_real(const double v[3], invcal_real out[3])
     }
 }
 
-static invcal_status add_reading(adder add, invcal_linear_sums *linear, const triad_truth *truth,
+static invcal_status add_reading(adder add, invcal_directions *linear, const triad_truth *truth,
                                  const double eta[3])
 {
     const invcal_calibration nominal = unit_nominal();
@@ -42,11 +42,11 @@ static invcal_status add_reading(adder add, invcal_linear_sums *linear, const tr
 }
 
 /* The paper's program with its directions known. */
-static invcal_linear_sums with_known_directions(const triad_truth *truth, adder add)
+static invcal_directions with_known_directions(const triad_truth *truth, adder add)
 {
-    invcal_linear_sums linear;
+    invcal_directions linear;
 
-    invcal_linear_init(&linear);
+    invcal_directions_init(&linear);
     for (int i = 0; i < 18; i++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, add_reading(add, &linear, truth, expected_plan18[i]));
     }
@@ -63,11 +63,11 @@ static void the_vertical_row_is_linear_for_errors_of_any_size(void)
         const double *x = truth.x;
         double e[3];
         double u[3];
-        invcal_linear_sums linear;
+        invcal_directions linear;
         random_direction(&random, e);
         triad_read(&truth, e, u);
-        invcal_linear_init(&linear);
-        const invcal_status status = add_reading(invcal_linear_add_vertical, &linear, &truth, e);
+        invcal_directions_init(&linear);
+        const invcal_status status = add_reading(invcal_directions_add, &linear, &truth, e);
         if (length3(u) > 0.1) {
             const double hx = e[0] * x[0] + e[1] * x[1] + e[2] * x[2] + e[0] * e[0] * x[3] +
                               e[1] * e[1] * x[4] + e[2] * e[2] * x[5] + e[0] * e[1] * x[6] +
@@ -86,10 +86,11 @@ static void known_directions_give_the_triad_exactly_for_errors_of_any_size(void)
 
     for (int draw = 0; draw < SOME(20); draw++) {
         const triad_truth truth = triad_random(&random, 0.2);
-        invcal_linear_sums linear = with_known_directions(&truth, invcal_linear_add_vertical);
+        invcal_directions linear = with_known_directions(&truth, invcal_directions_add);
         invcal_calibration calibration;
         invcal_real x[INVCAL_PARAMETERS];
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_linear_solve(&linear, &nominal, &calibration, x));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_directions_solve(&linear, &nominal, &calibration, x));
         for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
             const double bound = FLOAT_OR_DOUBLE(2e-6, 1e-13);
             TEST_ASSERT_DOUBLE_WITHIN(bound, truth.x[r], (double)x[r]);
@@ -104,17 +105,16 @@ static void nine_positions_are_enough(void)
     const invcal_calibration nominal = unit_nominal();
     random_source random = random_start(5);
     const triad_truth truth = triad_random(&random, 0.1);
-    invcal_linear_sums linear;
+    invcal_directions linear;
     invcal_calibration calibration;
     invcal_real x[INVCAL_PARAMETERS];
 
-    invcal_linear_init(&linear);
+    invcal_directions_init(&linear);
     for (int i = 0; i < 9; i++) { /* three of each group */
         const double *eta = expected_plan18[2 * i];
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              add_reading(invcal_linear_add_vertical, &linear, &truth, eta));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, add_reading(invcal_directions_add, &linear, &truth, eta));
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_linear_solve(&linear, &nominal, &calibration, x));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_directions_solve(&linear, &nominal, &calibration, x));
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-5, 1e-12), truth.x[r], (double)x[r]);
     }
@@ -135,8 +135,8 @@ static double first_order_error(double size, double *rms)
     for (int r = 0; r < 9; r++) {
         truth.x[r] = size * sign[r];
     }
-    invcal_linear_sums linear = with_known_directions(&truth, invcal_linear_add_scalar);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_linear_solve(&linear, &nominal, &calibration, x));
+    invcal_directions linear = with_known_directions(&truth, invcal_directions_add_scalar);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_directions_solve(&linear, &nominal, &calibration, x));
     for (unsigned r = 0; r < 9; r++) {
         worst = larger(worst, fabs((double)x[r] - truth.x[r]));
     }
@@ -172,11 +172,11 @@ static void any_regular_matrix_may_be_nominal(void)
     double inverse[3][3];
     invcal_calibration nominal;
     invcal_calibration calibration;
-    invcal_linear_sums linear;
+    invcal_directions linear;
     invcal_real x[INVCAL_PARAMETERS];
 
     inverse3(t, inverse);
-    invcal_linear_init(&linear);
+    invcal_directions_init(&linear);
     for (int k = 0; k < 3; k++) {
         nominal.offset[k] = (invcal_real)(100 * k);
         to_real(inverse[k], nominal.matrix[k]);
@@ -190,9 +190,9 @@ static void any_regular_matrix_may_be_nominal(void)
             raw[k] = (invcal_real)(100 * k + t[k][0] * u[0] + t[k][1] * u[1] + t[k][2] * u[2]);
         }
         to_real(expected_plan18[i], up);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_linear_add_vertical(&linear, &nominal, raw, up));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_directions_add(&linear, &nominal, raw, up));
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_linear_solve(&linear, &nominal, &calibration, x));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_directions_solve(&linear, &nominal, &calibration, x));
     const triad_truth found = truth_of(&calibration, &nominal);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(4e-6, 1e-13), truth.x[r], (double)x[r]);
@@ -203,10 +203,10 @@ static void any_regular_matrix_may_be_nominal(void)
 static void assert_row_refused(const double reading[3], const double direction[3],
                                invcal_status expected)
 {
-    static const adder adders[2] = {invcal_linear_add_vertical, invcal_linear_add_scalar};
+    static const adder adders[2] = {invcal_directions_add, invcal_directions_add_scalar};
     const invcal_calibration nominal = unit_nominal();
-    invcal_linear_sums linear;
-    invcal_linear_sums before;
+    invcal_directions linear;
+    invcal_directions before;
     invcal_real u[3];
     invcal_real up[3];
 
@@ -277,18 +277,18 @@ static void semi_axes_and_offsets_beyond_their_limits_are_not_triads(void)
 
     for (unsigned i = 0; i < sizeof limits / sizeof limits[0]; i++) {
         triad_truth truth = {{0}};
-        invcal_linear_sums linear;
+        invcal_directions linear;
         invcal_calibration calibration;
         invcal_real x[INVCAL_PARAMETERS] = {7};
         truth.x[limits[i].r] = limits[i].error;
-        invcal_linear_init(&linear);
+        invcal_directions_init(&linear);
         while (linear.sums.count < 40) {
             double eta[3];
             random_direction(&random, eta);
-            (void)add_reading(invcal_linear_add_vertical, &linear, &truth, eta);
+            (void)add_reading(invcal_directions_add, &linear, &truth, eta);
         }
         TEST_ASSERT_EQUAL_INT(limits[i].status,
-                              invcal_linear_solve(&linear, &nominal, &calibration, x));
+                              invcal_directions_solve(&linear, &nominal, &calibration, x));
         TEST_ASSERT_TRUE(limits[i].status == INVCAL_OK || (x[0] == 7 && x[1] == 0));
     }
 }
@@ -302,18 +302,19 @@ static void what_cannot_be_solved_is_refused_and_the_outputs_left_alone(void)
 
     for (int i = 0; i < 3; i++) {
         const invcal_calibration nominal = i == 2 ? singular : unit_nominal();
-        invcal_linear_sums linear;
+        invcal_directions linear;
         invcal_calibration calibration;
         invcal_calibration before;
         invcal_real x[INVCAL_PARAMETERS] = {7};
         memset(&calibration, 7, sizeof calibration);
         before = calibration;
-        invcal_linear_init(&linear);
+        invcal_directions_init(&linear);
         for (int k = 0; k < (i == 0 ? 8 : 18); k++) { /* of the second, one direction only */
             const double *eta = expected_plan18[i == 1 ? 0 : k];
-            (void)add_reading(invcal_linear_add_vertical, &linear, &none, eta);
+            (void)add_reading(invcal_directions_add, &linear, &none, eta);
         }
-        TEST_ASSERT_EQUAL_INT(expected[i], invcal_linear_solve(&linear, &nominal, &calibration, x));
+        TEST_ASSERT_EQUAL_INT(expected[i],
+                              invcal_directions_solve(&linear, &nominal, &calibration, x));
         TEST_ASSERT_EQUAL_MEMORY(&before, &calibration, sizeof before);
         TEST_ASSERT_TRUE(x[0] == 7 && x[8] == 0);
     }

@@ -1071,8 +1071,8 @@ static void the_session_says_where_rests_are(void)
     TEST_ASSERT_EQUAL_INT(taken, session.count);
     TEST_ASSERT_EQUAL_INT(session.count, w.moves.count);
     TEST_ASSERT_TRUE(session.count >= 10);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(session.mean[0], session.count,
-                                                      &session.nominal, &w.moves, NULL, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(session.mean, session.count, &session.nominal,
+                                                      &w.moves, NULL, &imu));
     for (int i = 0; i < 9; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(4 * (double)imu.sigma[i], w.m[i / 3][i % 3],
                                   (double)imu.parameter[i]);

@@ -50,7 +50,8 @@ static invcal_status load(const double mean[][3], unsigned means, const invcal_s
     for (int i = 0; i < 3; i++) {
         data_sheet.matrix[i][i] = (invcal_real)acceleration;
     }
-    return invcal_imu_solve(raw[0], means, &data_sheet, &w.moves, NULL, &imu);
+    return invcal_imu_solve((const invcal_vector *)raw[0], means, &data_sheet, &w.moves, NULL,
+                            &imu);
 }
 
 static void expect_both(const double gyro[9], double within, const double accelerometer[9])

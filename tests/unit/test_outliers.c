@@ -871,8 +871,9 @@ static decision decide(const reading_set *set, double stated)
     do {
         invcal_calibration c;
         invcal_quality q;
-        if (invcal_calibrate_without(set->u[0], set->count, d.removed, &nominal,
-                                     (invcal_real)stated, &c, &q) != INVCAL_OK) {
+        if (invcal_positions_calibrate(
+                SELECTION(set->u[0], set->count, d.removed, &nominal, (invcal_real)stated), &c,
+                &q) != INVCAL_OK) {
             d.close = 1;
             return d;
         }
@@ -1074,8 +1075,8 @@ static void units_do_not_matter(void)
             raw[3 * i + k] = (invcal_real)((double)counts[k] * u + (double)zero[k]);
         }
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_calibrate(raw, 24, &nominal, (invcal_real)1e-4, &out, &q));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_calibrate(POSITIONS_OF(raw, 24, &nominal, (invcal_real)1e-4), &out, &q));
     assert_set(bit(3) | bit(22), q.left_out);
     TEST_ASSERT_EQUAL_INT(expected.verdict, q.verdict);
     TEST_ASSERT_EQUAL_HEX8(expected.unchecked, q.unchecked);
@@ -1295,8 +1296,8 @@ static void what_the_others_need_stays_and_is_reported(void)
                        &set);
         spoil(&set, draw % 14, 0.02);
         if (judge_set(&set, 0, &out, &q) == INVCAL_OK && q.left_out == 0 &&
-            invcal_calibrate_without(set.u[0], 14, bit(draw % 14), &nominal, 0, &out, &q) ==
-                INVCAL_UNDETERMINED) {
+            invcal_positions_calibrate(SELECTION(set.u[0], 14, bit(draw % 14), &nominal, 0), &out,
+                                       &q) == INVCAL_UNDETERMINED) {
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, judge_set(&set, 0, &out, &q));
             TEST_ASSERT_TRUE(q.verdict != INVCAL_GOOD);
             stayed++;
@@ -1323,13 +1324,15 @@ static void one_that_is_only_robust_leaves_systematic_errors_unchecked(void)
     TEST_ASSERT_TRUE(q.sigma[0] < target);
     /* out may be nominal */
     TEST_ASSERT_EQUAL_INT(
-        INVCAL_OK, invcal_calibrate_robust(set.u[0], set.count, &c, (invcal_real)SIGMA, &c, &q));
+        INVCAL_OK,
+        invcal_calibrate_robust(POSITIONS_OF(set.u[0], set.count, &c, (invcal_real)SIGMA), &c, &q));
     TEST_ASSERT_EQUAL_MEMORY(&same, &c, sizeof c);
     /* the same without them */
     const invcal_calibration nominal = unit_nominal();
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_calibrate_without(set.u[0], set.count, bit(3) | bit(22), &nominal,
-                                                   (invcal_real)SIGMA, &c, &q));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_positions_calibrate(SELECTION(set.u[0], set.count, bit(3) | bit(22),
+                                                        &nominal, (invcal_real)SIGMA),
+                                              &c, &q));
     TEST_ASSERT_EQUAL_MEMORY(&same, &c, sizeof c);
     /* and a drift may pass for outliers */
     const triad_truth truth = triad_random(&random, 0.03);

@@ -151,7 +151,7 @@ static unsigned undetermined_of(const reading_set *set)
 {
     const invcal_calibration nominal = unit_nominal();
 
-    return invcal_undetermined(&set->u[0][0], set->count, &nominal);
+    return invcal_undetermined(POSITIONS_OF(&set->u[0][0], set->count, &nominal, 0));
 }
 
 /* Every member is refused: for its number if that is below nine, else as expected; and at least
@@ -373,9 +373,9 @@ static void no_position_leaves_everything_open(void)
     const invcal_calibration unreal = {{(invcal_real)NAN, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const invcal_real raw[6] = {0, 0, 1, 0, 0, (invcal_real)NAN};
 
-    TEST_ASSERT_EQUAL_HEX16(ANY, invcal_undetermined(raw, 0, &nominal));
-    TEST_ASSERT_EQUAL_HEX16(ANY, invcal_undetermined(raw, 2, &unreal));
-    TEST_ASSERT_EQUAL_HEX16(ANY, invcal_undetermined(&raw[3], 1, &nominal));
+    TEST_ASSERT_EQUAL_HEX16(ANY, invcal_undetermined(POSITIONS_OF(raw, 0, &nominal, 0)));
+    TEST_ASSERT_EQUAL_HEX16(ANY, invcal_undetermined(POSITIONS_OF(raw, 2, &unreal, 0)));
+    TEST_ASSERT_EQUAL_HEX16(ANY, invcal_undetermined(POSITIONS_OF(&raw[3], 1, &nominal, 0)));
 }
 
 /* Eight positions leave one combination open, and those that are not readings do not count. */
@@ -385,12 +385,12 @@ static void positions_that_are_not_readings_are_skipped(void)
     invcal_real raw[8][3] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1}, {-1, 0, 0},
                              {0, -1, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
 
-    TEST_ASSERT_EQUAL_HEX16(ANGLES, invcal_undetermined(&raw[0][0], 8, &nominal));
+    TEST_ASSERT_EQUAL_HEX16(ANGLES, invcal_undetermined(POSITIONS_OF(&raw[0][0], 8, &nominal, 0)));
     raw[6][0] = 1000;
     raw[7][1] = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_HEX16(ANGLES, invcal_undetermined(&raw[0][0], 8, &nominal));
+    TEST_ASSERT_EQUAL_HEX16(ANGLES, invcal_undetermined(POSITIONS_OF(&raw[0][0], 8, &nominal, 0)));
     raw[2][2] = 0;
-    TEST_ASSERT_TRUE(invcal_undetermined(&raw[0][0], 8, &nominal) &
+    TEST_ASSERT_TRUE(invcal_undetermined(POSITIONS_OF(&raw[0][0], 8, &nominal, 0)) &
                      (1u << INVCAL_DELTA_Z | 1u << INVCAL_DK_Z));
 }
 
@@ -489,10 +489,11 @@ static void one_bad_number_in_any_position_is_refused_and_its_position_named(voi
             set.u[position][position % 3] = (invcal_real)bad[b];
             TEST_ASSERT_EQUAL_INT(b < 3 ? INVCAL_NOT_FINITE : INVCAL_OUT_OF_RANGE,
                                   calibrate_set(&set, 0, &calibration, &quality));
-            TEST_ASSERT_EQUAL_UINT(position, invcal_bad_reading(&set.u[0][0], 18, &nominal));
+            TEST_ASSERT_EQUAL_UINT(position,
+                                   invcal_bad_reading(POSITIONS_OF(&set.u[0][0], 18, &nominal, 0)));
             set.u[17 - position][0] = (invcal_real)NAN; /* the first is named */
             TEST_ASSERT_EQUAL_UINT(position < 9 ? position : 17 - position,
-                                   invcal_bad_reading(&set.u[0][0], 18, &nominal));
+                                   invcal_bad_reading(POSITIONS_OF(&set.u[0][0], 18, &nominal, 0)));
         }
     }
 }
@@ -524,9 +525,9 @@ static void where_every_reading_is_one_none_is_named(void)
     const invcal_calibration wrong = {{0, 0, 0}, {{1, 0, 0}, {0, 20, 0}, {0, 0, 1}}};
     const invcal_real raw[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-    TEST_ASSERT_EQUAL_UINT(3, invcal_bad_reading(raw, 3, &nominal));
-    TEST_ASSERT_EQUAL_UINT(0, invcal_bad_reading(raw, 0, &nominal));
-    TEST_ASSERT_EQUAL_UINT(1, invcal_bad_reading(raw, 3, &wrong));
+    TEST_ASSERT_EQUAL_UINT(3, invcal_bad_reading(POSITIONS_OF(raw, 3, &nominal, 0)));
+    TEST_ASSERT_EQUAL_UINT(0, invcal_bad_reading(POSITIONS_OF(raw, 0, &nominal, 0)));
+    TEST_ASSERT_EQUAL_UINT(1, invcal_bad_reading(POSITIONS_OF(raw, 3, &wrong, 0)));
 }
 
 int main(void)

@@ -37,7 +37,7 @@ typedef struct {
     int32_t shift[3];
     unsigned order;
     /* the stream */
-    invcal_rests detector;
+    invcal_private_rests detector;
     long samples;
     int32_t last[3];
     unsigned rests;
@@ -451,7 +451,7 @@ static double add_to_block(block_sums *k, unsigned size, const double centre[3],
 /* Samples until the first block gives an event. */
 static unsigned block_size(unsigned rate)
 {
-    invcal_rests detector;
+    invcal_private_rests detector;
     int32_t raw[3] = {7, 0, 0};
     unsigned n = 1;
 
@@ -765,7 +765,7 @@ static void unit_offset_and_order_of_the_axes_do_not_matter(void)
 static void a_copy_of_the_state_behaves_the_same(void)
 {
     static bench half;
-    invcal_rests copy;
+    invcal_private_rests copy;
 
     setup(100, 4096, 1.5e-3);
     hold(1, 3);
@@ -1370,7 +1370,7 @@ static void a_rest_is_held_as_long_as_is_asked_and_no_longer(void)
 /* Blocks are counted without a division: against exact times, at all rates. */
 static void no_time_to_hold_is_cut_short_at_any_rate(void)
 {
-    invcal_rests detector;
+    invcal_private_rests detector;
 
     for (uint32_t rate = 8; rate <= 8000; rate += TEST_SHORT) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, (invcal_real)(unsigned)rate));
@@ -1599,8 +1599,8 @@ static void a_rest_that_continues_after_finish_is_another_one(void)
 static void init_refuses_rates_and_rails_out_of_range(void)
 {
     static const unsigned rates[] = {0, 1, 7, 8001, 32768, 65535};
-    invcal_rests detector;
-    invcal_rests before;
+    invcal_private_rests detector;
+    invcal_private_rests before;
 
     memset(&detector, 0x5A, sizeof detector);
     memcpy(&before, &detector, sizeof before);

@@ -318,8 +318,9 @@ static void it_is_what_the_array_of_its_means_gives(void)
     begin(0.05, 2);
     visit_plan(0, 15);
     (void)solve(&of_session);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_plain(b.s->mean[0], b.s->count, &sheet, 0,
-                                                            &of_array, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_calibrate_plain(POSITIONS_OF(b.s->mean[0], b.s->count, &sheet, 0),
+                                                 &of_array, &quality));
     TEST_ASSERT_EQUAL_MEMORY(&of_array, &of_session, sizeof of_array);
 }
 

@@ -314,8 +314,8 @@ static invcal_status calibrate_with_prior(const reading_set *set, double noise,
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         sigma[r] = (invcal_real)prior[r];
     }
-    return invcal_calibrate_prior(set->u[0], set->count, &nominal, (invcal_real)noise, sigma,
-                                  calibration, quality, from_prior);
+    return invcal_calibrate_prior(POSITIONS_OF(set->u[0], set->count, &nominal, (invcal_real)noise),
+                                  sigma, calibration, quality) /*HELD from_prior*/;
 }
 
 /* A device that can only be tilted by 10 degrees, with factory tolerances as prior. */
@@ -477,8 +477,9 @@ static void offsets_spread_as_reported_whatever_the_nominal(void)
                 set.u[i][k] = (invcal_real)(t[k][0] * u[0] + t[k][1] * u[1] + t[k][2] * u[2]);
             }
         }
-        TEST_ASSERT_EQUAL_INT(
-            INVCAL_OK, invcal_calibrate_plain(set.u[0], 18, &nominal, 0, &calibration, &quality));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_calibrate_plain(POSITIONS_OF(set.u[0], 18, &nominal, 0),
+                                                     &calibration, &quality));
         invcal_sigma_offset(&quality, &nominal, s);
         for (int k = 0; k < 3; k++) {
             const double *d = truth.x;
@@ -522,9 +523,9 @@ static void three_positions_renew_the_offsets_of_an_earlier_calibration(void)
         double v[3][3];
         random_rotation(&random, v); /* any three directions at right angles */
         read_positions(&moved, (const double(*)[3])v, 3, 1e-4, &random, &set);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_calibrate_prior(set.u[0], 3, &earlier, (invcal_real)1e-4,
-                                                     prior, &calibration, &quality, &from_prior));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_prior(
+                                             POSITIONS_OF(set.u[0], 3, &earlier, (invcal_real)1e-4),
+                                             prior, &calibration, &quality) /*HELD &from_prior*/);
         TEST_ASSERT_EQUAL_INT(INVCAL_NO_REDUNDANCY, quality.verdict);
         TEST_ASSERT_EQUAL_HEX16(0x1F8, from_prior); /* scale and angles: not new */
         const triad_truth found = truth_of(&calibration, &earlier);

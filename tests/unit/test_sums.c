@@ -91,7 +91,7 @@ static void assert_refused(const double reading[3], invcal_status expected)
     memset(&sums, 7, sizeof sums);
     before = sums;
     TEST_ASSERT_EQUAL_INT(expected, invcal_observe(&nominal, u, &row));
-    TEST_ASSERT_EQUAL_INT(expected, invcal_sums_add(&sums, &nominal, u));
+    TEST_ASSERT_EQUAL_INT(expected, invcal_sums_add(&sums, &nominal, u, 1));
     TEST_ASSERT_EQUAL_MEMORY(&before, &sums, sizeof sums);
 }
 
@@ -227,7 +227,7 @@ static void a_position_added_is_its_row_added(void)
     invcal_sums_init(&at_once);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observe(&nominal, raw, &row));
     invcal_sums_add_row(&by_row, &row, 1);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_sums_add(&at_once, &nominal, raw));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_sums_add(&at_once, &nominal, raw, 1));
     TEST_ASSERT_EQUAL_MEMORY(by_row.sum, at_once.sum, sizeof by_row.sum);
     TEST_ASSERT_EQUAL_UINT(by_row.count, at_once.count);
 }

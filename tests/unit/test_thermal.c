@@ -88,8 +88,9 @@ static void calibrate_all(double noise)
     const invcal_calibration nominal = unit_nominal();
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_thermal_calibrate(all.raw, all.temperature, all.count, &nominal,
-                                                   (invcal_real)noise, &found, &quality));
+                          invcal_thermal_calibrate(POSITIONS_AT(all.raw, all.temperature, all.count,
+                                                                &nominal, (invcal_real)noise),
+                                                   INVCAL_THERMAL_DEGREE, &found, &quality));
 }
 
 static invcal_thermal base_at(double reference, double span)
@@ -197,8 +198,9 @@ static void assert_refused(invcal_status expected, double noise)
     const invcal_thermal before = out;
     const invcal_quality q_before = q;
     TEST_ASSERT_EQUAL_INT(expected,
-                          invcal_thermal_calibrate(all.raw, all.temperature, all.count, &nominal,
-                                                   (invcal_real)noise, &out, &q));
+                          invcal_thermal_calibrate(POSITIONS_AT(all.raw, all.temperature, all.count,
+                                                                &nominal, (invcal_real)noise),
+                                                   INVCAL_THERMAL_DEGREE, &out, &q));
     TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof before);
     TEST_ASSERT_EQUAL_MEMORY(&q_before, &q, sizeof q_before);
 }
@@ -326,9 +328,10 @@ static double over_bound(const sensor *s, double bound, double *nine)
         take_three(s, sigma, &random);
         calibrate_all(sigma);
         squares += square_error_of_range(s, -20, 70, NULL) / draws;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_calibrate_plain(all.raw, all.count, &nominal,
-                                                     (invcal_real)sigma, &calibration, &q));
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_OK,
+            invcal_calibrate_plain(POSITIONS_OF(all.raw, all.count, &nominal, (invcal_real)sigma),
+                                   &calibration, &q));
         squares_of_nine += square_error_of_range(s, -20, 70, &calibration) / draws;
     }
     *nine = sqrt(squares_of_nine) / (bound * sigma);
@@ -376,8 +379,9 @@ static void assert_like_nine_parameters(double noise, invcal_verdict verdict)
     invcal_quality q;
     const invcal_calibration calibration = calibration_at((double)all.temperature[0]);
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_calibrate_plain(all.raw, all.count, &nominal,
-                                                            (invcal_real)noise, &plain, &q));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_calibrate_plain(
+                       POSITIONS_OF(all.raw, all.count, &nominal, (invcal_real)noise), &plain, &q));
     TEST_ASSERT_EQUAL_UINT(0, found.degree);
     TEST_ASSERT_EQUAL_UINT(0, found.fitted);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
@@ -646,8 +650,10 @@ static void raw_counts_give_the_right_lengths_at_every_temperature(void)
     for (unsigned i = 0; i < 3 * all.count; i++) {
         all.raw[i] = 4096 * all.raw[i] + zero[i % 3];
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_calibrate(all.raw, all.temperature, all.count,
-                                                              &nominal, 0, &found, &quality));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK,
+        invcal_thermal_calibrate(POSITIONS_AT(all.raw, all.temperature, all.count, &nominal, 0),
+                                 INVCAL_THERMAL_DEGREE, &found, &quality));
     for (unsigned i = 0; i < all.count; i++) {
         invcal_calibration calibration = calibration_at((double)all.temperature[i]);
         invcal_real v[3];
@@ -1270,9 +1276,10 @@ static void unusable_arguments_are_named(void)
     nominal.matrix[0][0] = 0;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
                           invcal_thermal_start(&nominal, all.temperature, all.count, &out));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
-                          invcal_thermal_calibrate(all.raw, all.temperature, all.count, &nominal, 0,
-                                                   &found, &quality));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_BAD_NOMINAL,
+        invcal_thermal_calibrate(POSITIONS_AT(all.raw, all.temperature, all.count, &nominal, 0),
+                                 INVCAL_THERMAL_DEGREE, &found, &quality));
 }
 
 static void eight_positions_and_a_plane_are_refused_as_without_temperature(void)

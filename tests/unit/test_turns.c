@@ -786,7 +786,8 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
     }
     memcpy(expected, t.sum, sizeof expected);
     (void)invcal_turns_sigma(&t, NULL, sigma[0], &open);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &stated));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, (const invcal_vector *)raw[0], 13,
+                                                        &unit, &w.moves, &stated));
     TEST_ASSERT_DOUBLE_WITHIN(1e-4, 1, (double)t.up[2]);
     for (unsigned i = 0; i < 171; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(0.02 * (1 + fabs((double)expected[i])), (double)expected[i],
@@ -796,9 +797,11 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
     for (unsigned r = 0; r < 18; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(0.02, (double)sigma[0][r], (double)sigma[1][r]);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(raw[0], 13, &unit, &w.moves, &stated, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve((const invcal_vector *)raw[0], 13, &unit,
+                                                      &w.moves, &stated, &imu));
     held.held = 1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &held));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, (const invcal_vector *)raw[0], 13,
+                                                        &unit, &w.moves, &held));
     TEST_ASSERT_EQUAL_UINT(9, rank());
     TEST_ASSERT_DOUBLE_WITHIN(0.02 * (double)expected[0], (double)expected[0], at(0, 0));
 }
@@ -822,8 +825,8 @@ static void it_begins_where_the_last_rest_is(void)
     }
     w.moves.count = 12;
     held.held = 1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_turns_after(&other.t, raw[0], 12, &unit, &w.moves, &held));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&other.t, (const invcal_vector *)raw[0], 12,
+                                                        &unit, &w.moves, &held));
     TEST_ASSERT_EQUAL_UINT(9, other.t.n);
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1.5, (double)other.t.seconds);
     TEST_ASSERT_DOUBLE_WITHIN(1e-4, -1, (double)other.t.up[1]); /* the tour's last but one */
@@ -838,13 +841,13 @@ static void bad_rests_are_refused(void)
 
     (void)make_tour(raw);
     bad.noise = -1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE,
-                          invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &bad));
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
-                          invcal_turns_after(&t, raw[0], 0, &unit, &w.moves, &stated));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_after(&t, (const invcal_vector *)raw[0],
+                                                               13, &unit, &w.moves, &bad));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_turns_after(&t, (const invcal_vector *)raw[0], 0,
+                                                             &unit, &w.moves, &stated));
     raw[12][2] = 30;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE,
-                          invcal_turns_after(&t, raw[0], 13, &unit, &w.moves, &stated));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_turns_after(&t, (const invcal_vector *)raw[0],
+                                                                  13, &unit, &w.moves, &stated));
 }
 
 /* Errors of the tour in a hand that wobbles, over the sigma of the plan: 1.07 at most in 300 runs,

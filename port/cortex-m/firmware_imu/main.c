@@ -47,7 +47,7 @@ static void find_turn(unsigned rest)
 
     if (rest <= INVCAL_TOUR) {
         (void)invcal_tour(rest > 0 ? rest - 1 : INVCAL_TOUR - 1, &turn);
-    } else if (invcal_turns_after(&turns, both.session.mean[0], both.session.count,
+    } else if (invcal_turns_after(&turns, both.session.mean, both.session.count,
                                   &both.session.nominal, &both.moves, NULL) == INVCAL_OK) {
         if (rest > both.moves.count) { /* the last turn was made, its rest is not taken yet */
             (void)invcal_turns_add(&turns, &turn);
@@ -153,7 +153,7 @@ static void report_move(void)
 static int solve(void)
 {
     static invcal_imu imu;
-    const invcal_status status = invcal_imu_solve(both.session.mean[0], both.session.count,
+    const invcal_status status = invcal_imu_solve(both.session.mean, both.session.count,
                                                   &both.session.nominal, &both.moves, NULL, &imu);
 
     if (status != INVCAL_OK || imu.verdict != INVCAL_GOOD) {

@@ -158,7 +158,7 @@ static double accuracy_of(const fit_quality *q)
     invcal_quality quality = {.sigma_dof = (uint16_t)fmin(UINT16_MAX, q->sigma_dof)};
 
     memcpy(quality.sigma, q->sigma, sizeof quality.sigma);
-    return invcal_accuracy_held(&quality, q->from_prior, 0);
+    return invcal_accuracy(&quality, 0) /*HELD q->from_prior*/;
 }
 
 /* An error of the field is a common error of all three scales. */

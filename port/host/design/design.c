@@ -75,7 +75,7 @@ static const double *readings(const design *d)
 
 void design_next(const design *d, double up[3])
 {
-    invcal_next(readings(d), d->count, &unit, up);
+    invcal_next(POSITIONS_OF(readings(d), d->count, &unit, 0), up);
 }
 
 /* The same in threes. */
@@ -152,7 +152,8 @@ static void evaluate(design *d)
     d->is_solvable = criteria_evaluate(&d->sums, &d->criteria);
     d->criteria.positions = d->count;
     d->drift_factor = order_drift_factor(directions(d), shares(d), d->count);
-    d->undetermined = d->is_solvable ? 0 : invcal_undetermined(readings(d), d->count, &unit);
+    d->undetermined =
+        d->is_solvable ? 0 : invcal_undetermined(POSITIONS_OF(readings(d), d->count, &unit, 0));
     if (!d->is_solvable) {
         refuse(d);
     }

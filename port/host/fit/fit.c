@@ -150,8 +150,8 @@ fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings
 invcal_status fit_explain(const double *raw, unsigned count, const fit_settings *settings,
                           invcal_status status, fit_reason *reason)
 {
-    fit_reason why = {invcal_bad_reading(raw, count, &settings->nominal),
-                      invcal_undetermined(raw, count, &settings->nominal)};
+    fit_reason why = {invcal_bad_reading(POSITIONS_OF(raw, count, &settings->nominal, 0)),
+                      invcal_undetermined(POSITIONS_OF(raw, count, &settings->nominal, 0))};
 
     if (settings->is_six_faces) {
         why.undetermined = (uint16_t)(why.undetermined & ~ANGLES);
@@ -171,13 +171,13 @@ static invcal_status solve(const double *raw, unsigned count, const fit_settings
     const invcal_calibration *nominal = &settings->nominal;
 
     if (settings->is_six_faces) {
-        return invcal_calibrate_faces(raw, count, nominal, settings->noise,
-                                      settings->prior[INVCAL_GAMMA_XY], c, q, from_prior);
+        return invcal_calibrate_faces(POSITIONS_OF(raw, count, nominal, settings->noise),
+                                      settings->prior[INVCAL_GAMMA_XY], c, q) /*HELD from_prior*/;
     }
     return fit_has_prior(settings)
-               ? invcal_calibrate_prior(raw, count, nominal, settings->noise, settings->prior, c, q,
-                                        from_prior)
-               : invcal_calibrate_plain(raw, count, nominal, settings->noise, c, q);
+               ? invcal_calibrate_prior(POSITIONS_OF(raw, count, nominal, settings->noise),
+                                        settings->prior, c, q) /*HELD from_prior*/
+               : invcal_calibrate_plain(POSITIONS_OF(raw, count, nominal, settings->noise), c, q);
 }
 
 invcal_status fit_make(const double *raw, unsigned count, const fit_settings *settings,

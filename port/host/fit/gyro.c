@@ -123,7 +123,7 @@ typedef struct {
     const gyro_log *log;
     const positions *p;
     const rejection *kept;
-    invcal_rests rests;
+    invcal_private_rests rests;
     unsigned position; /* rests taken so far */
     size_t i;
 } replay;
@@ -680,7 +680,7 @@ static invcal_status solve(gyro_fit *g, const positions *p, const invcal_calibra
     double raw[3 * INVCAL_MAX_MOVES];
 
     means_of(g, p, raw);
-    return invcal_imu_solve(raw, g->rests, start, &moves, NULL, &g->imu);
+    return invcal_imu_solve((const invcal_vector *)raw, g->rests, start, &moves, NULL, &g->imu);
 }
 
 int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *start,
@@ -689,7 +689,8 @@ int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *
     double raw[3 * INVCAL_MAX_MOVES];
 
     means_of(g, p, raw);
-    return g->moves > 0 && invcal_turns_after(out, raw, g->rests, start, &moves, NULL) == INVCAL_OK;
+    return g->moves > 0 && invcal_turns_after(out, (const invcal_vector *)raw, g->rests, start,
+                                              &moves, NULL) == INVCAL_OK;
 }
 
 /* The delay of the readings; 0 unless the rests are quieter with it. Fills rests and bias

@@ -48,7 +48,7 @@ static invcal_status solve(const double *raw, unsigned count, const invcal_calib
                                 c ? mean / fmax(residual(c, u), RESIDUAL_MIN * mean) : 1);
         }
     }
-    return invcal_solve(&sums, nominal, out);
+    return invcal_sums_solve(&sums, nominal, out);
 }
 
 invcal_status l1_fit(const double *raw, unsigned count, const invcal_calibration *nominal,

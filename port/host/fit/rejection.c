@@ -139,8 +139,8 @@ static void judge_subset(rejection *r, const positions *p, const fit_settings *s
     invcal_quality q;
 
     gather(r, p, s, before, &c);
-    if (invcal_calibrate(c.mean[0], c.count, &settings->nominal, settings->noise, &calibration,
-                         &q) != INVCAL_OK) {
+    if (invcal_calibrate(POSITIONS_OF(c.mean[0], c.count, &settings->nominal, settings->noise),
+                         &calibration, &q) != INVCAL_OK) {
         return;
     }
     const invcal_mask rejected = s.count > 1 ? q.left_out | q.suspected : q.left_out;
@@ -224,8 +224,8 @@ static int reconsider(rejection *r, const positions *p, const fit_settings *sett
     unsigned rejected_again = 0; /* of the old list */
 
     rejection_finish(r, p);
-    if (invcal_calibrate_plain(r->kept, r->kept_count, &settings->nominal, 0, &c, &q) !=
-        INVCAL_OK) {
+    if (invcal_calibrate_plain(POSITIONS_OF(r->kept, r->kept_count, &settings->nominal, 0), &c,
+                               &q) != INVCAL_OK) {
         return 0;
     }
     const double noise =

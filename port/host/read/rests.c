@@ -17,7 +17,7 @@
 typedef struct {
     positions p;
     rests_summary summary;
-    invcal_rests rests;
+    invcal_private_rests rests;
     double unit;
     double clock_scale; /* seconds at the assumed rate per second of the log's clock */
     recording *recording;

@@ -65,7 +65,7 @@ static int find_next(report_facts *f)
     for (unsigned n = 0; n < kept; n++) {
         calibrate_reference_reading(f->result, n, &raw[3 * (size_t)n]);
     }
-    invcal_next(raw, kept, &f->result->solution.symmetric, f->next);
+    invcal_next(POSITIONS_OF(raw, kept, &f->result->solution.symmetric, 0), f->next);
     (void)invcal_direction_text(f->next, f->next_words);
     free(raw);
     return 1;

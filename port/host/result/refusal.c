@@ -116,7 +116,7 @@ static int determines_nine(const directions *d)
     double root[INVCAL_PARAMETERS];
     int is_determined = d->count >= POSITIONS_GOOD;
 
-    invcal_prospect(d->up[0], d->count, &identity, NULL, root);
+    invcal_prospect(POSITIONS_OF(d->up[0], d->count, &identity, 0), NULL, root);
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
         is_determined = is_determined && root[p] <= SIGMA_MAX;
     }
@@ -163,7 +163,7 @@ static void find_direction(const directions *d, unsigned degree, double out[3])
     if (degree > 0) {
         find_gap(d, out);
     } else {
-        invcal_next(d->up[0], d->count, &identity, out);
+        invcal_next(POSITIONS_OF(d->up[0], d->count, &identity, 0), out);
     }
 }
 

@@ -190,20 +190,20 @@ static double residual(const mounting_position *p, const mounting *m,
 static void find_vertical(stand *s, const invcal_calibration *nominal)
 {
     stand_vertical *v = &s->vertical;
-    invcal_linear_sums linear;
+    invcal_directions linear;
     invcal_calibration c;
     double squares = 0;
 
-    invcal_linear_init(&linear);
+    invcal_directions_init(&linear);
     for (unsigned i = 0; i < s->count; i++) {
         double up[3];
         mounting_turn(&s->mounting, s->position[i].eta, up);
         if (!s->position[i].is_left_out) {
-            (void)invcal_linear_add_vertical(&linear, nominal, s->position[i].raw, up);
+            (void)invcal_directions_add(&linear, nominal, s->position[i].raw, up);
         }
     }
     invcal_sums sums = linear.sums;
-    v->is_known = invcal_linear_solve(&linear, nominal, &c, v->x) == INVCAL_OK;
+    v->is_known = invcal_directions_solve(&linear, nominal, &c, v->x) == INVCAL_OK;
     if (!v->is_known || !matrix_invert_packed(sums.sum, NINE)) {
         v->is_known = 0;
         return;

@@ -100,8 +100,7 @@ static NOINLINE void solve()
 {
     invcal_quality quality;
 
-    if (invcal_calibrate_robust(session.mean[0], session.count, &session.nominal, session.noise,
-                                &calibration, &quality) != INVCAL_OK ||
+    if (invcal_calibrate_robust(POSITIONS_OF(session.mean[0], session.count, &session.nominal, session.noise), &calibration, &quality) != INVCAL_OK ||
         quality.verdict != INVCAL_GOOD || quality.dof < 3) {
         return;
     }

@@ -99,8 +99,7 @@ static NOINLINE void solve()
     invcal_imu imu;
 
     made = 0;
-    const invcal_status status = invcal_imu_solve(both.session.mean[0], both.session.count,
-                                                  &both.session.nominal, &both.moves, NULL, &imu);
+    const invcal_status status = invcal_imu_solve(both.session.mean, both.session.count, &both.session.nominal, &both.moves, NULL, &imu);
     if (status != INVCAL_OK || imu.verdict != INVCAL_GOOD) {
         Serial.print(F("not yet: "));
         Serial.println(status != INVCAL_OK ? invcal_status_text(status)

@@ -7,25 +7,26 @@
  */
 #include <string.h>
 
+#include "directions.h"
 #include "solve.h"
 #include "sums.h"
 #include "vector.h"
 
-void invcal_linear_init(invcal_linear_sums *linear)
+void invcal_directions_init(invcal_directions *directions)
 {
-    INVCAL_ASSERT(linear);
-    invcal_sums_init(&linear->sums);
+    INVCAL_ASSERT(directions);
+    invcal_sums_init(&directions->sums);
 }
 
 /* h(eta), and J1 of the reading u, or J2: that of an exact row. The exact row comes first: it also
  * refuses what is not a reading. */
-static invcal_status add_along(invcal_linear_sums *linear, const invcal_calibration *nominal,
-                               const invcal_real raw[3], const invcal_real eta[3], int is_vertical)
+static invcal_status add_along(invcal_directions *directions, const invcal_calibration *nominal,
+                               const invcal_real mean[3], const invcal_real eta[3], int is_vertical)
 {
     invcal_row row;
 
-    INVCAL_ASSERT(linear && nominal && raw && eta);
-    const invcal_status status = invcal_observe(nominal, raw, &row);
+    INVCAL_ASSERT(directions && nominal && mean && eta);
+    const invcal_status status = invcal_observe(nominal, mean, &row);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -37,33 +38,34 @@ static invcal_status add_along(invcal_linear_sums *linear, const invcal_calibrat
     }
     memcpy(row.h, eta, 3 * sizeof *eta);
     invcal_row_of(row.h);
-    invcal_sums_add_row(&linear->sums, &row, 1);
+    invcal_sums_add_row(&directions->sums, &row, 1);
     return INVCAL_OK;
 }
 
-invcal_status invcal_linear_add_vertical(invcal_linear_sums *linear,
-                                         const invcal_calibration *nominal,
-                                         const invcal_real raw[3], const invcal_real eta[3])
+invcal_status invcal_directions_add(invcal_directions *directions,
+                                    const invcal_calibration *nominal, const invcal_real mean[3],
+                                    const invcal_real eta[3])
 {
-    return add_along(linear, nominal, raw, eta, 1);
+    return add_along(directions, nominal, mean, eta, 1);
 }
 
-invcal_status invcal_linear_add_scalar(invcal_linear_sums *linear,
-                                       const invcal_calibration *nominal, const invcal_real raw[3],
-                                       const invcal_real eta[3])
+invcal_status invcal_directions_add_scalar(invcal_directions *directions,
+                                           const invcal_calibration *nominal,
+                                           const invcal_real mean[3], const invcal_real eta[3])
 {
-    return add_along(linear, nominal, raw, eta, 0);
+    return add_along(directions, nominal, mean, eta, 0);
 }
 
-invcal_status invcal_linear_solve(invcal_linear_sums *linear, const invcal_calibration *nominal,
-                                  invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS])
+invcal_status invcal_directions_solve(invcal_directions *directions,
+                                      const invcal_calibration *nominal, invcal_calibration *out,
+                                      invcal_real x[INVCAL_PARAMETERS])
 {
     invcal_calibration c;
 
-    INVCAL_ASSERT(linear && nominal && out && x);
-    invcal_real *a = linear->sums.sum;
+    INVCAL_ASSERT(directions && nominal && out && x);
+    invcal_real *a = directions->sums.sum;
     invcal_real *p = &a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)];
-    if (linear->sums.count < INVCAL_PARAMETERS) {
+    if (directions->sums.count < INVCAL_PARAMETERS) {
         return INVCAL_TOO_FEW;
     }
     invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * invcal/private.h: state of which only the size concerns a program. Nothing here is part of the
+ * interface: any release may change it.
+ */
+#ifndef INVCAL_PRIVATE_H
+#define INVCAL_PRIVATE_H
+
+#include "invcal/config.h"
+
+/* An axis of the rest detector. Means are in 1/1024 counts. */
+typedef struct {
+    int32_t first;  /* first sample of the block */
+    uint32_t sum;   /* of the differences to it, modulo 2^32; then the block's mean from origin */
+    int32_t origin; /* what block means are relative to */
+    int32_t place;  /* of the last position; before the first one, of the first block */
+    struct {
+        uint64_t total;     /* sum of the samples, relative to origin, modulo 2^64 */
+        int32_t pending[2]; /* means of the blocks held back: lost if motion follows */
+        int32_t once;       /* exponential mean of the means */
+        int32_t lag;        /* its lead over its own exponential mean */
+    } rest;                 /* the current one */
+} invcal_private_axis;
+
+/* The rest detector. A level is a logarithm, see rests.c. */
+typedef struct {
+    uint8_t stage, flags, hold, drift; /* of the current rest, see rests.c */
+    uint8_t pended;                    /* its newest blocks, held back, up to 2; 0: none */
+    uint8_t skip;                      /* quiet blocks to skip before it begins */
+    uint8_t reason;                    /* of the last refusal */
+    uint8_t taken;                     /* 1: `place` is that of a position */
+    uint8_t seen;                      /* of the block */
+    uint8_t run;                       /* blocks in a row of another noise level, or of none */
+    uint8_t least;       /* min blocks of a position, however short the time to hold */
+    uint8_t bits;        /* a block has 1 << bits samples */
+    uint16_t dwell;      /* min blocks with the time to hold */
+    uint16_t blocks;     /* summed in the rest, without those held back; at most 1.6 hours */
+    uint16_t pace;       /* blocks in 1/125 s, 1/65536 */
+    int16_t noise;       /* level, learned from the stream; 0: not known yet */
+    int16_t wander;      /* the same */
+    int16_t reach;       /* the same */
+    int16_t other;       /* candidate for a new noise level */
+    uint16_t missing;    /* samples until the block is full; 0: the next one begins a block */
+    uint32_t span;       /* twice the largest difference for the fast sum; 0: none */
+    uint32_t quantum;    /* smallest change seen inside a block, counts; 0: none yet */
+    uint32_t time;       /* samples in full blocks so far, modulo 2^32 */
+    int32_t low;         /* lower rail */
+    uint32_t between;    /* readings between low and the other rail */
+    uint64_t square;     /* of the block: squares of the differences, the three axes together; then
+                            their variance */
+    uint32_t begin, end; /* of the rest: first block's first sample; after the newest block */
+    uint64_t variance;   /* of the rest: sum over its blocks and those held back, 1/64 counts^2 */
+    invcal_private_axis axis[3]; /* x, y, z */
+} invcal_private_rests;
+
+#endif
