@@ -4,11 +4,10 @@
  *
  *     memory          two slots of a flash, an EEPROM or a file, and callbacks to access them
  *     save, load      a calibration, or a session to resume: what most programs need
- *     store           the same for any bytes, safe against power loss; the layout of the slots
+ *     store           the same for any bytes, safe against power loss
  *     record          a calibration with all that is known about it, as 136 bytes
  *
- * invcal.h states the rules and units. A program and a library with different build options do not
- * link.
+ * invcal.h states the rules and units; frozen.md, "Stored bytes", lists what is where.
  */
 #ifndef INVCAL_STORE_H
 #define INVCAL_STORE_H
@@ -103,18 +102,6 @@ invcal_status invcal_session_load(invcal_session *session, const invcal_store *s
  * there, reads them back, and only then confirms them, with one granule of zeros after them.
  * Whenever power fails, a later load finds the old bytes or all of the new ones.
  *
- * A slot, everything with the least significant byte first:
- *
- *     at        size  what
- *     0         1     kind, 0x5C
- *     1         1     version, 1
- *     2         2     size of the data
- *     4         4     sequence number: that of the previous save, if any, plus 1, mod 2^32
- *     8         size  the data
- *               ...   0xFF, up to 4 bytes before the end of a granule
- *     E - 4     4     CRC-32 (IEEE 802.3, as zlib) of all bytes before it
- *     E               one granule: 0x00, confirmed; 0xFF, not
- *
  * If both slots have a correct CRC, a load takes the confirmed one; of two confirmed ones the
  * later; of two unconfirmed ones the earlier, since it was complete when writing of the later
  * began. It takes an unconfirmed slot if there is no other. So a cell left half programmed by a
@@ -167,33 +154,10 @@ invcal_status invcal_store_erase(const invcal_store *store);
 /* ---- the record of a calibration ----------------------------------------------------------------
  *
  * Use it to store more than invcal_save does: which sensor, when, at what temperature; or to send
- * it. It is the same on every machine: integers with the least significant byte first; reals as
- * IEEE-754 binary32 in the same order, whatever invcal_real is. A float build loses nothing. A
- * double build keeps 24 bits of each number, an error of 6e-8 of the value (0.002 counts of an
- * offset of 33000). Decoding and encoding again gives the same bytes: nothing more is lost.
- *
- * It begins with its kind, its version (now 2) and its length, and ends with the CRC-32 (IEEE
- * 802.3, as zlib) of all before it. Later versions may change everything else. So any version can
- * distinguish sound bytes of another one from damaged ones. Any change, even a new verdict, gets a
- * new version number, and later releases keep a function to read every version released before;
- * except version 1, of release 0.1.0, which is refused as another version.
- *
- * The CRC detects one to four wrong bits, any run of up to 32 wrong bits, and any two bytes
- * exchanged. Other damage passes once in 2^32 times.
- *
- *     at    size  what                         at    size  what
- *       0   1     kind, 0xCA                    28   4     field_sigma
- *       1   1     version, 2                    32   4     temperature
- *       2   2     length, 136                   36   4     noise
- *       4   8     sensor                        40   4     rms
- *      12   4     date                          44   4     condition
- *      16   2     positions                     48   12    offset x, y, z
- *      18   2     weak                          60   36    matrix by rows
- *      20   2     held                          96   36    sigma of the nine parameters
- *      22   1     verdict                      132   4     CRC
- *      23   1     temperature_known
- *      24   4     field
- */
+ * it. It is the same on every machine. Reals are stored as IEEE-754 binary32: a double build keeps
+ * 24 bits of each number, an error of 6e-8 of the value (0.002 counts of an offset of 33000);
+ * decoding and encoding again gives the same bytes. It begins with its kind,
+ * version and length, and ends with a CRC-32. */
 #define INVCAL_RECORD_SIZE 136u /* bytes of a record */
 
 /* Unknown values are 0. */
