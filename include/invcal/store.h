@@ -53,17 +53,11 @@ typedef struct {
 
 /* ---- a calibration, a session -------------------------------------------------------------------
  *
- *     at start:      if (invcal_load(&calibration, &result) != INVCAL_OK)
- *                        calibrate, then invcal_save(&calibration, &quality, &result)
- *     to calibrate:  invcal_session_init, and invcal_session_load(&session, &progress)
- *                    after INVCAL_TAKEN: invcal_session_save(&session, &progress)
- *
  * A store holds one object: these are two stores. Their slots have at least
  * INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, granularity) and
  * INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, granularity) bytes.
  *
- * A session is begun first, then loaded. Positions that were saved with another nominal calibration
- * or rate are refused. What invcal_session_set_limits, _set_noise and _set_hold stated stays. */
+ * A session is begun first, then loaded: what was begun and set stays. */
 
 /* Saves a calibration, and how good it is, as a record (see below); over field, so before
  * invcal_scale.
@@ -77,19 +71,19 @@ invcal_status invcal_save(const invcal_calibration *calibration, const invcal_qu
 /* Loads it. For its other contents, use invcal_store_load and invcal_record_decode.
  *
  * Returns INVCAL_OK; as invcal_store_load; as invcal_record_decode. INVCAL_NO_SPACE,
- * INVCAL_OTHER_VERSION or INVCAL_DAMAGED: it holds something else. A session of up to five
- * positions is INVCAL_DAMAGED, since it does not end with the CRC of a record. Cost: 11,000
- * instructions. Stack: about 450 bytes; both as above. */
+ * INVCAL_OTHER_VERSION or INVCAL_DAMAGED: it holds something else.
+ * Cost: 11,000 instructions. Stack: about 450 bytes; both as above. */
 INVCAL_NODISCARD invcal_status invcal_load(invcal_calibration *calibration,
                                            const invcal_store *store);
 
-/* Saves the lasting part of a session: see invcal_session_size.
+/* Saves settings and positions of a session, as invcal_session_size.
  *
  * Returns as invcal_store_save. Cost: 22,000 instructions for 18 positions, without the callbacks.
  * Stack as that. */
 invcal_status invcal_session_save(const invcal_session *session, const invcal_store *store);
 
-/* Loads it into a session that was begun, to resume with a new stream.
+/* Loads it into a session that was begun, to resume with a new stream. Noise is learned again, and a
+ * device still in its last orientation may take it again, which does no harm.
  *
  * Returns as invcal_store_load, then as invcal_session_resume. INVCAL_OTHER_SETTINGS: also if it
  * holds something else. If it fails, the session is as it was begun: to ignore that is to begin
@@ -208,20 +202,16 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
  * Stack as above. */
 invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out);
 
-/* ---- the lasting part of a session --------------------------------------------------------------
+/* ---- a session without an invcal_store ----------------------------------------------------------
  *
- * The settings and the positions are at the beginning of the structure. The state of the stream is
- * after them, and is not saved: a rest in progress is lost, noise is learned again, and a device
- * still in its last orientation may record it again, which does no harm.
- *
- * These bytes are for the same device: a build with another number type, byte order or layout of
- * the structure refuses them. A table of another size accepts them if they fit. */
+ * For a memory that keeps blobs, such as NVS. The bytes are for the same device: a build with
+ * another number type, byte order or layout of the structure refuses them. A table of another size
+ * accepts them if they fit. */
 #define INVCAL_SESSION_SIZE                                                                        \
     ((uint32_t)(offsetof(invcal_session, mean) +                                                   \
                 INVCAL_MAX_POSITIONS * sizeof(invcal_vector))) /* bytes at most */
 
-/* The number of bytes to save, from the beginning of a session. Without an invcal_store, save these
- * yourself. */
+/* The number of bytes to save, from the beginning of a session. */
 uint32_t invcal_session_size(const invcal_session *session);
 
 /* Resumes from these bytes, at any alignment, with a new stream.
@@ -230,8 +220,8 @@ uint32_t invcal_session_size(const invcal_session *session);
  *
  * Returns INVCAL_OK; else the session is as it was begun, without positions:
  *   INVCAL_NOT_BEGUN;
- *   INVCAL_OTHER_SETTINGS  they were saved with another nominal calibration or rate, or by a
- *                          different build;
+ *   INVCAL_OTHER_SETTINGS  they were saved with another nominal calibration or rate, or by another
+ *                          build;
  *   INVCAL_DAMAGED         their number does not match the table;
  *   INVCAL_NO_SPACE        more than INVCAL_SESSION_SIZE.
  * The means are not checked: solving refuses bad ones. */
