@@ -88,7 +88,7 @@ invcal_status invcal_calibrate(const invcal_positions *positions, invcal_calibra
     invcal_selection selection = {*positions, 0};
     const invcal_status status = leave_out_groups(&selection, out, quality);
     if (status == INVCAL_OK) {
-        judge_directions(positions, out, quality);
+        judge_directions(&selection.given, out, quality);
     }
     return status;
 }

@@ -82,7 +82,7 @@ check "fault: a quarter of the samples half-way: not called good" matches "$work
 # ---- the fixture, and the hand -----------------------------------------------------------------------
 
 # 0.5 degrees a second in two rests.
-fault "rests in a slow turn" 0 '^ +[234] rests refused: drifts: turned slowly or not settled' \
+fault "rests in a slow turn" 0 '^ +[234] rests refused: drifts: turning or settling' \
     '$1 > 14 && $1 < 20 { $2 += 140 * ($1 - 14) } $1 > 35 && $1 < 41 { $3 += 140 * ($1 - 35) }'
 right "rests in a slow turn" 1.5
 # The case rocks by 0.06 rad at 17 Hz about z: cos has the mean 1 - 0.06^2 / 4, by which x and y read less.

@@ -69,15 +69,15 @@ static const __FlashStringHelper *refusal_text()
 {
     switch (invcal_session_reason(&session)) {
     case INVCAL_REST_SHORT:
-        return F("too short: hold it still longer");
+        return F("too short: hold still longer");
     case INVCAL_REST_DRIFT:
-        return F("drifts: turned slowly or not settled");
+        return F("drifts: turning or settling");
     case INVCAL_REST_CLIPPED:
         return F("at the end of the range");
     case INVCAL_REST_FROZEN:
-        return F("readings never change: is the sensor read?");
+        return F("readings never change: sensor not read?");
     case INVCAL_REST_GAP:
-        return F("too short: samples were lost");
+        return F("too short: samples lost");
     case INVCAL_REST_SAME:
         return F("nothing new: same place");
     default:
