@@ -20,8 +20,6 @@
 #define FARTHEST INVCAL_REAL(2.0)         /* |t| */
 #define NARROWEST INVCAL_REAL(5.0)        /* K, for each degree */
 #define NARROWEST_STEP INVCAL_REAL(0.125) /* of t, to a point of interpolation */
-#define USUAL_SLOPE INVCAL_REAL(1e-3)     /* 1/K */
-#define USUAL_NOISE INVCAL_REAL(1e-4)     /* over field */
 
 enum {
     DEGREE = INVCAL_THERMAL_DEGREE,
@@ -53,14 +51,6 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback)
            : fallback == INVCAL_THERMAL_NARROW ? "too narrow a range of temperatures for slopes"
            : fallback == INVCAL_THERMAL_OPEN   ? "positions and temperatures leave slopes open"
                                                : "unknown reason";
-}
-
-invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope)
-{
-    const invcal_real limit =
-        2 * (noise > 0 ? noise : USUAL_NOISE) / (slope > 0 ? slope : USUAL_SLOPE);
-
-    return noise >= 0 && slope >= 0 && invcal_is_finite(limit) ? limit : 0;
 }
 
 /* ---- the system ------------------------------------------------------------------------------ */
