@@ -31,9 +31,9 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
 void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real weight);
 
 /* No programming error. */
-static inline int invcal_are_given(const invcal_positions *positions)
+static inline int invcal_are_given(const invcal_positions *given)
 {
-    return positions && (positions->mean || positions->count == 0) && positions->nominal;
+    return given && (given->mean || given->count == 0) && given->nominal;
 }
 
 /* The part of a row after its first three elements g:

@@ -7,9 +7,9 @@
 #ifndef RECORDING_H
 #define RECORDING_H
 
-#include "invcal/expert.h"
 #include "read/samples.h"
 #include "read/timeline.h"
+#include "rests.h"
 
 #define RECORDING_BLOCKS 16384u /* the last ones, half an hour */
 
