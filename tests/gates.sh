@@ -85,8 +85,8 @@ plant constant port/host/fit/gravity.c 's/9\.7803253359/9.7803253459/' \
     'tool-gravity: .* [1-9][0-9]* failed' unit gravity
 plant event src/rests.c 's/report(s, INVCAL_REST_FROZEN/report(s, INVCAL_REST_SHORT/' \
     'float-(faults|rests): .* [1-9][0-9]* failed' unit 'faults|rests'
-plant mirrored src/full_vector.c 's/work) > LEAST_DET)) {/work) > -9)) {/' \
-    'float-full_vector: .* [1-9][0-9]* failed' unit full_vector
+plant mirrored port/host/stand/full_vector.c 's/work) > LEAST_DET)) {/work) > -9)) {/' \
+    'tool-full_vector: .* [1-9][0-9]* failed' unit full_vector
 plant dropped src/magnetometer.c 's/if (!(excess <= 0))/if (excess <= 0)/' \
     'float-magnetometer: .* [1-9][0-9]* failed' unit 'float-magnetometer'
 plant dip src/dip.c 's/(dip->count - DIP_UNKNOWNS)/(dip->count + DIP_UNKNOWNS)/' \
