@@ -6,6 +6,7 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "invcal/allan.h"
 #include "invcal/expert.h"
@@ -38,7 +39,7 @@ int main(void)
     const invcal_real zero[3] = {0, 0, 0};
     const invcal_real counts[3] = {16384, 16384, 16384};
     invcal_vector mean[18];
-    invcal_positions positions = {0};
+    invcal_positions positions;
     invcal_real x[INVCAL_PARAMETERS];
     uint8_t bytes[INVCAL_RECORD_SIZE];
     invcal_calibration nominal, calibration;
@@ -48,6 +49,7 @@ int main(void)
     const unsigned n = measure(mean);
     invcal_status status = invcal_nominal(zero, counts, &nominal);
     if (status == INVCAL_OK) {
+        memset(&positions, 0, sizeof positions);
         positions.mean = mean;
         positions.count = n;
         positions.nominal = &nominal;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * read/recording.h: what is kept of a log besides its rests, in fixed memory: line and time at
- * which each block of invcal_private_rests began (they cannot be computed if samples were lost or lines
+ * which each block of the detector began (they cannot be computed if samples were lost or lines
  * skipped), and the outline.
  */
 #ifndef RECORDING_H
