@@ -159,7 +159,7 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 # The host tool: the library in double, with more positions and averaging times than on a device, and quadratics in
 # temperature. The library's options in CFLAGS do not apply to it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
-    -DINVCAL_PRIVATE_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host
+    -DINVCAL_PRIVATE_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host -Isrc
 TOOL_COMPILER_FLAGS = $(filter-out $(CHOICES),$(subst -D INVCAL_,-DINVCAL_,$(FLAGS)))
 $(BUILD)/tool/%.o: %.c $(BUILD)/words/tool $(HEADERS)
 	@mkdir -p $(@D)
@@ -205,7 +205,7 @@ $(BUILD)/web/live.wasm: port/web/live.c $(BUILD)/words/page $(SOURCES) $(wildcar
 	$(call need,wasm-ld-19)
 	$(need_wasm)
 	@mkdir -p $(@D)
-	$(Q)$(WASM) $(WARNINGS) -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -mexec-model=reactor -nostartfiles \
+	$(Q)$(WASM) $(WARNINGS) -Isrc -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -mexec-model=reactor -nostartfiles \
 	    -Wl,--no-entry $(SOURCES) $< -o $@
 
 $(BUILD)/web/tool.wasm: port/web/wasi.c $(BUILD)/words/page port/web/wasi.h $(WASM_HOST) $(SOURCES) \

@@ -162,9 +162,6 @@
 #define invcal_factor invcald_factor
 #define invcal_fit_row invcald_fit_row
 #define invcal_fit_solve invcald_fit_solve
-#define invcal_full_vector_add invcald_full_vector_add
-#define invcal_full_vector_init invcald_full_vector_init
-#define invcal_full_vector_solve invcald_full_vector_solve
 #define invcal_get_reals invcald_get_reals
 #define invcal_imu_begin invcald_imu_begin
 #define invcal_imu_settings_check invcald_imu_settings_check

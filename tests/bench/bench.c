@@ -239,36 +239,6 @@ static void bench_dip(void)
     }
 }
 
-/* Against the directions of the program. */
-static void bench_full_vector(void)
-{
-    invcal_plan plan = {.per_group = POSITIONS / INVCAL_PLAN_GROUPS};
-    invcal_plan_position p;
-    invcal_full_vector full;
-    invcal_calibration calibration;
-    invcal_real x[INVCAL_PARAMETERS];
-    invcal_real mounting[3][3];
-
-    (void)invcal_plan_starts(plan.per_group, plan.start);
-    invcal_full_vector_init(&full);
-    for (unsigned i = 0; i < POSITIONS; i++) {
-        (void)invcal_plan_position_at(&plan, i, &p);
-        begin();
-        (void)invcal_full_vector_add(&full, &nominal, raw[i], p.vertical);
-        const uint32_t count = end();
-        if (i + 1 == POSITIONS) {
-            report("full_vector_add", count);
-        }
-    }
-    begin();
-    const invcal_status status =
-        invcal_full_vector_solve(&full, &nominal, &calibration, x, mounting);
-    report("full_vector_solve", end());
-    if (status != INVCAL_OK) {
-        board_exit(1);
-    }
-}
-
 static void bench_all(void)
 {
     const invcal_real prior[INVCAL_PARAMETERS] = {0, 0, 0, 0, 0, 0, INVCAL_CROSS_AXIS};
@@ -660,7 +630,6 @@ int main(void)
     report("session_solve_3_wrong", solve_session(POSITIONS, 3));
     report("feed_400_Hz", feed(400));
     report("feed_1000_Hz", feed(1000));
-    bench_full_vector();
     bench_frame();
     bench_magnetometer();
     bench_dip();

@@ -133,57 +133,6 @@ static void solve_linear(source *s, const conditions *c)
     }
 }
 
-/* A rotation: the rows are unit vectors at right angles, and the third is the product of the others. */
-static void require_rotation(const invcal_real r[3][3])
-{
-    const double slack = INVCAL_DOUBLE ? 1e-9 : 1e-3;
-
-    require_finite(r[0], 9);
-    for (unsigned i = 0; i < 3; i++) {
-        const unsigned j = (i + 1) % 3;
-        const unsigned k = (i + 2) % 3;
-        REQUIRE(fabs((double)invcal_dot3(r[i], r[i]) - 1) < slack);
-        REQUIRE(fabs((double)invcal_dot3(r[i], r[j])) < slack);
-        REQUIRE(fabs((double)(r[0][j] * r[1][k] - r[0][k] * r[1][j] - r[2][i])) < slack);
-    }
-}
-
-/* Known directions, and all three readings. */
-static void solve_full_vector(source *s)
-{
-    const conditions c = take_conditions(s);
-    const unsigned count = take_byte(s) % MOST;
-    invcal_real x[INVCAL_PARAMETERS];
-    invcal_real mounting[3][3];
-    invcal_real raw[3];
-    invcal_real eta[3];
-    invcal_calibration out;
-    invcal_full_vector full;
-
-    invcal_full_vector_init(&full);
-    for (unsigned i = 0; i < count; i++) {
-        take_reading(s, i, raw);
-        direction_of(i, eta);
-        eta[i % 3] = take_real(s, eta[i % 3]);
-        const invcal_full_vector before = full;
-        const invcal_status status = invcal_full_vector_add(&full, &c.nominal, raw, eta);
-        REQUIRE(status == INVCAL_OK || memcmp(&before, &full, sizeof full) == 0);
-    }
-    mark(&out, sizeof out);
-    mark(x, sizeof x);
-    mark(mounting, sizeof mounting);
-    if (invcal_full_vector_solve(&full, &c.nominal, &out, x, mounting) != INVCAL_OK) {
-        require_mark(&out, sizeof out);
-        require_mark(x, sizeof x);
-        require_mark(mounting, sizeof mounting);
-        return;
-    }
-    require_finite(out.offset, 3);
-    require_finite(&out.matrix[0][0], 9);
-    require_finite(x, INVCAL_PARAMETERS);
-    require_rotation((const invcal_real(*)[3])mounting);
-}
-
 /* ---- position means --------------------------------------------------------------------------- */
 
 /* Some thousand counts, a triad's or anybody's. Returns how many. */
@@ -690,9 +639,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         c = take_conditions(&s);
         c.is_linear = 1;
         solve_linear(&s, &c);
-        break;
-    case 11:
-        solve_full_vector(&s);
         break;
     default:
         if (take_byte(&s) % 2) {

@@ -26,7 +26,6 @@ SIZE_OF(invcal_imu_record);
 SIZE_OF(invcal_imu_session);
 SIZE_OF(invcal_moves);
 SIZE_OF(invcal_turns);
-SIZE_OF(invcal_full_vector);
 SIZE_OF(invcal_quality);
 SIZE_OF(invcal_private_rests);
 SIZE_OF(invcal_session);

@@ -74,7 +74,7 @@ fault "an offset that steps half-way" 0 '^Rough: the positions disagree by [0-9]
     'half { $2 += 200 }'
 fault "one sample of 1,000 at a rail" 0 '^Good: ' 'NR % 1000 == 500 { $2 = -32768 }'
 right "one sample of 1,000 at a rail" 1.5
-fault "a quarter of the samples half-way" 0 '^ +[0-9]+ rests? refused: too short: hold it still' \
+fault "a quarter of the samples half-way" 0 '^ +[0-9]+ rests? refused: too short: hold still' \
     'half && NR % 4 { next }'
 check "fault: a quarter of the samples half-way: not called good" matches "$work/said" \
     '^No redundancy: '

@@ -16,6 +16,7 @@
 #include "flash.h"
 #include "imu.h"
 #include "invcal/gyro.h"
+#include "invcal/plan.h"
 #include "print.h"
 #include "report.h"
 #include "uart.h"
@@ -80,7 +81,7 @@ static void report_vector(const char *name, const invcal_real v[3], float unit, 
 
 static void report_result(const invcal_imu *imu)
 {
-    report("verdict", invcal_verdict_text((invcal_verdict)imu->verdict));
+    report("verdict", invcal_verdict_text(imu->verdict));
     report_count("moves", imu->moves);
     report_vector("accelerometer, offset:  ", imu->accelerometer.offset, 1, 2);
     report_vector("gyroscope, offset:      ", imu->gyro.offset, 1, 2);
@@ -157,8 +158,8 @@ static int solve(void)
                                                   &both.session.nominal, &both.moves, NULL, &imu);
 
     if (status != INVCAL_OK || imu.verdict != INVCAL_GOOD) {
-        report("not yet", status == INVCAL_OK ? invcal_verdict_text((invcal_verdict)imu.verdict)
-                                              : invcal_status_text(status));
+        report("not yet",
+               status == INVCAL_OK ? invcal_verdict_text(imu.verdict) : invcal_status_text(status));
         return 0;
     }
     report_result(&imu);

@@ -8,6 +8,7 @@
 
 #include "invcal/thermal.h"
 #include "fit/rejection.h"
+#include "system.h"
 
 #define THERMAL_COEFFICIENTS (INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS)
 #define THERMAL_PACKED INVCAL_PACKED_SIZE(THERMAL_COEFFICIENTS)

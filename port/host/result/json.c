@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "result/result.h"
+#include "invcal/result.h"
 #include "result/faces.h"
 #include "result/gyro.h"
 #include "text/json_write.h"

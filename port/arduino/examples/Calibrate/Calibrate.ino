@@ -9,7 +9,7 @@
  * and its texts are in flash.
  */
 #include <invcal.h>
-#include <invcal/expert.h>
+#include <invcal/positions.h>
 
 #include "sensor.h"
 #include "storage.h"
@@ -98,9 +98,14 @@ static NOINLINE void save(const invcal_quality &quality)
  * space.) */
 static NOINLINE void solve()
 {
+    invcal_positions positions = {};
     invcal_quality quality;
 
-    if (invcal_calibrate_robust(POSITIONS_OF(session.mean[0], session.count, &session.nominal, session.noise), &calibration, &quality) != INVCAL_OK ||
+    positions.mean = session.mean;
+    positions.count = session.count;
+    positions.nominal = &session.nominal;
+    positions.noise = session.noise;
+    if (invcal_calibrate_robust(&positions, &calibration, &quality) != INVCAL_OK ||
         quality.verdict != INVCAL_GOOD || quality.dof < 3) {
         return;
     }

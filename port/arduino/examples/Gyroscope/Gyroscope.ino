@@ -12,6 +12,7 @@
  */
 #include <invcal.h>
 #include <invcal/gyro.h>
+#include <invcal/plan.h>
 
 #include "imu.h"
 #include "storage.h"
@@ -99,11 +100,12 @@ static NOINLINE void solve()
     invcal_imu imu;
 
     made = 0;
-    const invcal_status status = invcal_imu_solve(both.session.mean, both.session.count, &both.session.nominal, &both.moves, NULL, &imu);
+    const invcal_status status = invcal_imu_solve(both.session.mean, both.session.count,
+                                                  &both.session.nominal, &both.moves, NULL, &imu);
     if (status != INVCAL_OK || imu.verdict != INVCAL_GOOD) {
         Serial.print(F("not yet: "));
         Serial.println(status != INVCAL_OK ? invcal_status_text(status)
-                                           : invcal_verdict_text((invcal_verdict)imu.verdict));
+                                           : invcal_verdict_text(imu.verdict));
         return;
     }
     Serial.println(F("verdict: good"));
