@@ -6,12 +6,16 @@
  */
 #include <string.h>
 
+#include "../positions.h"
 #include "../report.h"
+#include "full_vector.h"
+#include "guidance.h"
 #include "invcal/allan.h"
+#include "invcal/background.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
-#include "invcal/magnetometer.h"
 #include "invcal/gyro.h"
+#include "invcal/magnetometer.h"
 #include "invcal/plan.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"

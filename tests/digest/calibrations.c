@@ -2,7 +2,10 @@
  *
  * Fixed sets of positions: of real sensors, simulated ones, with a prior, wrong and hopeless ones.
  */
+#include "../positions.h"
 #include "digest.h"
+#include "guidance.h"
+#include "solve.h"
 
 #include "board.h"
 #include "expected.h"

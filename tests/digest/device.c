@@ -4,6 +4,10 @@
  * with the mishaps of a hand, a sensor and a memory; then what it keeps.
  */
 #include "digest.h"
+#include "invcal/plan.h"
+#include "invcal/positions.h"
+#include "invcal/result.h"
+#include "rests.h"
 
 enum { RATE = 50, TURN = RATE, REST = 9 * RATE / 4, SHORT_REST = 6 * RATE / 5 };
 

@@ -3,6 +3,8 @@
  * Axes: those of the case, from its faces; those of a stand, from its program.
  */
 #include "digest.h"
+#include "directions.h"
+#include "full_vector.h"
 
 #include "invcal/frame.h"
 #include "invcal/plan.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "digest.h"
+#include "invcal/result.h"
 
 void digest_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal)
 {

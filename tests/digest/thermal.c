@@ -2,6 +2,7 @@
  *
  * A calibration for every temperature, from positions at two.
  */
+#include "../positions.h"
 #include "digest.h"
 
 #include "invcal/thermal.h"

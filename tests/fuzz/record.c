@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../positions.h"
 #include "bytes.h"
 #include "drive.h"
 #include "invcal/gyro.h"
@@ -49,7 +50,7 @@ static void look_at_record(const uint8_t *bytes, uint32_t size)
     require_finite(&r.condition, 1);
     require_finite(r.sigma, INVCAL_PARAMETERS);
     REQUIRE((r.verdict == INVCAL_WEAK) == (r.weak != 0) && r.verdict <= INVCAL_WEAK);
-    REQUIRE(r.weak < 1u << INVCAL_PARAMETERS && r.from_prior < 1u << INVCAL_PARAMETERS);
+    REQUIRE(r.weak < 1u << INVCAL_PARAMETERS && r.held < 1u << INVCAL_PARAMETERS);
     REQUIRE(r.temperature_known <= 1 && (r.temperature_known || r.temperature == 0));
     REQUIRE(invcal_record_encode(&r, again) == INVCAL_OK);
     REQUIRE(size >= sizeof again && memcmp(bytes, again, sizeof again) == 0);
@@ -115,7 +116,7 @@ static void look_at_both(const uint8_t *bytes, uint32_t size)
     REQUIRE(invcal_moves_init(&both.moves, sizeof both.moves, &gyro, 50) == INVCAL_OK);
     REQUIRE(invcal_session_init(&both.session, sizeof both.session, 100, 50) == INVCAL_OK);
     both.session.count = 2;
-    both.session.mean[0][0] = both.session.mean[1][1] = 100;
+    both.session.mean[0].v[0] = both.session.mean[1].v[1] = 100;
     const uint32_t layout = both.moves.layout; /* or almost nothing would be accepted */
     saved = both;
     memcpy((uint8_t *)&saved + INVCAL_IMU_SESSION_FROM, bytes, size < room ? size : room);
@@ -168,7 +169,7 @@ static void look_at_session(const uint8_t *bytes, uint32_t size)
     (void)invcal_session_solve(&session, &calibration, &quality);
     invcal_session_next(&session, up);
     require_finite(up, 3);
-    if (invcal_bad_reading(POSITIONS_OF(session.mean[0], session.count, &session.nominal, 0)) ==
+    if (invcal_bad_reading(POSITIONS_OF(session.mean, session.count, &session.nominal, 0)) ==
         session.count) {
         source s = {bytes + length, size - length};
         drive(&session, NULL, &s);
@@ -401,9 +402,9 @@ static invcal_status save_session(flash *f, const invcal_store *store, content *
 
     memset(wish, 0, sizeof *wish);
     REQUIRE(invcal_session_init(&session, sizeof session, 1000, 50) == INVCAL_OK);
-    session.mean[0][0] = 1000;
-    session.mean[0][1] = 20;
-    session.mean[0][2] = (invcal_real)take_byte(f->s);
+    session.mean[0].v[0] = 1000;
+    session.mean[0].v[1] = 20;
+    session.mean[0].v[2] = (invcal_real)take_byte(f->s);
     session.count = 1;
     wish->size = invcal_session_size(&session);
     memcpy(wish->bytes, &session, wish->size);

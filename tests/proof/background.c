@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include <limits.h>
 
+#include "../positions.h"
 #include "arbitrary.h"
 #include "guidance.h"
+#include "invcal/background.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 40 -eva-split-return full
 // stubs: session guidance

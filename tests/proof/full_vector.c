@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
+#include "full_vector.h"
 #include "invcal/expert.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-split-return full

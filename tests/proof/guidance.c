@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../positions.h"
 #include "guidance.h"
 
 #include <stddef.h>

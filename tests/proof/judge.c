@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../positions.h"
 #include "judge.h"
 
 #include <stddef.h>

@@ -3,6 +3,7 @@
 
 #include "arbitrary.h"
 #include "imu.h"
+#include "invcal/result.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 40 -eva-split-return full
 // stubs: imu status

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include <limits.h>
 
+#include "../positions.h"
 #include "arbitrary.h"
 #include "guidance.h"
+#include "invcal/plan.h"
 #include "invcal/store.h"
 #include "judge.h"
+#include "rests.h"
 #include "session.h"
 #include "texts.h"
 

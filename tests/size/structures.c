@@ -2,13 +2,16 @@
  *
  * The sizes of the structures that firmware keeps, for nm: an array as large as each.
  */
+#include "full_vector.h"
 #include "invcal/allan.h"
+#include "invcal/background.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
-#include "invcal/magnetometer.h"
 #include "invcal/gyro.h"
+#include "invcal/magnetometer.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
+#include "sums.h"
 
 #define SIZE_OF(name)                                                                              \
     extern char size_of_##name[sizeof(name)];                                                      \

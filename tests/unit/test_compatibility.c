@@ -105,7 +105,7 @@ static void same_record(const invcal_record *expected, const invcal_record *actu
     TEST_ASSERT_EQUAL_UINT_MESSAGE(expected->verdict, actual->verdict, name);
     TEST_ASSERT_EQUAL_UINT_MESSAGE(expected->positions, actual->positions, name);
     TEST_ASSERT_EQUAL_UINT_MESSAGE(expected->weak, actual->weak, name);
-    TEST_ASSERT_EQUAL_UINT_MESSAGE(expected->from_prior, actual->from_prior, name);
+    TEST_ASSERT_EQUAL_UINT_MESSAGE(expected->held, actual->held, name);
 }
 
 static invcal_status status_of(const uint8_t *bytes)

@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "expected.h"
+#include "full_vector.h"
 #include "support.h"
+#include "system.h"
 #include "unity.h"
 
 void setUp(void)

@@ -294,8 +294,9 @@ static void one_pass_determines_scale_errors(void)
         from = to;
     }
     world_means(&w, raw);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_begin(&work, raw[0], (unsigned)w.count, &nominal,
-                                                      &w.moves, &settings, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_imu_begin(&work, (const invcal_vector *)raw, (unsigned)w.count,
+                                           &nominal, &w.moves, &settings, &imu));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_sum(&work));
     for (unsigned i = 0; i < 9; i++) { /* half of the misalignments is not determined */
         work.pass.sum[INVCAL_PACKED(i, i)] += INVCAL_REAL(1e6) * (i % 4 != 0);
@@ -368,8 +369,9 @@ static void the_tour_determines_both(void)
     begin_exact(upright);
     tour_exact(unit, 10294);
     world_means(&w, raw);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_begin(&work, raw[0], (unsigned)w.count, &nominal,
-                                                      &w.moves, &settings, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                          invcal_imu_begin(&work, (const invcal_vector *)raw, (unsigned)w.count,
+                                           &nominal, &w.moves, &settings, &imu));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_sum(&work));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(work.pass.sum, 18, 19, INVCAL_FLOOR));
     invcal_invert(work.pass.sum, 18);

@@ -113,7 +113,7 @@ static invcal_imu_record golden_record(void)
     r.accelerometer.date = 0x6543210Fu;
     r.accelerometer.positions = 18;
     r.accelerometer.weak = 0x101;
-    r.accelerometer.from_prior = 0x82;
+    r.accelerometer.held = 0x82;
     r.accelerometer.verdict = INVCAL_WEAK;
     r.accelerometer.temperature_known = 1;
     r.weak = 0x111;
@@ -311,7 +311,7 @@ static void a_new_record_holds_the_result(void)
         a->field = a->field_sigma = a->temperature = a->rms = a->condition = 0;
         memset(a->sensor, 0, sizeof a->sensor);
         a->date = 0;
-        a->positions = a->from_prior = 0;
+        a->positions = a->held = 0;
         a->temperature_known = 0;
         a->weak = (uint16_t)(imu.open >> 9);
         a->verdict = judged[k].of_accelerometer;
@@ -385,7 +385,7 @@ static void a_record_that_contradicts_itself_is_neither_encoded_nor_decoded(void
         const int is_good = fits && weak < 512 && g < 2;
         invcal_imu_record r = golden_record();
         uint8_t bytes[SIZE];
-        r.verdict = verdict;
+        r.verdict = (uint8_t)(16 * verdict);
         r.weak = (uint16_t)weak;
         r.g_is_used = g;
         if (!other_is_weak) {

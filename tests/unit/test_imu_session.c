@@ -254,7 +254,7 @@ static void assert_back(void)
                              sizeof(invcal_moves) - offsetof(invcal_moves, layout));
     TEST_ASSERT_EQUAL_UINT(both.session.count, back.session.count);
     for (unsigned i = 0; i < both.session.count; i++) {
-        TEST_ASSERT_EQUAL_MEMORY(both.session.mean[i], back.session.mean[i], MEAN);
+        TEST_ASSERT_EQUAL_MEMORY(&both.session.mean[i], &back.session.mean[i], MEAN);
     }
     TEST_ASSERT_EQUAL_MEMORY(&both.session.nominal, &back.session.nominal,
                              sizeof both.session.nominal);

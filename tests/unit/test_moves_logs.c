@@ -4,10 +4,11 @@
  */
 #include <string.h>
 
-#include "gyro_world.h"
-#include "gyro_logs.h"
 #include "gyro_samples.h"
+#include "gyro_world.h"
+#include "invcal/result.h"
 #include "unity.h"
+#include "gyro_logs.h"
 
 void setUp(void)
 {

@@ -105,7 +105,7 @@ static invcal_thermal_record golden_record(void)
     r.record.date = 0x6543210Fu;
     r.record.positions = 54;
     r.record.weak = 0x101;
-    r.record.from_prior = 0x82;
+    r.record.held = 0x82;
     r.record.verdict = INVCAL_WEAK;
     return r;
 }
@@ -207,7 +207,7 @@ static void assert_equal_judgements(const invcal_record *e, const invcal_record 
     TEST_ASSERT_EQUAL_HEX32(e->date, a->date);
     TEST_ASSERT_EQUAL_HEX16(e->positions, a->positions);
     TEST_ASSERT_EQUAL_HEX16(e->weak, a->weak);
-    TEST_ASSERT_EQUAL_HEX16(e->from_prior, a->from_prior);
+    TEST_ASSERT_EQUAL_HEX16(e->held, a->held);
     TEST_ASSERT_EQUAL_INT(e->verdict, a->verdict);
 }
 
