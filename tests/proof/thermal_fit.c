@@ -210,24 +210,6 @@ enum { COUNT = 100 };
 static invcal_real raw[3 * COUNT];
 static invcal_real temperature[COUNT];
 
-static void any_look(void)
-{
-    invcal_calibration nominal;
-    invcal_thermal_fallback fallback;
-    invcal_real noise;
-    invcal_real slope;
-    invcal_thermal out;
-
-    ANY(nominal);
-    ANY(fallback);
-    ANY(noise);
-    ANY(slope);
-    (void)invcal_thermal_fallback_text(fallback);
-    (void)invcal_thermal_drift_limit(noise, slope);
-    (void)invcal_thermal_start(&nominal, NULL, 0, &out);
-    (void)invcal_thermal_start(&nominal, temperature, BETWEEN(1, COUNT), &out);
-}
-
 static void any_calibrate(void)
 {
     invcal_calibration nominal;
@@ -247,13 +229,13 @@ static void any_calibrate(void)
 /* From a base with that many coefficients fitted. */
 static void any_fit(const invcal_thermal_prior *prior, unsigned fitted)
 {
-    invcal_thermal_positions positions = {raw, temperature, BETWEEN(0, COUNT), 0};
+    invcal_positions positions =
+        *POSITIONS_AT(raw, temperature, BETWEEN(0, COUNT), NULL, any_real());
     invcal_thermal base;
     invcal_thermal out;
     invcal_quality quality;
     invcal_real at;
 
-    ANY(positions.noise);
     ANY(base);
     ANY(at);
     base.fitted = (uint8_t)fitted;
@@ -266,11 +248,13 @@ static void any_fit(const invcal_thermal_prior *prior, unsigned fitted)
 void main(void)
 {
     invcal_thermal_prior prior;
+    invcal_thermal_fallback fallback;
 
+    ANY(fallback);
     ANY(raw);
     ANY(temperature);
     ANY(prior);
-    any_look();
+    (void)invcal_thermal_fallback_text(fallback);
     any_calibrate();
     for (unsigned fitted = 0; fitted <= INVCAL_THERMAL_DEGREE + 1; fitted++) {
         any_fit(NULL, fitted);
