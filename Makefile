@@ -146,7 +146,7 @@ $(eval $(call variant,double,1))
 
 # Prints the bits of everything that the library computes, to be compared with those of the targets.
 DIGEST := $(patsubst %.c,$(BUILD)/float/%.o,$(wildcard tests/digest/*.c))
-$(DIGEST) $(BUILD)/float/port/hosted/board.o: EXTRA += -Iport -Itests/reference -I$(BUILD)
+$(DIGEST) $(BUILD)/float/port/hosted/board.o: EXTRA += -Iport -Isrc -Itests/reference -I$(BUILD)
 $(BUILD)/float/tests/digest/calibrations.o: | $(BUILD)/positions.h
 $(BUILD)/float/digest: $(DIGEST) $(BUILD)/float/port/hosted/board.o $(BUILD)/float/libinvcal.a
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
@@ -318,7 +318,7 @@ derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## check layout, expected.h, man page
 	$(call need,mandoc)
 	$(Q)sh tests/gate.sh derived sh tests/derived.sh $(BUILD)
 
-numerics: ## rounding errors, against 50 digits and the bounds of expert.h (COUNT=30000: ten minutes)
+numerics: ## rounding errors, against 50 digits and the bounds of src/solve.h (COUNT=30000: ten minutes)
 	$(call need,python3)
 	$(Q)CC=$(call quoted,$(CC)) sh tests/gate.sh numerics sh tests/numerics.sh $(BUILD) $(COUNT)
 

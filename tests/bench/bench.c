@@ -274,28 +274,26 @@ static void bench_all(void)
     const invcal_real prior[INVCAL_PARAMETERS] = {0, 0, 0, 0, 0, 0, INVCAL_CROSS_AXIS};
     invcal_calibration calibration;
     invcal_quality quality;
-    uint16_t set;
+    invcal_positions positions = *POSITIONS_OF(raw, POSITIONS, &nominal, 0);
 
     begin();
-    const invcal_status status = invcal_calibrate_plain(
-        POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), &calibration, &quality);
+    const invcal_status status = invcal_calibrate_plain(&positions, &calibration, &quality);
     report("18_positions_and_everything", end());
     if (status != INVCAL_OK || quality.verdict != INVCAL_GOOD) {
         board_exit(1);
     }
     begin();
-    (void)invcal_calibrate(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), &calibration, &quality);
+    (void)invcal_calibrate(&positions, &calibration, &quality);
     report("judged_18_positions", end());
     begin();
-    (void)invcal_calibrate_robust(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), &calibration,
-                                  &quality);
+    (void)invcal_calibrate_robust(&positions, &calibration, &quality);
     report("robust_18_positions", end());
+    positions.noise = INVCAL_REAL(0.001);
     begin();
-    (void)invcal_calibrate_prior(POSITIONS_OF(raw[0], POSITIONS, &nominal, INVCAL_REAL(0.001)),
-                                 prior, &calibration, &quality) /*HELD &set*/;
+    (void)invcal_calibrate_prior(&positions, prior, &calibration, &quality);
     report("18_positions_with_prior", end());
     begin();
-    set = invcal_undetermined(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0));
+    const uint16_t set = invcal_undetermined(&positions);
     report("undetermined", end());
     if (set != 0) {
         board_exit(1);
@@ -307,7 +305,6 @@ static void bench_six_faces(void)
     invcal_real face[6][3] = {{0}};
     invcal_calibration calibration;
     invcal_quality quality;
-    uint16_t held = 0;
 
     for (unsigned i = 0; i < 6; i++) {
         face[i][i / 2] = i % 2 ? -8100 : 8300;
@@ -315,9 +312,9 @@ static void bench_six_faces(void)
     begin();
     const invcal_status status =
         invcal_calibrate_faces(POSITIONS_OF(face[0], 6, &nominal, INVCAL_REAL(0.001)),
-                               INVCAL_CROSS_AXIS, &calibration, &quality) /*HELD &held*/;
+                               INVCAL_CROSS_AXIS, &calibration, &quality);
     report("six_faces", end());
-    if (status != INVCAL_OK || held != 7u << INVCAL_GAMMA_XY) {
+    if (status != INVCAL_OK || quality.held != 7u << INVCAL_GAMMA_XY) {
         board_exit(1);
     }
 }
@@ -477,7 +474,7 @@ static void bench_background(void)
     require(invcal_background_init(&background, sizeof background, &nominal, RATE));
     background.session.count = INVCAL_MAX_POSITIONS - 1;
     for (unsigned i = 0; i + 1 < INVCAL_MAX_POSITIONS; i++) {
-        memcpy(background.session.mean[i], raw[i % POSITIONS], sizeof raw[0]);
+        memcpy(&background.session.mean[i], raw[i % POSITIONS], sizeof raw[0]);
     }
     for (unsigned i = 0; i < RATE * SECONDS; i++) {
         next_sample(sample);
@@ -560,7 +557,7 @@ static void make_moves(void)
         const unsigned next = (axis + 1) % 3;
         const unsigned last = (axis + 2) % 3;
         for (unsigned a = 0; a < 3; a++) {
-            session.mean[i][a] = up[a] * INVCAL_REAL(8192.0);
+            session.mean[i].v[a] = up[a] * INVCAL_REAL(8192.0);
         }
         const invcal_real was = up[next];
         up[next] = up[last];

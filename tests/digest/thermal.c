@@ -40,7 +40,7 @@ static void thermal_results(const invcal_thermal *thermal)
 
 static void at_temperatures(const invcal_thermal *thermal)
 {
-    const invcal_positions *positions = POSITIONS_AT(means[0], temperature, COUNT, &nominal, 0);
+    const invcal_positions *positions = POSITIONS_AT(means, temperature, COUNT, &nominal, 0);
 
     for (uint32_t celsius = 0; celsius <= 60; celsius += 20) {
         invcal_calibration calibration;
@@ -61,7 +61,7 @@ static void at_temperatures(const invcal_thermal *thermal)
 static void renew(const invcal_thermal *base)
 {
     static invcal_thermal_prior prior;
-    const invcal_positions *positions = POSITIONS_AT(means[0], temperature, 4, &nominal, 1e-3f);
+    const invcal_positions *positions = POSITIONS_AT(means, temperature, 4, &nominal, 1e-3f);
     invcal_thermal renewed;
     invcal_quality quality;
 
@@ -103,7 +103,7 @@ void part_thermal(void)
     make_positions();
     digest_set("fit");
     digest_bits("status",
-                invcal_thermal_calibrate(POSITIONS_AT(means[0], temperature, COUNT, &nominal, 0),
+                invcal_thermal_calibrate(POSITIONS_AT(means, temperature, COUNT, &nominal, 0),
                                          INVCAL_THERMAL_DEGREE, &thermal, &quality));
     thermal_results(&thermal);
     digest_quality(&quality, &nominal);

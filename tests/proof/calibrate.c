@@ -14,18 +14,19 @@ enum { COUNT = 100 };
 
 void main(void)
 {
-    static invcal_real raw[3 * COUNT];
+    static invcal_vector mean[COUNT];
     invcal_calibration nominal;
     invcal_calibration out;
     invcal_quality quality;
     invcal_real noise;
 
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     ANY(noise);
     (void)invcal_coverage(BETWEEN(0, 0xFFFFFFFF));
     ANY(quality);
     (void)invcal_accuracy(&quality, noise);
-    (void)invcal_calibrate_plain(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, noise), &out,
+    (void)invcal_reaches(&quality, noise, noise, noise);
+    (void)invcal_calibrate_plain(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, noise), &out,
                                  &quality);
 }

@@ -10,11 +10,11 @@
 
 /* ---- what other modules do ---------------------------------------------------------------------- */
 
-invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_real *raw, unsigned count,
+invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_vector *mean, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out)
 {
-    (void)(raw != NULL);
+    (void)(mean != NULL);
     (void)count;
     (void)accelerometer->matrix[2][2];
     (void)(settings != NULL);
@@ -41,15 +41,15 @@ const char *invcal_parameter_text(unsigned parameter)
 void main(void)
 {
     static invcal_moves moves;
-    static invcal_real raw[3];
+    static invcal_vector mean[1];
     invcal_calibration accelerometer;
     int8_t axes[3];
     invcal_real unit;
 
     ANY(moves);
-    ANY(raw);
+    ANY(mean);
     ANY(accelerometer);
     moves.first = (uint16_t)BETWEEN(0, INVCAL_MAX_SEGMENTS);
-    (void)invcal_imu_mounting((const invcal_vector *)raw, 1, &accelerometer, &moves, axes, &unit);
+    (void)invcal_imu_mounting(mean, 1, &accelerometer, &moves, axes, &unit);
     (void)*invcal_imu_parameter_text(BETWEEN(0, 0xFFFFFFFF));
 }

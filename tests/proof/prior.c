@@ -14,27 +14,22 @@ enum { COUNT = 100 };
 
 void main(void)
 {
-    static invcal_real raw[3 * COUNT];
+    static invcal_vector mean[COUNT];
     invcal_calibration nominal;
     invcal_real prior[INVCAL_PARAMETERS];
     invcal_calibration out;
     invcal_quality quality;
     invcal_real noise;
-    uint16_t from_prior;
     invcal_real gamma;
 
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     ANY(prior);
     ANY(noise);
     ANY(gamma);
-    (void)invcal_calibrate_prior(POSITIONS_OF(NULL, 0, &nominal, noise), prior, &out,
-                                 &quality) /*HELD &from_prior*/;
-    (void)invcal_calibrate_prior(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, noise), prior, &out,
-                                 &quality) /*HELD &from_prior*/;
-    (void)invcal_calibrate_faces(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, noise), gamma, &out,
-                                 &quality) /*HELD &from_prior*/;
-    ANY(quality);
-    ANY(from_prior);
-    (void)invcal_accuracy(&quality, gamma) /*HELD from_prior*/;
+    (void)invcal_calibrate_prior(POSITIONS_OF(NULL, 0, &nominal, noise), prior, &out, &quality);
+    (void)invcal_calibrate_prior(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, noise), prior,
+                                 &out, &quality);
+    (void)invcal_calibrate_faces(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, noise), gamma,
+                                 &out, &quality);
 }

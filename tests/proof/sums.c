@@ -33,6 +33,7 @@ void main(void)
     invcal_real raw[3];
     invcal_real weight;
     invcal_real h[INVCAL_PARAMETERS];
+    invcal_positions positions;
     invcal_row row;
 
     invcal_sums_init(&sums);
@@ -40,11 +41,15 @@ void main(void)
     ANY(raw);
     ANY(weight);
     (void)invcal_observe(&nominal, raw, &row);
-    (void)invcal_sums_add(&sums, &nominal, raw, 1);
+    (void)invcal_sums_add(&sums, &nominal, raw, weight);
     ANY(sums);
     ANY(row);
-    (void)invcal_sums_add(&sums, &nominal, raw, 1);
+    (void)invcal_sums_add(&sums, &nominal, raw, weight);
     invcal_sums_add_row(&sums, &row, weight);
+    ANY(positions.count);
+    positions.mean = 0;
+    positions.nominal = &nominal;
+    (void)invcal_are_given(&positions);
     ANY(h);
     invcal_products(raw, h);
     invcal_row_of(h);

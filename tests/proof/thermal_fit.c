@@ -207,8 +207,16 @@ void invcal_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
 
 enum { COUNT = 100 };
 
-static invcal_real raw[3 * COUNT];
+static invcal_vector mean[COUNT];
 static invcal_real temperature[COUNT];
+
+static void any_look(void)
+{
+    invcal_thermal_fallback fallback;
+
+    ANY(fallback);
+    (void)invcal_thermal_fallback_text(fallback);
+}
 
 static void any_calibrate(void)
 {
@@ -222,39 +230,42 @@ static void any_calibrate(void)
     (void)invcal_thermal_calibrate(POSITIONS_AT(NULL, NULL, 0, &nominal, noise),
                                    INVCAL_THERMAL_DEGREE, &out, &quality);
     (void)invcal_thermal_calibrate(
-        POSITIONS_AT(raw, temperature, BETWEEN(1, COUNT), &nominal, noise), INVCAL_THERMAL_DEGREE,
+        POSITIONS_AT(mean, temperature, BETWEEN(1, COUNT), &nominal, noise), INVCAL_THERMAL_DEGREE,
         &out, &quality);
 }
 
 /* From a base with that many coefficients fitted. */
 static void any_fit(const invcal_thermal_prior *prior, unsigned fitted)
 {
-    invcal_positions positions =
-        *POSITIONS_AT(raw, temperature, BETWEEN(0, COUNT), NULL, any_real());
+    invcal_calibration nominal;
+    invcal_positions positions = {mean, BETWEEN(0, COUNT), &nominal, 0, temperature};
     invcal_thermal base;
     invcal_thermal out;
     invcal_quality quality;
     invcal_real at;
 
+    ANY(nominal);
+    ANY(positions.noise);
     ANY(base);
     ANY(at);
     base.fitted = (uint8_t)fitted;
     for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE + 1; degree++) {
         (void)invcal_thermal_fit(&positions, prior, &base, degree, &out, &quality);
+        (void)invcal_thermal_fit(&positions, prior, NULL, degree, &out, &quality);
     }
     (void)invcal_thermal_judge(&positions, prior, &base, at, &quality);
+    positions.temperature = NULL;
+    (void)invcal_thermal_fit(&positions, prior, &base, 0, &out, &quality);
 }
 
 void main(void)
 {
     invcal_thermal_prior prior;
-    invcal_thermal_fallback fallback;
 
-    ANY(fallback);
-    ANY(raw);
+    ANY(mean);
     ANY(temperature);
     ANY(prior);
-    (void)invcal_thermal_fallback_text(fallback);
+    any_look();
     any_calibrate();
     for (unsigned fitted = 0; fitted <= INVCAL_THERMAL_DEGREE + 1; fitted++) {
         any_fit(NULL, fitted);

@@ -6,20 +6,20 @@
 
 // stubs: imu
 
-invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_real *raw, unsigned count,
+invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_vector *mean, unsigned count,
                                const invcal_calibration *accelerometer, const invcal_moves *moves,
                                const invcal_imu_settings *settings, invcal_imu *out)
 {
     static const invcal_imu_settings usual = INVCAL_IMU_USUAL;
-    static invcal_real means[3 * INVCAL_MAX_MOVES];
+    static invcal_vector means[INVCAL_MAX_MOVES];
 
-    (void)raw;
+    (void)mean;
     (void)count;
     ANY(means);
     ANY(*work);
     ANY(*out);
     work->moves = moves;
-    work->raw = means;
+    work->mean = means;
     work->settings = settings ? settings : &usual;
     work->out = out;
     work->begin = BETWEEN(0, INVCAL_MAX_MOVES);
@@ -41,7 +41,7 @@ enum { COUNT = 40 };
 
 void main(void)
 {
-    static invcal_real raw[3 * COUNT];
+    static invcal_vector mean[COUNT];
     static invcal_moves moves;
     invcal_calibration nominal;
     static invcal_turns turns;
@@ -62,13 +62,12 @@ void main(void)
     settings.prior = Frama_C_int_interval(0, 1) ? prior : 0;
     (void)invcal_turns_begin(&turns, up[0], 0);
     (void)invcal_turns_begin(&turns, up[0], &settings);
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     ANY(moves);
     moves.count = (uint8_t)BETWEEN(0, INVCAL_MAX_MOVES);
-    (void)invcal_turns_after(&turns, (const invcal_vector *)raw, 0, &nominal, &moves, 0);
-    (void)invcal_turns_after(&turns, (const invcal_vector *)raw, COUNT, &nominal, &moves,
-                             &settings);
+    (void)invcal_turns_after(&turns, mean, 0, &nominal, &moves, 0);
+    (void)invcal_turns_after(&turns, mean, COUNT, &nominal, &moves, &settings);
     ANY(turns);
     turns.n = Frama_C_int_interval(0, 1) ? INVCAL_IMU_PARAMETERS : INVCAL_GYRO_PARAMETERS;
     ANY(turn);

@@ -28,7 +28,7 @@ SIZE_OF(invcal_moves);
 SIZE_OF(invcal_turns);
 SIZE_OF(invcal_full_vector);
 SIZE_OF(invcal_quality);
-SIZE_OF(invcal_rests);
+SIZE_OF(invcal_private_rests);
 SIZE_OF(invcal_session);
 SIZE_OF(invcal_background);
 SIZE_OF(invcal_record);
