@@ -57,7 +57,7 @@ page_words    = $(WASM) $(TOOL_FLAGS)
 .DELETE_ON_ERROR:
 .SECONDARY:
 .PHONY: help all install uninstall demo web test check check-web windows targets builds firmware size bench schema pages manual derived \
-    rules coverage mutation fuzz proof numerics check-gates check-shells reference fleet format deps \
+    rules coverage mutation fuzz misuse proof numerics check-gates check-shells reference fleet format deps \
     package packages check-packages dist clean
 
 help: ## this list
@@ -280,6 +280,9 @@ SECONDS ?= 60
 fuzz: ## fuzzers of the library and the tool with sanitizers (SECONDS=60 each, DOUBLE=1, KEEP=1)
 	$(call need,clang-19)
 	$(Q)DOUBLE="$(DOUBLE)" KEEP="$(KEEP)" sh tests/gate.sh fuzz sh tests/fuzz.sh $(BUILD) $(SECONDS)
+
+misuse: ## every public function with arguments that it should not be given, under sanitizers
+	$(Q)CC=$(call quoted,$(CC)) sh tests/gate.sh misuse sh tests/misuse.sh $(BUILD)
 
 proof: ## no undefined behaviour in src/, proved by Frama-C/Eva (MODULES=..., DOUBLE=1, INT16=1)
 	$(call need,frama-c)

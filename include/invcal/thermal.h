@@ -132,7 +132,7 @@ invcal_status invcal_thermal_fit(const invcal_positions *positions,
 /* How good it is at a temperature: sigma, weak and verdict there, from the covariance of the
  * coefficients and the powers of t.
  *
- * positions, prior  those it was fitted with.
+ * positions, prior  those it was fitted with; prior may be null.
  * temperature       outside the range seen: at its edge, where the value is held.
  *
  * Returns as invcal_thermal_fit. */
