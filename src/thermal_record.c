@@ -15,7 +15,7 @@
 
 enum { RECORD_AT = 4, AFTER_RECORD = RECORD_AT + INVCAL_RECORD_SIZE, REALS_AFTER = 4 };
 enum { BEFORE_X = 16 }; /* reals */
-#define LENGTH(degree) (212u + 36u * ((degree) + 1u))
+#define THERMAL_LENGTH(degree) (212u + 36u * ((degree) + 1u))
 
 /* The reals come first in the structure, too, and in the same order. */
 typedef char
@@ -76,7 +76,7 @@ static INVCAL_ONCE invcal_status check_length(const uint8_t *bytes)
 {
     const unsigned length = invcal_get_u16(bytes + 2);
 
-    if (length <= AFTER_RECORD || length != LENGTH(bytes[AFTER_RECORD])) {
+    if (length <= AFTER_RECORD || length != THERMAL_LENGTH(bytes[AFTER_RECORD])) {
         return INVCAL_DAMAGED;
     }
     return bytes[AFTER_RECORD] < INVCAL_ROWS ? INVCAL_OK : INVCAL_OTHER_VERSION;
@@ -124,7 +124,7 @@ invcal_status invcal_thermal_encode(const invcal_thermal *thermal, const invcal_
     if (status != INVCAL_OK) {
         return status;
     }
-    const unsigned length = LENGTH(thermal->degree);
+    const unsigned length = THERMAL_LENGTH(thermal->degree);
     uint8_t *at = invcal_put_two(
         bytes + AFTER_RECORD, thermal->degree | (unsigned)thermal->fitted << 8, thermal->fallback);
     (void)invcal_put_reals(at, thermal, count_reals(thermal->degree));
@@ -164,7 +164,8 @@ invcal_status invcal_thermal_save(const invcal_thermal *thermal, const invcal_qu
         invcal_record_init(&r, &c, quality);
         status = invcal_thermal_encode(thermal, &r, bytes);
     }
-    return status == INVCAL_OK ? invcal_store_save(store, bytes, LENGTH(thermal->degree)) : status;
+    return status == INVCAL_OK ? invcal_store_save(store, bytes, THERMAL_LENGTH(thermal->degree))
+                               : status;
 }
 
 invcal_status invcal_thermal_load(invcal_thermal *out, const invcal_store *store)

@@ -84,7 +84,7 @@ invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real tempe
 /* Calibrates from position means and their temperatures.
  *
  * positions  with temperatures: at least nine positions for each coefficient, at different
- *            temperatures; twelve to eighteen at each are good, in any order. Any number.
+ *            temperatures; twelve to eighteen at each are good, in any order.
  * degree     highest degree to fit: 0 (constants), 1 (slopes), 2 (parabolas); at most
  *            INVCAL_THERMAL_DEGREE of the library.
  * out        reference and span are the middle and half the range of the temperatures, at least
@@ -118,7 +118,7 @@ typedef struct {
  *
  * prior  null, or what is known; the noise must be stated then. With a prior on every slope even
  *        one temperature is enough. quality->noise weighs the prior: judge with that. Where sigma
- *        exceeds 0.7 of its prior, the prior determines that parameter more than the positions do.
+ *        exceeds 0.7 of its prior, the prior determines that parameter more than the positions.
  * base   null: positions->nominal at all temperatures; or an earlier calibration, which replaces
  *        it; may equal out.
  *
@@ -129,7 +129,7 @@ invcal_status invcal_thermal_fit(const invcal_positions *positions,
                                  const invcal_thermal_prior *prior, const invcal_thermal *base,
                                  unsigned degree, invcal_thermal *out, invcal_quality *quality);
 
-/* How good it is at a temperature: sigma, weak and verdict there, from the covariance of the
+/* How good it is at a temperature: sigma, weak, verdict there, from the covariance of the
  * coefficients and the powers of t.
  *
  * positions, prior  those it was fitted with; prior may be null.
