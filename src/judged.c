@@ -81,7 +81,7 @@ static INVCAL_ONCE invcal_status leave_out_groups(invcal_selection *s, invcal_ca
 invcal_status invcal_calibrate(const invcal_positions *positions, invcal_calibration *out,
                                invcal_quality *quality)
 {
-    INVCAL_ASSERT(invcal_are_given(positions) && out && out != positions->nominal && quality);
+    INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && out && out != positions->nominal && quality);
     if (positions->count > INVCAL_MAX_POSITIONS) {
         return INVCAL_BAD_COUNT;
     }

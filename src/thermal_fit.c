@@ -470,7 +470,7 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
 }
 
 /* The nominal calibration at all temperatures: X = 0. */
-static invcal_status begin(const invcal_positions *positions, invcal_thermal *base)
+static invcal_status make_base(const invcal_positions *positions, invcal_thermal *base)
 {
     invcal_status status = invcal_nominal_check(positions->nominal);
 
@@ -495,7 +495,7 @@ invcal_status invcal_thermal_fit(const invcal_positions *positions,
     job j;
 
     INVCAL_ASSERT(positions && (base || positions->nominal) && out && quality);
-    invcal_status status = base == NULL ? begin(positions, &begun) : INVCAL_OK;
+    invcal_status status = base == NULL ? make_base(positions, &begun) : INVCAL_OK;
     if (status == INVCAL_OK) {
         status = set_up(&j, positions, prior, base == NULL ? &begun : base, degree);
     }

@@ -33,7 +33,6 @@ void main(void)
     invcal_real raw[3];
     invcal_real weight;
     invcal_real h[INVCAL_PARAMETERS];
-    invcal_positions positions;
     invcal_row row;
 
     invcal_sums_init(&sums);
@@ -46,10 +45,6 @@ void main(void)
     ANY(row);
     (void)invcal_sums_add(&sums, &nominal, raw, weight);
     invcal_sums_add_row(&sums, &row, weight);
-    ANY(positions.count);
-    positions.mean = 0;
-    positions.nominal = &nominal;
-    (void)invcal_are_given(&positions);
     ANY(h);
     invcal_products(raw, h);
     invcal_row_of(h);
