@@ -158,7 +158,7 @@ invcal_status invcal_thermal_save(const invcal_thermal *thermal, const invcal_qu
     invcal_calibration c;
     invcal_record r;
 
-    INVCAL_ASSERT(thermal && quality);
+    INVCAL_ASSERT(thermal && quality && store);
     invcal_status status = invcal_thermal_at(thermal, thermal->reference, &c, NULL);
     if (status == INVCAL_OK) {
         invcal_record_init(&r, &c, quality);
@@ -173,6 +173,7 @@ invcal_status invcal_thermal_load(invcal_thermal *out, const invcal_store *store
     uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE];
     uint32_t size = 0;
 
+    INVCAL_ASSERT(out);
     const invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);
     return status == INVCAL_OK ? invcal_thermal_decode(bytes, size, out, NULL) : status;
 }

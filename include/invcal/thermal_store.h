@@ -22,7 +22,7 @@ extern "C" {
 /* Saves the result of invcal_thermal_calibrate.
  *
  * Returns INVCAL_OK; as invcal_store_save; as invcal_thermal_encode, for arguments not from a
- * solution. Stack: about 1,250 bytes, without the callbacks. */
+ * solution. Stack: about 1,200 bytes, without the callbacks. */
 invcal_status invcal_thermal_save(const invcal_thermal *thermal, const invcal_quality *quality,
                                   const invcal_store *store);
 
