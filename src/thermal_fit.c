@@ -193,7 +193,7 @@ static invcal_status solve_highest(job *j, unsigned degree)
     invcal_thermal_fallback why = try_degree(j, degree, &status);
 
     while (why != INVCAL_THERMAL_AS_ASKED && degree > 0) { /* at most INVCAL_THERMAL_DEGREE */
-        j->now.fallback = (uint8_t)why;
+        j->now.fallback = why;
         why = try_degree(j, --degree, &status);
     }
     j->now.fitted = (uint8_t)degree;

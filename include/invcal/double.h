@@ -113,12 +113,13 @@
 #define invcal_systematic_text invcald_systematic_text
 #define invcal_thermal_at invcald_thermal_at
 #define invcal_thermal_calibrate invcald_thermal_calibrate
+#define invcal_thermal_decode invcald_thermal_decode
+#define invcal_thermal_encode invcald_thermal_encode
 #define invcal_thermal_fallback_text invcald_thermal_fallback_text
 #define invcal_thermal_fit invcald_thermal_fit
 #define invcal_thermal_judge invcald_thermal_judge
-#define invcal_thermal_record_decode invcald_thermal_record_decode
-#define invcal_thermal_record_encode invcald_thermal_record_encode
-#define invcal_thermal_record_init invcald_thermal_record_init
+#define invcal_thermal_load invcald_thermal_load
+#define invcal_thermal_save invcald_thermal_save
 #define invcal_tour invcald_tour
 #define invcal_turn_to invcald_turn_to
 #define invcal_turns_add invcald_turns_add

@@ -5,7 +5,7 @@
 #include "../positions.h"
 #include "digest.h"
 
-#include "invcal/thermal.h"
+#include "invcal/thermal_store.h"
 
 enum { AT_ONE = 16, COUNT = 2 * AT_ONE };
 
@@ -32,7 +32,7 @@ static void thermal_results(const invcal_thermal *thermal)
     digest_reals("span", &thermal->span, 1);
     digest_reals("min", &thermal->min, 1);
     digest_reals("max", &thermal->max, 1);
-    digest_reals("x", thermal->x[0], INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS);
+    digest_reals("x", thermal->x[0], 3 * INVCAL_PARAMETERS);
     digest_bits("degree", thermal->degree);
     digest_bits("fitted", thermal->fitted);
     digest_bits("fallback", thermal->fallback);
@@ -80,15 +80,18 @@ static void renew(const invcal_thermal *base)
 static void record_results(const invcal_thermal *thermal, const invcal_quality *quality)
 {
     uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE];
-    invcal_thermal_record record;
+    invcal_calibration at_reference;
+    invcal_thermal decoded;
+    invcal_record about;
 
     digest_set("record");
-    digest_bits("made", invcal_thermal_record_init(&record, thermal, quality));
-    digest_bits("encoded", invcal_thermal_record_encode(&record, bytes));
-    digest_bytes("bytes", bytes, INVCAL_THERMAL_RECORD_BYTES(thermal->degree));
-    memset(&record, 0, sizeof record);
-    digest_bits("decoded", invcal_thermal_record_decode(bytes, sizeof bytes, &record));
-    thermal_results(&record.thermal);
+    digest_bits("made", invcal_thermal_at(thermal, thermal->reference, &at_reference, NULL));
+    invcal_record_init(&about, &at_reference, quality);
+    digest_bits("encoded", invcal_thermal_encode(thermal, &about, bytes));
+    digest_bytes("bytes", bytes, 212 + 36 * (thermal->degree + 1u));
+    memset(&decoded, 0, sizeof decoded);
+    digest_bits("decoded", invcal_thermal_decode(bytes, sizeof bytes, &decoded, NULL));
+    thermal_results(&decoded);
 }
 
 void part_thermal(void)

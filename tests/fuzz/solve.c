@@ -16,7 +16,7 @@
 #include "guidance.h"
 #include "invcal/allan.h"
 #include "invcal/plan.h"
-#include "invcal/thermal.h"
+#include "invcal/thermal_store.h"
 #include "judge.h"
 #include "solve.h"
 #include "sums.h"
@@ -313,11 +313,12 @@ static void look_at_thermal(const invcal_thermal *thermal, const invcal_quality 
                             unsigned count, source *s)
 {
     uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE];
-    invcal_thermal_record record;
+    invcal_thermal decoded;
+    invcal_record about;
     invcal_thermal_place place;
     invcal_calibration out;
 
-    require_finite(&thermal->x[0][0], INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS);
+    require_finite(&thermal->x[0][0], 3 * INVCAL_PARAMETERS);
     REQUIRE(thermal->degree <= INVCAL_THERMAL_DEGREE && thermal->fitted <= thermal->degree);
     REQUIRE(thermal->min <= thermal->max && thermal->fallback <= INVCAL_THERMAL_OPEN);
     require_quality(quality, count);
@@ -328,9 +329,10 @@ static void look_at_thermal(const invcal_thermal *thermal, const invcal_quality 
     } else {
         require_mark(&out, sizeof out);
     }
-    if (invcal_thermal_record_init(&record, thermal, quality) == INVCAL_OK &&
-        invcal_thermal_record_encode(&record, bytes) == INVCAL_OK) {
-        REQUIRE(invcal_thermal_record_decode(bytes, sizeof bytes, &record) == INVCAL_OK);
+    if (invcal_thermal_at(thermal, thermal->reference, &out, NULL) == INVCAL_OK) {
+        invcal_record_init(&about, &out, quality);
+        REQUIRE(invcal_thermal_encode(thermal, &about, bytes) != INVCAL_OK ||
+                invcal_thermal_decode(bytes, sizeof bytes, &decoded, NULL) == INVCAL_OK);
     }
 }
 
@@ -377,7 +379,7 @@ static invcal_thermal_prior take_thermal_prior(source *s)
     invcal_thermal_prior prior;
 
     memset(&prior, 0, sizeof prior);
-    for (unsigned a = 0; a < INVCAL_THERMAL_ROWS; a++) {
+    for (unsigned a = 0; a < 3; a++) {
         for (unsigned r = 0; r < INVCAL_PARAMETERS && unusual & (unsigned)VALUES << a; r++) {
             prior.sigma[a][r] = take_real(s, a == 0 ? INVCAL_REAL(0.05) : INVCAL_REAL(0.001));
         }

@@ -36,4 +36,3 @@ SIZE_OF(invcal_noise);
 SIZE_OF(invcal_magnetometer);
 SIZE_OF(invcal_dip);
 SIZE_OF(invcal_thermal);
-SIZE_OF(invcal_thermal_record);

@@ -569,6 +569,10 @@ static void outside_the_observed_range_the_edge_is_held_and_reported(void)
             INVCAL_OK, invcal_thermal_at(&found, (invcal_real)outside[i], &calibration, &place));
         TEST_ASSERT_EQUAL_INT(outside[i] < 0 ? INVCAL_THERMAL_BELOW : INVCAL_THERMAL_ABOVE, place);
         TEST_ASSERT_EQUAL_MEMORY(&edge, &calibration, sizeof edge);
+        memset(&calibration, 0x5A, sizeof calibration);
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_OK, invcal_thermal_at(&found, (invcal_real)outside[i], &calibration, NULL));
+        TEST_ASSERT_EQUAL_MEMORY(&edge, &calibration, sizeof edge);
     }
 }
 
@@ -588,6 +592,8 @@ static void what_is_not_a_temperature_is_refused_and_nothing_written(void)
     for (int i = 0; i < 3; i++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TEMPERATURE,
                               invcal_thermal_at(&found, (invcal_real)bad[i], &calibration, &place));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TEMPERATURE,
+                              invcal_thermal_at(&found, (invcal_real)bad[i], &calibration, NULL));
         TEST_ASSERT_EQUAL_MEMORY(&before, &calibration, sizeof before);
         TEST_ASSERT_EQUAL_INT(INVCAL_THERMAL_ABOVE, place);
         all.temperature[20] = (invcal_real)bad[i];
@@ -1587,7 +1593,7 @@ static void every_fallback_has_its_words(void)
     TEST_ASSERT_EQUAL_STRING("positions and temperatures leave slopes open",
                              invcal_thermal_fallback_text(INVCAL_THERMAL_OPEN));
     TEST_ASSERT_EQUAL_STRING("unknown reason",
-                             invcal_thermal_fallback_text((invcal_thermal_fallback)9));
+                             invcal_thermal_fallback_text(INVCAL_THERMAL_OPEN + 1));
 }
 
 int main(void)
