@@ -146,7 +146,7 @@ $(eval $(call variant,double,1))
 
 # Prints the bits of everything that the library computes, to be compared with those of the targets.
 DIGEST := $(patsubst %.c,$(BUILD)/float/%.o,$(wildcard tests/digest/*.c))
-$(DIGEST) $(BUILD)/float/port/hosted/board.o: EXTRA += -Iport -Itests/reference -I$(BUILD)
+$(DIGEST) $(BUILD)/float/port/hosted/board.o: EXTRA += -Iport -Isrc -Itests/reference -I$(BUILD)
 $(BUILD)/float/tests/digest/calibrations.o: | $(BUILD)/positions.h
 $(BUILD)/float/digest: $(DIGEST) $(BUILD)/float/port/hosted/board.o $(BUILD)/float/libinvcal.a
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
@@ -159,7 +159,7 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 # The host tool: the library in double, with more positions and averaging times than on a device, and quadratics in
 # temperature. The library's options in CFLAGS do not apply to it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
-    -DINVCAL_PRIVATE_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host
+    -DINVCAL_PRIVATE_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host -Isrc
 TOOL_COMPILER_FLAGS = $(filter-out $(CHOICES),$(subst -D INVCAL_,-DINVCAL_,$(FLAGS)))
 $(BUILD)/tool/%.o: %.c $(BUILD)/words/tool $(HEADERS)
 	@mkdir -p $(@D)

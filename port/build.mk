@@ -72,7 +72,7 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(wildcard tests/data/*_positions.csv)
 $(IMAGES:%=$(OUT)/tests/unit/%.o) $(OUT)/tests/digest/calibrations.o: | $(BUILD)/positions.h
 
 $(OUT)/tests/unit/%.o: FLAGS += $(TESTING)
-$(OUT)/tests/digest/%.o: FLAGS += -Itests/reference -I$(BUILD)
+$(OUT)/tests/digest/%.o: FLAGS += -Isrc -Itests/reference -I$(BUILD)
 
 define part
 $(OUT)/tests/unit/$(1).$(2).o: tests/unit/$(1).c $(RULES)

@@ -21,11 +21,12 @@ result() { # 0 or 1, SENTENCE
     fi
 }
 
-# The enumerators of a type, in order.
+# The enumerators of a type, in order; those of a byte stand in an enumeration without a name behind it.
 enumerators() { # HEADER TYPE
     sed 's,/\*.*,,' "include/invcal/$1" | awk -v type="$2" '
-        /^typedef enum \{/ { names = ""; on = 1; next }
-        on && /^\}/ { if ($2 == type ";") printf "%s", names; on = 0 }
+        /^typedef uint8_t / { byte = $3 }
+        /^(typedef )?enum \{/ { names = ""; on = 1; next }
+        on && /^\}/ { if ($2 == type ";" || byte == type ";") printf "%s", names; on = 0; byte = "" }
         on && match($0, /INVCAL_[A-Z_]+/) {
             name = substr($0, RSTART, RLENGTH)
             if (name !~ /_(COUNT|END)$/) names = names name "\n"

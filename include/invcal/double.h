@@ -12,7 +12,6 @@
 
 #define invcal_accuracy invcald_accuracy
 #define invcal_accuracy_held invcald_accuracy_held
-#define invcal_allan_apart invcald_allan_apart
 #define invcal_allan_feed invcald_allan_feed
 #define invcal_allan_gap invcald_allan_gap
 #define invcal_allan_get invcald_allan_get
@@ -20,7 +19,6 @@
 #define invcal_allan_init_taus invcald_allan_init_taus
 #define invcal_allan_solve invcald_allan_solve
 #define invcal_apply invcald_apply
-#define invcal_axis_up invcald_axis_up
 #define invcal_back_substitute invcald_back_substitute
 #define invcal_background_age invcald_background_age
 #define invcal_background_feed invcald_background_feed
@@ -44,7 +42,6 @@
 #define invcal_frame_init invcald_frame_init
 #define invcal_frame_level invcald_frame_level
 #define invcal_frame_solve invcald_frame_solve
-#define invcal_frame_turn invcald_frame_turn
 #define invcal_full_vector_add invcald_full_vector_add
 #define invcal_full_vector_init invcald_full_vector_init
 #define invcal_full_vector_solve invcald_full_vector_solve
@@ -69,7 +66,6 @@
 #define invcal_linear_init invcald_linear_init
 #define invcal_linear_solve invcald_linear_solve
 #define invcal_load invcald_load
-#define invcal_magnetometer_cell invcald_magnetometer_cell
 #define invcal_magnetometer_feed invcald_magnetometer_feed
 #define invcal_magnetometer_init invcald_magnetometer_init
 #define invcal_magnetometer_next invcald_magnetometer_next
@@ -83,13 +79,11 @@
 #define invcal_moves_set_limits invcald_moves_set_limits
 #define invcal_next invcald_next
 #define invcal_noise_dwell invcald_noise_dwell
-#define invcal_noise_sigma invcald_noise_sigma
 #define invcal_nominal invcald_nominal
 #define invcal_observe invcald_observe
 #define invcal_parameter_text invcald_parameter_text
-#define invcal_plan_check invcald_plan_check
-#define invcal_plan_position_at invcald_plan_position_at
-#define invcal_plan_starts invcald_plan_starts
+#define invcal_plan_get invcald_plan_get
+#define invcal_plan_init invcald_plan_init
 #define invcal_prospect invcald_prospect
 #define invcal_record_decode invcald_record_decode
 #define invcal_record_encode invcald_record_encode
@@ -104,6 +98,7 @@
 #define invcal_rests_progress invcald_rests_progress
 #define invcal_rests_rails invcald_rests_rails
 #define invcal_rests_reason invcald_rests_reason
+#define invcal_rotate invcald_rotate
 #define invcal_save invcald_save
 #define invcal_scale invcald_scale
 #define invcal_session_end invcald_session_end
@@ -161,6 +156,7 @@
 #define invcal_weigh_noise invcald_weigh_noise
 
 /* Of the library alone. */
+#define invcal_axis_up invcald_axis_up
 #define invcal_cell_direction invcald_cell_direction
 #define invcal_cell_of invcald_cell_of
 #define invcal_cells_calibrate invcald_cells_calibrate
@@ -197,12 +193,15 @@
 #define invcal_inverse3 invcald_inverse3
 #define invcal_judge_noise invcald_judge_noise
 #define invcal_judge_parameters invcald_judge_parameters
+#define invcal_magnetometer_cell invcald_magnetometer_cell
 #define invcal_make_symmetric invcald_make_symmetric
 #define invcal_moves_empty invcald_moves_empty
 #define invcal_moves_restart invcald_moves_restart
 #define invcal_next_of_sums invcald_next_of_sums
+#define invcal_noise_sigma invcald_noise_sigma
 #define invcal_nominal_check invcald_nominal_check
 #define invcal_outliers_search invcald_outliers_search
+#define invcal_plan_check invcald_plan_check
 #define invcal_polynomials invcald_polynomials
 #define invcal_positions_calibrate invcald_positions_calibrate
 #define invcal_positions_check invcald_positions_check
