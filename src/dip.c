@@ -51,7 +51,7 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
     return INVCAL_OK;
 }
 
-/* u M v, with M the mean of b b'. */
+/* u M v, with M the mean of b b', of which the sums are the lower triangle. */
 static invcal_real between(const invcal_dip *dip, const invcal_real u[INVCAL_PRIVATE_DIP],
                            const invcal_real v[INVCAL_PRIVATE_DIP])
 {

@@ -43,11 +43,12 @@ invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
     static const invcal_calibration as_read = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
     INVCAL_ASSERT(magnetometer);
-    const invcal_calibration work = nominal != NULL ? *nominal : as_read;
-    const invcal_status status = invcal_nominal_check(&work);
-    invcal_zero(magnetometer, sizeof *magnetometer); /* not begun */
+    const invcal_calibration *const work = nominal != NULL ? nominal : &as_read;
+    const invcal_status status = invcal_nominal_check(work);
+    magnetometer->own.due = 0; /* not begun */
     if (status == INVCAL_OK) {
-        magnetometer->own_work = work;
+        invcal_zero(&magnetometer->own, sizeof magnetometer->own);
+        magnetometer->own_work = *work;
         magnetometer->own.unit = 1;
         magnetometer->own.due = FIRST_LOOK;
     }

@@ -2,15 +2,15 @@
  *
  * invcal/frame.h: turns the calibrated axes to those of the case.
  *
- * Lengths leave one rotation open: how the calibrated axes sit in the case. Rests in known
- * orientations of the case determine it: two or more of its faces on a table. Each gives a
- * direction c of the case that pointed up, and the calibrated reading a of the same direction:
+ * Lengths leave open how the calibrated axes sit in the case. Rests in known orientations determine
+ * it: two or more of its faces on a table. Each gives a direction c of the case that pointed up,
+ * and the calibrated reading a of the same direction:
  *
  *     c = R a,    R minimises  sum |c - R a|^2                       (Wahba's problem)
  *
  * The table limits this, not the sensor: half a degree of tilt makes 6 to 9 mrad. So put down all
  * faces, then all again, each turned by half a turn on the table: the tilt cancels to first order,
- * and `scatter` shows it. A face that is turned at once may be refused as INVCAL_REST_SAME.
+ * and `scatter` shows it. One that is turned at once may be refused as INVCAL_REST_SAME.
  *
  *     invcal_frame_init(&frame);
  *     for each rest:
@@ -47,11 +47,10 @@ typedef struct {
 /* The quality of a rotation. */
 typedef struct {
     /* Standard deviation of the three angles about the axes of the case, over that of one
-     * direction: multiply by the tilt of the table or scatter, whichever is larger. Two faces: 1,
-     * 1, 0.71. */
+     * direction: multiply by scatter, or the tilt of the table if larger. Two faces: 1, 1,
+     * 0.71. */
     invcal_real sigma[3];
-    invcal_real scatter; /* of the directions about those stated, rad, root mean square; rounding of
-                            float gives 5e-4 */
+    invcal_real scatter; /* of the directions, rad, root mean square; float rounds to 5e-4 */
 } invcal_frame_quality;
 
 /* Empties the sums. All bytes zero is the same state. */
@@ -77,22 +76,21 @@ invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *ca
  *
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        fewer than two rests;
- *   INVCAL_UNDETERMINED   all directions up were nearly the same, or opposite: the turn about them
- *                         is open (invcal_frame_level); or they contradict each other: a mirrored
- *                         axis.
+ *   INVCAL_UNDETERMINED   all directions were nearly the same, or opposite: the turn about them is
+ *                         open (invcal_frame_level); or they contradict each other.
  * Cost: 2,100 instructions. Stack: about 310 bytes. */
 INVCAL_NODISCARD invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_rotation *out,
                                                   invcal_frame_quality *quality);
 
 /* Level trim, from rests in one orientation: the smallest rotation that brings the reading to up.
- * The heading, the turn about up, stays as in the calibration.
+ * The heading stays.
  *
  * up  the direction with which they were added.
  *
  * Returns INVCAL_OK;
  *   INVCAL_TOO_FEW        no rest;
- *   INVCAL_UNDETERMINED   a rotation of more than 139 degrees; or the rests contradict each other:
- *                         their mean direction is shorter than 0.9.
+ *   INVCAL_UNDETERMINED   a rotation of more than 139 degrees; or the mean direction is shorter
+ *                         than 0.9, as of rests 52 degrees apart.
  * Stack: about 70 bytes. */
 INVCAL_NODISCARD invcal_status invcal_frame_level(const invcal_frame *frame,
                                                   const invcal_real up[3], invcal_rotation *out);

@@ -15,10 +15,8 @@
  *     2       -90                              start_deg[1] + 360 (l - 1)/N
  *     3       start_deg[2] + 360 (l - 1)/N     90                           l = 1 ... N
  *
- * Positions are computed one at a time, so a device stores no table: invcal_session_is_at checks
- * whether one was taken. A stand is optional: by hand, follow the directions roughly.
- *
- * invcal.h states the rules and units.
+ * Positions are computed one at a time: a device stores no table. invcal_session_is_at checks
+ * whether one was taken; by hand, follow them roughly. invcal.h states the rules and units.
  */
 #ifndef INVCAL_PLAN_H
 #define INVCAL_PLAN_H
@@ -41,7 +39,7 @@ typedef struct {
     unsigned index;        /* l, 1 ... N */
     invcal_real alpha_deg; /* outer angle, above -180, at most 180 */
     invcal_real beta_deg;  /* inner angle, in the same range */
-    invcal_real up[3];     /* eta: unit vector of the up direction in the frame of the instrument */
+    invcal_real up[3];     /* eta, a unit vector */
 } invcal_plan_position;
 
 /* A plan that points as many of the axes x, y, z up and down as possible: for an even N all six,

@@ -69,7 +69,7 @@ static void programs_have_the_figures_of_the_reference(void)
                 {8, 3, expected_nonlinear24_3}};
 
     for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        const invcal_plan plan = design_plan(rows[i].per_group);
+        const invcal_plan plan = stand_plan_make(rows[i].per_group);
         const unsigned n = 9 + 3 * (rows[i].degree - 1);
         nonlinearity_prospect p;
         double direction[24][3];

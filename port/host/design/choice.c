@@ -42,7 +42,7 @@ static unsigned positions_allowed(const choice_request *request)
 
 static int stand(design *d, unsigned per_group)
 {
-    const invcal_plan plan = design_plan(per_group);
+    const invcal_plan plan = stand_plan_make(per_group);
 
     design_stand(d, &plan);
     return 1;

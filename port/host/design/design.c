@@ -193,20 +193,6 @@ static void begin(design *d, const char *name)
     d->count = 0;
 }
 
-invcal_plan design_plan(unsigned per_group)
-{
-    invcal_plan plan;
-
-    return invcal_plan_init(&plan, per_group) == INVCAL_OK ? plan : (invcal_plan){0};
-}
-
-invcal_plan_position design_plan_position(const invcal_plan *plan, unsigned i)
-{
-    invcal_plan_position p;
-
-    return invcal_plan_get(plan, i, &p) == INVCAL_OK ? p : (invcal_plan_position){0};
-}
-
 void design_stand(design *d, const invcal_plan *plan)
 {
     char name[sizeof d->name];
@@ -217,7 +203,7 @@ void design_stand(design *d, const invcal_plan *plan)
     d->is_stand = 1;
     d->count = INVCAL_PLAN_GROUPS * plan->per_group;
     for (unsigned i = 0; i < d->count; i++) {
-        const invcal_plan_position p = design_plan_position(plan, i);
+        const invcal_plan_position p = stand_plan_at(plan, i);
         d->position[i].group = p.group;
         d->position[i].alpha = p.alpha_deg;
         d->position[i].beta = p.beta_deg;
@@ -375,7 +361,7 @@ static int make_stand(design *d, const char *command, const char *text)
         plan.per_group = per_group;
         failure = read_starts(command, text + length + 1, plan.start_deg);
     } else if (!failure) {
-        plan = design_plan(per_group); /* per_group is checked below */
+        plan = stand_plan_make(per_group); /* per_group is checked below */
     }
     if (failure) {
         return failure;
@@ -397,7 +383,7 @@ static int make_stand(design *d, const char *command, const char *text)
 /* The 18 positions of the paper without those on the axes. */
 static void make_stand_12(design *d, const char *name)
 {
-    const invcal_plan plan = design_plan(6);
+    const invcal_plan plan = stand_plan_make(6);
     unsigned count = 0;
 
     design_stand(d, &plan);
@@ -415,7 +401,7 @@ static void make_stand_12(design *d, const char *name)
 /* Three groups in steps of 45 degrees. */
 static void make_stand_24(design *d, const char *name)
 {
-    const invcal_plan plan = design_plan(8);
+    const invcal_plan plan = stand_plan_make(8);
 
     design_stand(d, &plan);
     snprintf(d->name, sizeof d->name, "%s", name);

@@ -6,7 +6,7 @@
 #define DESIGN_H
 
 #include "design/criteria.h"
-#include "plan_axes.h"
+#include "design/stand_plan.h"
 
 #define DESIGN_MAX (INVCAL_PLAN_GROUPS * INVCAL_PLAN_PER_GROUP_MAX)
 
@@ -60,12 +60,6 @@ int design_make(design *d, const char *command, const char *word);
 
 /* The file that the word names, or null; null for a null word. */
 const char *design_file(const char *word);
-
-/* The program of invcal_plan_init; per_group is 0 if it is refused. */
-invcal_plan design_plan(unsigned per_group);
-
-/* Position i of a program; both are valid. */
-invcal_plan_position design_plan_position(const invcal_plan *plan, unsigned i);
 
 /* Makes and evaluates the set of a stand program. `plan` is valid. */
 void design_stand(design *d, const invcal_plan *plan);

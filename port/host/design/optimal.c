@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "design/covariance.h"
-#include "design/design.h"
+#include "design/stand_plan.h"
 
 enum { P = INVCAL_PARAMETERS };
 
@@ -273,10 +273,10 @@ static void scatter(unsigned n, unsigned seed, vectors x)
 /* The paper's program of the same size, so that the result is never worse. */
 static void stand_program(unsigned n, vectors x)
 {
-    const invcal_plan plan = design_plan(n / INVCAL_PLAN_GROUPS);
+    const invcal_plan plan = stand_plan_make(n / INVCAL_PLAN_GROUPS);
 
     for (unsigned i = 0; i < n; i++) {
-        const invcal_plan_position position = design_plan_position(&plan, i);
+        const invcal_plan_position position = stand_plan_at(&plan, i);
         memcpy(x[i], position.up, sizeof position.up);
     }
 }

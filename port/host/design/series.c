@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "design/design.h"
+#include "design/stand_plan.h"
 
 #define LARGEST_SIGNAL 100.0 /* j of a reading ten times the field is 49.5 */
 
@@ -124,7 +124,7 @@ invcal_status series_information(const invcal_plan *plan, unsigned group,
     }
     for (unsigned k = 0; k < plan->per_group; k++) {
         const invcal_plan_position position =
-            design_plan_position(plan, (group - 1) * plan->per_group + k);
+            stand_plan_at(plan, (group - 1) * plan->per_group + k);
         series_terms(position.group, position.up, t);
         for (unsigned r = 0; r < SERIES_TERMS; r++) {
             for (unsigned c = 0; c <= r; c++) {

@@ -244,7 +244,7 @@ int labour_find(labour *l, design *set)
     if (is_free) {
         design_balanced(set, count, l->limits, l->needs_axes);
     } else {
-        const invcal_plan plan = design_plan(count / INVCAL_PLAN_GROUPS);
+        const invcal_plan plan = stand_plan_make(count / INVCAL_PLAN_GROUPS);
         design_stand(set, &plan);
     }
     return EXIT_GOOD;
