@@ -11,6 +11,7 @@
  */
 #include "invcal/allan.h"
 
+#include "noise.h"
 #include "vector.h"
 
 #define RING (2u * INVCAL_PRIVATE_OVERLAP) /* a power of two */
@@ -19,7 +20,7 @@
 /* ---- sums of 128 bits ------------------------------------------------------------------------ */
 
 /* Adds size^2, at most 2^126. On overflow all bits are set, and stay set. */
-static void add_square(invcal_allan_tau *sum, uint64_t size)
+static void add_square(invcal_private_tau *sum, uint64_t size)
 {
     const uint64_t a = size >> 32;
     const uint64_t b = size & UINT32_MAX;
@@ -41,7 +42,7 @@ static void add_square(invcal_allan_tau *sum, uint64_t size)
     }
 }
 
-static int has_overflowed(const invcal_allan_tau *sum)
+static int has_overflowed(const invcal_private_tau *sum)
 {
     return (sum->low & sum->high) == UINT64_MAX;
 }
@@ -53,7 +54,7 @@ static invcal_real to_real(uint64_t x)
 }
 
 /* sqrt(sum / (2 count)), from the sum over 2^64, since 2^128 exceeds float. */
-static invcal_real root_mean(const invcal_allan_tau *sum)
+static invcal_real root_mean(const invcal_private_tau *sum)
 {
     const invcal_real total = to_real(sum->high) + to_real(sum->low) / TWO_32 / TWO_32;
 
@@ -81,23 +82,23 @@ static int is_usable(uint32_t m)
 invcal_status invcal_allan_init(invcal_allan *allan, size_t size)
 {
     INVCAL_ASSERT(allan);
+    allan->taus = 0; /* not begun */
     if (size != sizeof *allan) {
-        allan->taus = 0; /* not begun */
         return INVCAL_OTHER_BUILD;
     }
     invcal_zero(allan, sizeof *allan);
     for (; allan->taus < INVCAL_ALLAN_TAUS; allan->taus++) {
-        allan->tau[allan->taus].m = UINT32_C(1) << allan->taus;
+        allan->own[allan->taus].m = UINT32_C(1) << allan->taus;
     }
     return INVCAL_OK;
 }
 
 invcal_status invcal_allan_init_taus(invcal_allan *allan, size_t size, const uint32_t *m,
-                                     unsigned count)
+                                     unsigned count, int is_apart)
 {
     INVCAL_ASSERT(allan && m);
+    allan->taus = 0; /* not begun */
     if (size != sizeof *allan) {
-        allan->taus = 0; /* not begun */
         return INVCAL_OTHER_BUILD;
     }
     if (count < 1 || count > INVCAL_ALLAN_TAUS) {
@@ -110,20 +111,15 @@ invcal_status invcal_allan_init_taus(invcal_allan *allan, size_t size, const uin
     }
     invcal_zero(allan, sizeof *allan);
     allan->taus = (uint8_t)count;
+    allan->own_apart = is_apart != 0;
     for (unsigned k = 0; k < count; k++) {
-        allan->tau[k].m = m[k];
+        allan->own[k].m = m[k];
     }
     return INVCAL_OK;
 }
 
-void invcal_allan_apart(invcal_allan *allan)
-{
-    INVCAL_ASSERT(allan);
-    allan->is_apart = 1;
-}
-
 /* The difference that ends at a total, number `at` of its ring. */
-static void add_difference(invcal_allan_tau *tau, uint64_t total, uint32_t lag, uint32_t at)
+static void add_difference(invcal_private_tau *tau, uint64_t total, uint32_t lag, uint32_t at)
 {
     const uint64_t middle = tau->past[(at - lag) % RING];
     const uint64_t d = (total - middle) - (middle - tau->past[(at - 2 * lag) % RING]);
@@ -134,13 +130,13 @@ static void add_difference(invcal_allan_tau *tau, uint64_t total, uint32_t lag, 
 
 void invcal_allan_feed(invcal_allan *allan, int32_t raw)
 {
-    invcal_allan_tau *tau = allan->tau;
+    invcal_private_tau *tau = allan->own;
     unsigned t = 0;
 
     INVCAL_ASSERT(allan);
-    const uint64_t total = allan->total + (uint64_t)(int64_t)raw;
+    const uint64_t total = allan->own_total + (uint64_t)(int64_t)raw;
     const uint32_t samples = allan->samples + 1;
-    allan->total = total;
+    allan->own_total = total;
     allan->samples = samples;
     for (unsigned k = 0; k < allan->taus; k++) {
         //@ assert \valid(tau); // number k
@@ -151,7 +147,7 @@ void invcal_allan_feed(invcal_allan *allan, int32_t raw)
         if (at << t != samples) {
             break; /* longer strides do not end here either */
         }
-        if (at >= 2 * lag && tau->count < UINT32_MAX && (!allan->is_apart || at % lag == 0)) {
+        if (at >= 2 * lag && tau->count < UINT32_MAX && (!allan->own_apart || at % lag == 0)) {
             add_difference(tau, total, lag, at);
         }
         tau->past[at % RING] = total;
@@ -166,7 +162,7 @@ void invcal_allan_gap(invcal_allan *allan)
     INVCAL_ASSERT(allan);
     allan->samples = 0;
     for (unsigned k = 0; k < allan->taus; k++) {
-        allan->tau[k].past[0] = allan->total;
+        allan->own[k].past[0] = allan->own_total;
     }
 }
 
@@ -186,9 +182,9 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
 {
     INVCAL_ASSERT(allan && out);
     if (index >= allan->taus) {
-        return INVCAL_BAD_TIME;
+        return INVCAL_BAD_COUNT;
     }
-    const invcal_allan_tau *tau = &allan->tau[index];
+    const invcal_private_tau *tau = &allan->own[index];
     if (tau->count == 0) {
         return INVCAL_TOO_FEW;
     }
@@ -196,7 +192,7 @@ invcal_status invcal_allan_get(const invcal_allan *allan, unsigned index, invcal
         return INVCAL_NO_SPACE;
     }
     /* adjacent windows do not overlap: each counts as one sample */
-    const uint32_t lag = allan->is_apart ? 1 : tau->m >> stride_bits(tau->m, 0);
+    const uint32_t lag = allan->own_apart ? 1 : tau->m >> stride_bits(tau->m, 0);
     out->m = tau->m;
     out->count = tau->count;
     out->adev = root_mean(tau) / (invcal_real)tau->m;

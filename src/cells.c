@@ -35,7 +35,7 @@ void invcal_cell_direction(unsigned k, invcal_real d[3])
     }
 }
 
-void invcal_cells_halve(invcal_cells *cells, unsigned k)
+void invcal_cells_halve(invcal_private_cells *cells, unsigned k)
 {
     for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
         cells->sum[k][i] /= 2;
@@ -43,7 +43,8 @@ void invcal_cells_halve(invcal_cells *cells, unsigned k)
     cells->count[k] = (uint16_t)(cells->count[k] / 2u);
 }
 
-static void move_cell(invcal_cells *into, unsigned to, invcal_cells *from, unsigned k)
+static void move_cell(invcal_private_cells *into, unsigned to, invcal_private_cells *from,
+                      unsigned k)
 {
     for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
         into->sum[to][i] += from->sum[k][i];
@@ -56,7 +57,7 @@ static void move_cell(invcal_cells *into, unsigned to, invcal_cells *from, unsig
     }
 }
 
-void invcal_cells_merge(invcal_cells *into, invcal_cells *from)
+void invcal_cells_merge(invcal_private_cells *into, invcal_private_cells *from)
 {
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         move_cell(into, k, from, k);
@@ -82,7 +83,7 @@ static void move_sum(invcal_real *sum, invcal_real n, const invcal_real s[3], in
 
 /* The products of the mean, not the mean products: only it has a direction. Its length does not
  * matter, so the sum serves. */
-static unsigned cell_of_mean(const invcal_cells *cells, unsigned k)
+static unsigned cell_of_mean(const invcal_private_cells *cells, unsigned k)
 {
     invcal_real h[INVCAL_PARAMETERS];
 
@@ -93,7 +94,7 @@ static unsigned cell_of_mean(const invcal_cells *cells, unsigned k)
 
 /* Converts all sums before any cell moves: those that come together must have the same
  * coordinates. */
-void invcal_cells_move(invcal_cells *cells, const invcal_real shift[3], invcal_real scale)
+void invcal_cells_move(invcal_private_cells *cells, const invcal_real shift[3], invcal_real scale)
 {
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         move_sum(cells->sum[k], invcal_number(cells->count[k]), shift, scale);

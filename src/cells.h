@@ -60,10 +60,10 @@ void invcal_cell_direction(unsigned k, invcal_real d[3]);
 /* A full cell is halved: its mean stays, and later samples count more. 16 bits hold two full
  * cells. */
 enum { INVCAL_FULL_CELL = 16384 };
-void invcal_cells_halve(invcal_cells *cells, unsigned k);
+void invcal_cells_halve(invcal_private_cells *cells, unsigned k);
 
 /* Adds a sample to cell k. */
-static inline void invcal_cells_add(invcal_cells *cells, unsigned k,
+static inline void invcal_cells_add(invcal_private_cells *cells, unsigned k,
                                     const invcal_real h[INVCAL_PARAMETERS])
 {
     invcal_real *const sum = cells->sum[k];
@@ -79,17 +79,17 @@ static inline void invcal_cells_add(invcal_cells *cells, unsigned k,
 }
 
 /* Moves all of `from` into `into`. */
-void invcal_cells_merge(invcal_cells *into, invcal_cells *from);
+void invcal_cells_merge(invcal_private_cells *into, invcal_private_cells *from);
 
 /* Readings v become (v - shift) / scale; a mean that then points into another cell moves there. */
-void invcal_cells_move(invcal_cells *cells, const invcal_real shift[3], invcal_real scale);
+void invcal_cells_move(invcal_private_cells *cells, const invcal_real shift[3], invcal_real scale);
 
 /* ---- their solution -------------------------------------------------------------------------- */
 
 /* Two tables, as if they were one; the same table twice counts as one. */
 typedef struct {
-    const invcal_cells *early;
-    const invcal_cells *late;
+    const invcal_private_cells *early;
+    const invcal_private_cells *late;
 } invcal_cell_tables;
 
 /* The number of samples in cell k; less once it was halved. */
@@ -136,5 +136,17 @@ int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power);
 
 /* 1 over the mean of the diagonal of its matrix: the length of the field. */
 invcal_real invcal_cells_field(const invcal_cell_fit *fit);
+
+/* A cell as a position, for display by the host tool: along the mean of its samples, with the
+ * root-mean-square length of the calibrated samples.
+ *
+ * calibration  from invcal_magnetometer_solve; not scaled.
+ * k            0 ... INVCAL_CELLS - 1.
+ * raw          out: raw counts.
+ *
+ * Returns the number of its samples; if 0, raw is unchanged. */
+unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
+                                  const invcal_calibration *calibration, unsigned k,
+                                  invcal_real raw[3]);
 
 #endif

@@ -28,7 +28,7 @@ void invcal_dip_init(invcal_dip *dip)
 
 invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const invcal_real field[3])
 {
-    invcal_real row[INVCAL_DIP_ROW];
+    invcal_real row[INVCAL_PRIVATE_DIP];
 
     INVCAL_ASSERT(dip && up && field);
     const invcal_real a = invcal_dot3(up, up);
@@ -45,20 +45,20 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
             row[3 * i + j] = scale * up[i] * field[j];
         }
     }
-    row[INVCAL_DIP_ROW - 1] = 1;
-    invcal_rank_one(dip->sum, row, INVCAL_DIP_ROW, 1);
+    row[INVCAL_PRIVATE_DIP - 1] = 1;
+    invcal_rank_one(dip->own_sum, row, INVCAL_PRIVATE_DIP, 1);
     dip->count += dip->count < UINT_MAX;
     return INVCAL_OK;
 }
 
-/* u M v, with M the mean of b b'. */
-static invcal_real between(const invcal_dip *dip, const invcal_real u[INVCAL_DIP_ROW],
-                           const invcal_real v[INVCAL_DIP_ROW])
+/* u M v, with M the mean of b b', of which the sums are the lower triangle. */
+static invcal_real between(const invcal_dip *dip, const invcal_real u[INVCAL_PRIVATE_DIP],
+                           const invcal_real v[INVCAL_PRIVATE_DIP])
 {
-    const invcal_real *m = dip->sum;
+    const invcal_real *m = dip->own_sum;
     invcal_real sum = 0;
 
-    for (unsigned r = 0; r < INVCAL_DIP_ROW; r++) {
+    for (unsigned r = 0; r < INVCAL_PRIVATE_DIP; r++) {
         for (unsigned c = 0; c <= r; c++) {
             sum += *m++ * (c < r ? u[r] * v[c] + u[c] * v[r] : u[r] * v[c]);
         }
@@ -70,7 +70,7 @@ static invcal_real between(const invcal_dip *dip, const invcal_real u[INVCAL_DIP
  * small rotation about axis k moves component j of R m by component i, and component i by minus
  * component j. */
 static void make_rows(const invcal_real r[3][3], invcal_real s,
-                      invcal_real row[DIP_UNKNOWNS + 1][INVCAL_DIP_ROW])
+                      invcal_real row[DIP_UNKNOWNS + 1][INVCAL_PRIVATE_DIP])
 {
     invcal_zero(row, (DIP_UNKNOWNS + 1) * sizeof row[0]);
     for (unsigned k = 0; k < 3; k++) {
@@ -82,15 +82,15 @@ static void make_rows(const invcal_real r[3][3], invcal_real s,
             row[DIP_UNKNOWNS][3 * k + c] = r[k][c];
         }
     }
-    row[3][INVCAL_DIP_ROW - 1] = -1;
-    row[DIP_UNKNOWNS][INVCAL_DIP_ROW - 1] = -s;
+    row[3][INVCAL_PRIVATE_DIP - 1] = -1;
+    row[DIP_UNKNOWNS][INVCAL_PRIVATE_DIP - 1] = -s;
 }
 
 /* The normal equations of a Gauss-Newton step, factored, followed by the step. */
 static invcal_status make_step(const invcal_dip *dip, const invcal_real r[3][3], invcal_real s,
                                invcal_real a[INVCAL_PACKED_SIZE(DIP_UNKNOWNS + 1)])
 {
-    invcal_real row[DIP_UNKNOWNS + 1][INVCAL_DIP_ROW];
+    invcal_real row[DIP_UNKNOWNS + 1][INVCAL_PRIVATE_DIP];
     unsigned n = 0;
 
     make_rows(r, s, row);
@@ -143,14 +143,14 @@ static void judge_dip(const invcal_dip *dip, invcal_real alike, invcal_real s,
 
 /* Begins at R = I, so the axes must be roughly aligned. The system after the last step is not
  * solved: it is that of the solution, from which scatter and sigma come. */
-invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_real rotation[3][3],
+invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_rotation *out,
                                invcal_dip_quality *quality)
 {
     invcal_real a[INVCAL_PACKED_SIZE(DIP_UNKNOWNS + 1)];
     invcal_real r[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     invcal_real s = 0;
 
-    INVCAL_ASSERT(dip && rotation);
+    INVCAL_ASSERT(dip && out);
     if (dip->count <= DIP_UNKNOWNS) {
         return INVCAL_TOO_FEW;
     }
@@ -170,7 +170,7 @@ invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_
     if (!(change <= INVCAL_EPSILON)) {
         return INVCAL_UNDETERMINED;
     }
-    memcpy(rotation, r, sizeof r);
+    memcpy(out->r, r, sizeof out->r);
     if (quality != NULL) {
         judge_dip(dip, alike, s, a, quality);
     }

@@ -45,7 +45,7 @@ invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *ca
     }
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            frame->sum[i][j] += up[i] * a[j] / length;
+            frame->own_sum[i][j] += up[i] * a[j] / length;
         }
     }
     frame->count += frame->count < UINT_MAX;
@@ -54,7 +54,7 @@ invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *ca
 
 /* Covariance of the angles: (tr S I - S)^-1 with S = sum c a' R', or tr S I - S = sum (I - c c'),
  * since a direction determines no turn about itself. */
-static void judge_frame(const invcal_frame *frame, const invcal_real r[3][3],
+static void judge_frame(const invcal_frame *frame, const invcal_rotation *rotation,
                         invcal_frame_quality *quality)
 {
     invcal_real information[3][3];
@@ -63,7 +63,7 @@ static void judge_frame(const invcal_frame *frame, const invcal_real r[3][3],
 
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            information[i][j] = -invcal_dot3(frame->sum[i], r[j]);
+            information[i][j] = -invcal_dot3(frame->own_sum[i], rotation->r[j]);
         }
         trace -= information[i][i];
     }
@@ -81,21 +81,21 @@ static void judge_frame(const invcal_frame *frame, const invcal_real r[3][3],
 
 /* With singular values s of the sums B, |C| of its cofactors C is s1 s2, and B + C has the same
  * directions: so two faces, with s3 = 0, still determine R as the orthonormal factor of B + C. */
-invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation[3][3],
+invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_rotation *out,
                                  invcal_frame_quality *quality)
 {
     invcal_real work[INVCAL_WORK];
     invcal_real b[3][3];
     invcal_real(*c)[3] = (invcal_real(*)[3])work;
 
-    INVCAL_ASSERT(frame && rotation);
+    INVCAL_ASSERT(frame && out);
     if (frame->count < 2) {
         return INVCAL_TOO_FEW;
     }
     /* as LEAST_SPREAD expects, for any number of rests */
     const invcal_real scale = 3 / invcal_number(frame->count);
     for (unsigned i = 0; i < 9; i++) {
-        b[i / 3][i % 3] = scale * frame->sum[i / 3][i % 3];
+        b[i / 3][i % 3] = scale * frame->own_sum[i / 3][i % 3];
     }
     (void)invcal_cofactors((const invcal_real(*)[3])b, c);
     for (unsigned i = 0; i < 9; i++) {
@@ -105,9 +105,9 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
         return INVCAL_UNDETERMINED;
     }
     invcal_make_symmetric(b, work);
-    memcpy(rotation, work, sizeof b);
+    memcpy(out->r, work, sizeof out->r);
     if (quality != NULL) {
-        judge_frame(frame, (const invcal_real(*)[3])rotation, quality);
+        judge_frame(frame, out, quality);
     }
     return INVCAL_OK;
 }
@@ -116,7 +116,8 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_real rotation
 static invcal_real sum_along(const invcal_frame *frame, const invcal_real up[3], invcal_real a[3])
 {
     for (unsigned j = 0; j < 3; j++) {
-        a[j] = up[0] * frame->sum[0][j] + up[1] * frame->sum[1][j] + up[2] * frame->sum[2][j];
+        a[j] = up[0] * frame->own_sum[0][j] + up[1] * frame->own_sum[1][j] +
+               up[2] * frame->own_sum[2][j];
     }
     return INVCAL_SQRT(invcal_dot3(a, a));
 }
@@ -125,12 +126,12 @@ static invcal_real sum_along(const invcal_frame *frame, const invcal_real up[3],
  * opposite, and v no longer shows the axis: more than 139 degrees, LEAST_LEVEL, are refused. The
  * mean direction is no reading of `up` if it is short: the rests contradict each other. */
 invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up[3],
-                                 invcal_real rotation[3][3])
+                                 invcal_rotation *out)
 {
     invcal_real a[3];
     invcal_real v[3];
 
-    INVCAL_ASSERT(frame && up && rotation);
+    INVCAL_ASSERT(frame && up && out);
     if (frame->count < 1) {
         return INVCAL_TOO_FEW;
     }
@@ -147,30 +148,30 @@ invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up
     const invcal_real square = invcal_dot3(v, v);
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            rotation[i][j] = v[i] * v[j] / c;
+            out->r[i][j] = v[i] * v[j] / c;
         }
     }
     for (unsigned i = 0; i < 3; i++) {
         const unsigned j = (i + 1) % 3;
         const unsigned k = (i + 2) % 3;
-        rotation[i][i] += 1 - square / c;
-        rotation[j][k] -= v[i];
-        rotation[k][j] += v[i];
+        out->r[i][i] += 1 - square / c;
+        out->r[j][k] -= v[i];
+        out->r[k][j] += v[i];
     }
     return INVCAL_OK;
 }
 
-void invcal_frame_turn(const invcal_real rotation[3][3], invcal_calibration *calibration)
+void invcal_rotate(invcal_calibration *calibration, const invcal_rotation *rotation)
 {
     invcal_real column[3];
 
-    INVCAL_ASSERT(rotation && calibration);
+    INVCAL_ASSERT(calibration && rotation);
     for (unsigned j = 0; j < 3; j++) {
         for (unsigned i = 0; i < 3; i++) {
             column[i] = calibration->matrix[i][j];
         }
         for (unsigned i = 0; i < 3; i++) {
-            calibration->matrix[i][j] = invcal_dot3(rotation[i], column);
+            calibration->matrix[i][j] = invcal_dot3(rotation->r[i], column);
         }
     }
 }

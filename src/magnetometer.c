@@ -40,20 +40,24 @@ enum { POWER_SAMPLES = 64 };
 invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
                                        const invcal_calibration *nominal)
 {
-    INVCAL_ASSERT(magnetometer && nominal);
-    const invcal_status status = invcal_nominal_check(nominal);
+    static const invcal_calibration as_read = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+    INVCAL_ASSERT(magnetometer);
+    const invcal_calibration *const work = nominal != NULL ? nominal : &as_read;
+    const invcal_status status = invcal_nominal_check(work);
+    magnetometer->own.due = 0; /* not begun */
     if (status == INVCAL_OK) {
-        invcal_zero(magnetometer, sizeof *magnetometer);
-        magnetometer->work = *nominal;
-        magnetometer->unit = 1;
-        magnetometer->due = FIRST_LOOK;
+        invcal_zero(&magnetometer->own, sizeof magnetometer->own);
+        magnetometer->own_work = *work;
+        magnetometer->own.unit = 1;
+        magnetometer->own.due = FIRST_LOOK;
     }
     return status;
 }
 
 static invcal_cell_tables both_tables(const invcal_magnetometer *m)
 {
-    const invcal_cell_tables tables = {&m->early, &m->late};
+    const invcal_cell_tables tables = {&m->own.early, &m->own.late};
 
     return tables;
 }
@@ -64,15 +68,15 @@ static invcal_cell_tables both_tables(const invcal_magnetometer *m)
  * samples are independent, and n times that if n in a row have a common error. 0: unknown. */
 static invcal_real power_of(const invcal_magnetometer *m)
 {
-    return m->blocked >= POWER_SAMPLES ? m->products / (invcal_real)m->blocked : 0;
+    return m->own.blocked >= POWER_SAMPLES ? m->own.products / (invcal_real)m->own.blocked : 0;
 }
 
 static void end_block(invcal_magnetometer *m)
 {
-    m->products += invcal_dot3(m->block, m->block);
-    m->blocked += m->in_block;
-    invcal_zero(m->block, sizeof m->block);
-    m->in_block = 0;
+    m->own.products += invcal_dot3(m->own.block, m->own.block);
+    m->own.blocked += m->own.in_block;
+    invcal_zero(m->own.block, sizeof m->own.block);
+    m->own.in_block = 0;
 }
 
 /* Compares a sample with the solution so far. Returns 0 if its residual is too large: more than 5
@@ -80,19 +84,19 @@ static void end_block(invcal_magnetometer *m)
  * outlasts errors that neighbours share. */
 static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETERS])
 {
-    const invcal_real r = invcal_dot(m->p, h, INVCAL_PARAMETERS) - INVCAL_REAL(0.5);
-    const invcal_real n = (invcal_real)(m->blocked + m->in_block + INITIAL_COUNT);
+    const invcal_real r = invcal_dot(m->own.p, h, INVCAL_PARAMETERS) - INVCAL_REAL(0.5);
+    const invcal_real n = (invcal_real)(m->own.blocked + m->own.in_block + INITIAL_COUNT);
 
-    if (!(r * r * n <= CONTRADICTS * (m->squares + INITIAL_SQUARES))) {
+    if (!(r * r * n <= CONTRADICTS * (m->own.squares + INITIAL_SQUARES))) {
         return 0;
     }
-    m->squares += r * r;
-    m->in_block++;
+    m->own.squares += r * r;
+    m->own.in_block++;
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        m->block[i] += r * h[i];
+        m->own.block[i] += r * h[i];
     }
-    if (m->in_block >= LARGEST_BLOCK || m->in_block >= m->samples / 16) {
+    if (m->own.in_block >= LARGEST_BLOCK || m->own.in_block >= m->own.samples / 16) {
         end_block(m);
     }
     return 1;
@@ -106,13 +110,13 @@ static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invc
     invcal_calibration c = {{shift[0], shift[1], shift[2]},
                             {{1 / scale, 0, 0}, {0, 1 / scale, 0}, {0, 0, 1 / scale}}};
 
-    if (invcal_compose(&m->work, &c) != INVCAL_OK) {
+    if (invcal_compose(&m->own_work, &c) != INVCAL_OK) {
         return 0;
     }
-    m->work = c;
-    m->unit *= scale;
-    invcal_cells_move(&m->early, shift, scale);
-    invcal_cells_move(&m->late, shift, scale);
+    m->own_work = c;
+    m->own.unit *= scale;
+    invcal_cells_move(&m->own.early, shift, scale);
+    invcal_cells_move(&m->own.late, shift, scale);
     return 1;
 }
 
@@ -123,8 +127,8 @@ static invcal_real half_of_box(const invcal_magnetometer *m)
     invcal_real half = 0;
 
     for (unsigned i = 0; i < 3; i++) {
-        if (m->p[3 + i] - m->p[i] > 2 * half) {
-            half = (m->p[3 + i] - m->p[i]) / 2;
+        if (m->own.p[3 + i] - m->own.p[i] > 2 * half) {
+            half = (m->own.p[3 + i] - m->own.p[i]) / 2;
         }
     }
     return half;
@@ -132,8 +136,8 @@ static invcal_real half_of_box(const invcal_magnetometer *m)
 
 static void recentre_by_box(invcal_magnetometer *m)
 {
-    invcal_real *const low = m->p;
-    invcal_real *const high = &m->p[3];
+    invcal_real *const low = m->own.p;
+    invcal_real *const high = &m->own.p[3];
     invcal_real shift[3];
     const invcal_real scale = half_of_box(m);
 
@@ -151,7 +155,7 @@ static void recentre_by_box(invcal_magnetometer *m)
 /* Returns whether there is a solution. Its quality is checked only before the second one. */
 static int is_found(const invcal_magnetometer *m, invcal_cell_fit *fit)
 {
-    if (m->stage == SECOND_SOLUTION) {
+    if (m->own.stage == SECOND_SOLUTION) {
         return invcal_cells_solve(fit) == INVCAL_OK;
     }
     return invcal_cells_calibrate(fit) == INVCAL_OK && fit->quality.verdict != INVCAL_WEAK &&
@@ -170,25 +174,27 @@ static int is_far(const invcal_cell_fit *fit)
 
 /* Solves table `one` and the late samples, and moves the readings to the unit sphere. Samples are
  * then compared with p. Returns 0 if there is no solution. */
-static int has_solution(invcal_magnetometer *m, const invcal_cells *one, invcal_cell_fit *fit)
+static int has_solution(invcal_magnetometer *m, const invcal_private_cells *one,
+                        invcal_cell_fit *fit)
 {
     unsigned worst;
 
     fit->tables.early = one;
-    fit->tables.late = &m->late;
+    fit->tables.late = &m->own.late;
     if (!(invcal_cells_gap(&fit->tables, &worst) > WIDE_GAP) || !is_found(m, fit)) {
         return 0;
     }
     fit->tables = both_tables(m);
-    m->has_step |= (uint8_t)invcal_cells_step(fit, m->before > 0 ? m->before : power_of(m));
+    m->own.has_step |=
+        (uint8_t)invcal_cells_step(fit, m->own.before > 0 ? m->own.before : power_of(m));
     fit->tables.early = one;
     if (is_far(fit) && (!is_recentred(m, fit->triad.offset, invcal_cells_field(fit)) ||
                         invcal_cells_solve(fit) != INVCAL_OK)) {
         return 0;
     }
-    memcpy(m->p, fit->p, sizeof m->p);
+    memcpy(m->own.p, fit->p, sizeof m->own.p);
     for (unsigned i = INVCAL_DK_X; i <= INVCAL_DK_Z; i++) {
-        m->p[i] += INVCAL_REAL(0.5); /* J + h p is one product, less 1/2 */
+        m->own.p[i] += INVCAL_REAL(0.5); /* J + h p is one product, less 1/2 */
     }
     return 1;
 }
@@ -202,19 +208,20 @@ static void drop_unlike(invcal_magnetometer *m)
     invcal_real excess = 0;
 
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
-        if (m->early.count[k] > 0) {
-            const invcal_real n = invcal_number(m->early.count[k]);
-            const invcal_real sum = invcal_dot(m->p, m->early.sum[k], INVCAL_PARAMETERS) - n / 2;
+        if (m->own.early.count[k] > 0) {
+            const invcal_real n = invcal_number(m->own.early.count[k]);
+            const invcal_real sum =
+                invcal_dot(m->own.p, m->own.early.sum[k], INVCAL_PARAMETERS) - n / 2;
             excess += sum * sum / n - power;
         }
     }
     if (!(excess <= 0)) {
-        invcal_zero(&m->early, sizeof m->early);
+        invcal_zero(&m->own.early, sizeof m->own.early);
     }
 }
 
 /* The mean square of the distance of all samples from their centre. */
-static invcal_real spread_of(const invcal_cells *cells)
+static invcal_real spread_of(const invcal_private_cells *cells)
 {
     invcal_real sum[INVCAL_PARAMETERS] = {0};
     invcal_real n = 0;
@@ -236,11 +243,11 @@ static void forget_wild(invcal_magnetometer *m, invcal_cell_fit *fit)
     const invcal_real half = half_of_box(m);
 
     fit->tables = both_tables(m);
-    if (spread_of(&m->early) < DEEP * half * half && invcal_cells_calibrate(fit) != INVCAL_OK) {
-        invcal_zero(&m->early, sizeof m->early);
-        invcal_zero(m->p, sizeof m->p);
-        m->samples = 0;
-        m->due = FIRST_LOOK;
+    if (spread_of(&m->own.early) < DEEP * half * half && invcal_cells_calibrate(fit) != INVCAL_OK) {
+        invcal_zero(&m->own.early, sizeof m->own.early);
+        invcal_zero(m->own.p, sizeof m->own.p);
+        m->own.samples = 0;
+        m->own.due = FIRST_LOOK;
     }
 }
 
@@ -248,31 +255,31 @@ static void forget_wild(invcal_magnetometer *m, invcal_cell_fit *fit)
  * later samples cover all sides too. */
 static void look_at_samples(invcal_magnetometer *m)
 {
-    const int is_first = m->stage == NO_SOLUTION;
+    const int is_first = m->own.stage == NO_SOLUTION;
     invcal_cell_fit fit;
 
     if (is_first) {
         recentre_by_box(m);
     }
-    if (m->stage != SECOND_SOLUTION && has_solution(m, &m->late, &fit)) {
-        m->stage = SECOND_SOLUTION;
+    if (m->own.stage != SECOND_SOLUTION && has_solution(m, &m->own.late, &fit)) {
+        m->own.stage = SECOND_SOLUTION;
         drop_unlike(m);
     } else {
-        if (has_solution(m, &m->early, &fit) && is_first) {
-            m->stage = FIRST_SOLUTION;
+        if (has_solution(m, &m->own.early, &fit) && is_first) {
+            m->own.stage = FIRST_SOLUTION;
         }
     }
-    if (is_first || m->stage == SECOND_SOLUTION) {
-        invcal_cells_merge(&m->early, &m->late);
+    if (is_first || m->own.stage == SECOND_SOLUTION) {
+        invcal_cells_merge(&m->own.early, &m->own.late);
     }
-    if (m->stage == NO_SOLUTION) {
+    if (m->own.stage == NO_SOLUTION) {
         forget_wild(m, &fit);
     }
     end_block(m);
-    m->before = power_of(m);
-    m->squares /= 2; /* residuals of an older solution count half */
-    m->products /= 2;
-    m->blocked /= 2;
+    m->own.before = power_of(m);
+    m->own.squares /= 2; /* residuals of an older solution count half */
+    m->own.products /= 2;
+    m->own.blocked /= 2;
 }
 
 /* ---- samples --------------------------------------------------------------------------------- */
@@ -284,11 +291,11 @@ static int widen_box(invcal_magnetometer *m, const invcal_real v[INVCAL_PARAMETE
         return 0;
     }
     for (unsigned i = 0; i < 3; i++) {
-        if (v[i] < m->p[i]) {
-            m->p[i] = v[i];
+        if (v[i] < m->own.p[i]) {
+            m->own.p[i] = v[i];
         }
-        if (v[i] > m->p[3 + i]) {
-            m->p[3 + i] = v[i];
+        if (v[i] > m->own.p[3 + i]) {
+            m->own.p[3 + i] = v[i];
         }
     }
     return 1;
@@ -302,26 +309,30 @@ invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, invcal_
     invcal_real h[INVCAL_PARAMETERS];
 
     INVCAL_ASSERT(m);
-    if (m->samples == 0 && invcal_are_finite(raw)) {
-        memcpy(m->work.offset, raw, sizeof m->work.offset); /* so that the readings are small */
+    if (m->own.due == 0) { /* not begun */
+        return INVCAL_REFUSED;
     }
-    invcal_correct(&m->work, raw, h);
+    if (m->own.samples == 0 && invcal_are_finite(raw)) {
+        memcpy(m->own_work.offset, raw,
+               sizeof m->own_work.offset); /* so that the readings are small */
+    }
+    invcal_correct(&m->own_work, raw, h);
     invcal_row_of(h);
-    if (m->stage != NO_SOLUTION ? !is_alike(m, h) : !widen_box(m, h)) {
-        m->left_out += m->left_out < FULL_COUNT && invcal_are_finite(&h[INVCAL_DK_X]);
+    if (m->own.stage != NO_SOLUTION ? !is_alike(m, h) : !widen_box(m, h)) {
+        m->own.dropped += m->own.dropped < FULL_COUNT && invcal_are_finite(&h[INVCAL_DK_X]);
         return INVCAL_REFUSED;
     }
     const unsigned k = invcal_cell_of_often(h);
-    const unsigned before = (unsigned)m->early.count[k] + m->late.count[k];
-    invcal_cells_add(&m->late, k, h);
-    m->samples++;
-    if (m->samples >= m->due) {
+    const unsigned before = (unsigned)m->own.early.count[k] + m->own.late.count[k];
+    invcal_cells_add(&m->own.late, k, h);
+    m->own.samples++;
+    if (m->own.samples >= m->own.due) {
         look_at_samples(m);
-        m->due += 5 * m->due / 8;
-        if (m->due > FULL_COUNT) { /* the older ones count half */
-            m->samples /= 2;
-            m->left_out /= 2;
-            m->due = FULL_COUNT;
+        m->own.due += 5 * m->own.due / 8;
+        if (m->own.due > FULL_COUNT) { /* the older ones count half */
+            m->own.samples /= 2;
+            m->own.dropped /= 2;
+            m->own.due = FULL_COUNT;
         }
     }
     return before == 0 ? INVCAL_TAKEN : INVCAL_NOTHING;
@@ -354,20 +365,20 @@ static void fill_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
     const invcal_real power = power_of(m);
     unsigned worst;
 
-    found->field = m->unit * invcal_cells_field(fit);
-    const uint32_t compared = m->blocked + m->in_block;
-    found->rms = compared > 0 ? INVCAL_SQRT(m->squares / (invcal_real)compared) : 0;
-    found->alike = m->squares > 0 ? power / (found->rms * found->rms) : 0;
-    found->samples = m->samples;
-    found->left_out = m->left_out;
+    found->field = m->own.unit * invcal_cells_field(fit);
+    const uint32_t compared = m->own.blocked + m->own.in_block;
+    found->rms = compared > 0 ? INVCAL_SQRT(m->own.squares / (invcal_real)compared) : 0;
+    found->alike = m->own.squares > 0 ? power / (found->rms * found->rms) : 0;
+    found->samples = m->own.samples;
+    found->dropped = m->own.dropped;
     found->covered = (uint8_t)fit->quality.positions;
-    found->gap = degrees_of(invcal_cells_gap(&fit->tables, &worst));
-    found->disturbance = m->left_out > 0 ? INVCAL_PASSING : INVCAL_UNDISTURBED;
+    found->gap_deg = degrees_of(invcal_cells_gap(&fit->tables, &worst));
+    found->disturbance = m->own.dropped > 0 ? INVCAL_PASSING : INVCAL_UNDISTURBED;
     if (found->rms > PLACES_RMS && found->alike > PLACES_ALIKE) {
         found->disturbance = INVCAL_PLACES;
     }
-    if (m->has_step || m->left_out > m->samples / 4 ||
-        invcal_cells_step(fit, m->before > 0 ? m->before : power)) {
+    if (m->own.has_step || m->own.dropped > m->own.samples / 4 ||
+        invcal_cells_step(fit, m->own.before > 0 ? m->own.before : power)) {
         found->disturbance = INVCAL_STEP;
     }
 }
@@ -397,15 +408,15 @@ static void judge_motion(const invcal_magnetometer *m, const invcal_magnetometer
 {
     unsigned worst;
 
-    if (m->blocked < POWER_SAMPLES) { /* their correlation is not known yet */
+    if (m->own.blocked < POWER_SAMPLES) { /* their correlation is not known yet */
         invcal_raise(quality, INVCAL_NO_REDUNDANCY);
     }
-    if (found->gap > 45) {
+    if (found->gap_deg > 45) {
         (void)invcal_cells_gap(tables, &worst);
         quality->weak |= parameters_along(worst);
         invcal_raise(quality, INVCAL_WEAK);
     }
-    if (found->disturbance > INVCAL_PASSING || found->left_out > found->samples / 8) {
+    if (found->disturbance > INVCAL_PASSING || found->dropped > found->samples / 8) {
         invcal_raise(quality, INVCAL_ROUGH);
     }
 }
@@ -419,6 +430,9 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
     invcal_cell_fit fit;
 
     INVCAL_ASSERT(m && out && quality);
+    if (m->own.due == 0) {
+        return INVCAL_NOT_BEGUN;
+    }
     fit.tables = both_tables(m);
     invcal_status status = invcal_cells_calibrate(&fit);
     if (status != INVCAL_OK) {
@@ -431,7 +445,7 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
         fit.quality.sigma[i] /= invcal_cells_field(&fit);
     }
     judge_motion(m, &f, &fit.tables, &fit.quality);
-    status = invcal_compose(&m->work, &fit.triad);
+    status = invcal_compose(&m->own_work, &fit.triad);
     if (status == INVCAL_OK) {
         *out = fit.triad;
         *quality = fit.quality;
@@ -453,7 +467,7 @@ unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
     invcal_real point[3] = {0, 0, 0};
 
     INVCAL_ASSERT(magnetometer && calibration && k < INVCAL_CELLS && raw);
-    const invcal_calibration *const work = &magnetometer->work;
+    const invcal_calibration *const work = &magnetometer->own_work;
     const invcal_cell_tables tables = both_tables(magnetometer);
     invcal_inverse3(work->matrix, inverse);
     invcal_correct(work, calibration->offset, triad.offset);
@@ -479,5 +493,5 @@ const char *invcal_disturbance_text(invcal_disturbance disturbance)
         "readings changed at some time, as if something magnetic had moved: begin again\0"
         "unknown disturbance";
 
-    return invcal_text(texts, (unsigned)disturbance, INVCAL_STEP + 1u);
+    return invcal_text(texts, disturbance, INVCAL_STEP + 1u);
 }

@@ -5,7 +5,8 @@
  * negative: with three kinds there are only seven sets, so all are tried, and no method for
  * inequalities is needed.
  */
-#include "invcal/allan.h"
+#include "noise.h"
+
 #include "sums.h"
 
 enum { KINDS = INVCAL_NOISE_KINDS, ALL = (1 << INVCAL_NOISE_KINDS) - 1 };
@@ -221,13 +222,16 @@ static void fit_visible(const curve *c, mixture *x)
     }
 }
 
-invcal_status invcal_allan_solve(const invcal_allan *allan, invcal_real rate, invcal_noise *noise)
+invcal_status invcal_allan_solve(const invcal_allan *allan, invcal_real rate, invcal_noise *out)
 {
     curve c;
     mixture x;
     invcal_noise n;
 
-    INVCAL_ASSERT(allan && noise);
+    INVCAL_ASSERT(allan && out);
+    if (allan->taus == 0) {
+        return INVCAL_NOT_BEGUN;
+    }
     if (!invcal_is_positive(rate)) {
         return INVCAL_BAD_RATE;
     }
@@ -241,7 +245,7 @@ invcal_status invcal_allan_solve(const invcal_allan *allan, invcal_real rate, in
     n.best = (invcal_real)c.lowest.m / rate;
     n.minimum = c.lowest.adev;
     n.misfit = misfit(&c, &x);
-    n.visible = (uint8_t)x.kinds;
+    n.visible = x.kinds;
     const invcal_real unit[KINDS] = {n.shortest, 1,
                                      1 / n.shortest}; /* tau was relative to shortest */
     for (unsigned i = 0; i < KINDS; i++) {
@@ -251,7 +255,7 @@ invcal_status invcal_allan_solve(const invcal_allan *allan, invcal_real rate, in
     if (!invcal_are_finite(n.coefficient) || !invcal_is_finite(n.longest)) {
         return INVCAL_BAD_RATE;
     }
-    *noise = n;
+    *out = n;
     return INVCAL_OK;
 }
 

@@ -4,7 +4,7 @@
  * (mathematics_programs.md, "Programs"). Angles stay in degrees up to the last step: they are
  * wrapped before they are rounded, and multiples of 90 give exact components.
  */
-#include "invcal/plan.h"
+#include "plan_axes.h"
 
 #include <string.h>
 
@@ -19,14 +19,14 @@ static invcal_status check_per_group(unsigned per_group)
     if (per_group < INVCAL_PLAN_PER_GROUP_MIN) {
         return INVCAL_TOO_FEW;
     }
-    return per_group <= INVCAL_PLAN_PER_GROUP_MAX ? INVCAL_OK : INVCAL_BAD_ANGLE;
+    return per_group <= INVCAL_PLAN_PER_GROUP_MAX ? INVCAL_OK : INVCAL_BAD_COUNT;
 }
 
 invcal_status invcal_plan_check(const invcal_plan *plan)
 {
     INVCAL_ASSERT(plan);
     for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
-        if (!(INVCAL_FABS(plan->start[g]) <= TURN)) {
+        if (!(INVCAL_FABS(plan->start_deg[g]) <= TURN)) {
             return INVCAL_BAD_ANGLE;
         }
     }
@@ -54,8 +54,7 @@ static invcal_real angle(invcal_real start, unsigned k, unsigned per_group)
 
 /* The rows of eta are eta(alpha, beta) = (sin alpha sin beta, cos alpha, sin alpha cos beta) with
  * the constant angle of each group put in. */
-invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
-                                      invcal_plan_position *out)
+invcal_status invcal_plan_get(const invcal_plan *plan, unsigned i, invcal_plan_position *out)
 {
     invcal_real c;
     invcal_real s;
@@ -67,44 +66,47 @@ invcal_status invcal_plan_position_at(const invcal_plan *plan, unsigned i,
     }
     const unsigned n = plan->per_group;
     if (i >= INVCAL_PLAN_GROUPS * n) {
-        return INVCAL_BAD_ANGLE;
+        return INVCAL_BAD_COUNT;
     }
     const unsigned g = i < n ? 0 : i < 2 * n ? 1 : 2;
     const unsigned k = i - g * n;
-    const invcal_real turned = angle(plan->start[g], k, n);
+    const invcal_real turned = angle(plan->start_deg[g], k, n);
     out->group = g + 1;
     out->index = k + 1;
-    out->alpha = g == 1 ? -TURN / 4 : turned; /* Table 1 */
-    out->beta = g == 0 ? 0 : g == 1 ? turned : TURN / 4;
+    out->alpha_deg = g == 1 ? -TURN / 4 : turned; /* Table 1 */
+    out->beta_deg = g == 0 ? 0 : g == 1 ? turned : TURN / 4;
     invcal_circle(turned, &c, &s);
     const invcal_real eta[INVCAL_PLAN_GROUPS][3] = {{0, c, s}, {-s, 0, -c}, {s, c, 0}};
-    memcpy(out->vertical, eta[g], sizeof out->vertical);
+    memcpy(out->up, eta[g], sizeof out->up);
     return INVCAL_OK;
 }
 
-invcal_status invcal_plan_starts(unsigned per_group, invcal_real start[INVCAL_PLAN_GROUPS])
+/* An even N points each axis along +g and along -g with 90 - 360/N floor(N/4) for groups 1 and 2 and
+ * 180 - 360/N for group 3: +-z, +-x, +-y. An odd one has no opposite directions. */
+invcal_status invcal_plan_init(invcal_plan *plan, unsigned per_group)
 {
-    INVCAL_ASSERT(start);
+    INVCAL_ASSERT(plan);
     const invcal_status status = check_per_group(per_group);
 
     if (status == INVCAL_OK) {
         const invcal_real step = TURN / (invcal_real)per_group;
         const unsigned quarter = per_group / 4; /* floor(N/4) */
-        start[0] = TURN / 4 - step * (invcal_real)quarter;
-        start[1] = start[0];
-        start[2] = TURN / 2 - step;
+        plan->per_group = per_group;
+        plan->start_deg[0] = TURN / 4 - step * (invcal_real)quarter;
+        plan->start_deg[1] = plan->start_deg[0];
+        plan->start_deg[2] = TURN / 2 - step;
     }
     return status;
 }
 
-uint8_t invcal_axis_up(const invcal_real vertical[3])
+uint8_t invcal_axis_up(const invcal_real up[3])
 {
-    INVCAL_ASSERT(vertical);
+    INVCAL_ASSERT(up);
     for (unsigned i = 0; i < 3; i++) {
-        if (vertical[i] > ALONG) {
+        if (up[i] > ALONG) {
             return (uint8_t)(1u << (INVCAL_AXIS_PLUS_X + 2 * i));
         }
-        if (vertical[i] < -ALONG) {
+        if (up[i] < -ALONG) {
             return (uint8_t)(1u << (INVCAL_AXIS_MINUS_X + 2 * i));
         }
     }

@@ -62,7 +62,7 @@ const char *invcal_status_text(invcal_status status)
                                 "the field is not a length\0"
                                 "the count is out of range\0"
                                 "the direction is not a unit vector\0"
-                                "the program has no such position\0"
+                                "the angle is out of range\0"
                                 "the temperature is invalid\0"
                                 "the time is out of range\0"
                                 "the memory's slot or granularity is invalid\0"

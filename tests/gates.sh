@@ -160,7 +160,7 @@ plant picture port/host/sphere.svg 's/38 positions/39 positions/' 'that the tool
 plant figure port/manual/sweep.svg 's/0\.5/0.6/' 'that its commands draw: FAIL' make derived
 plant word include/invcal/store.h '/^\/\* Loads them\.$/,/\*\/$/d' \
     'accepts the headers and pages: FAIL' make manual
-plant cut include/invcal/allan.h 's/its tau, s/its tau,/' 'continues at the next: FAIL' make manual
+plant cut include/invcal/allan.h 's/adev seen, counts/adev seen,/' 'continues at the next: FAIL' make manual
 plant link port/manual/errors.md 's/(porting\.md)/(porter.md)/' \
     'link of the pages is dead: FAIL' make manual
 plant image port/manual/pages.awk 's|sub(/\.\*\\//, "", target)|target = target|' 'no picture \.\./host' make manual

@@ -6,8 +6,8 @@
 
 void main(void)
 {
-    invcal_cells cells;
-    invcal_cells other;
+    invcal_private_cells cells;
+    invcal_private_cells other;
     invcal_real h[INVCAL_PARAMETERS];
     invcal_real shift[3];
     invcal_real scale;
