@@ -41,7 +41,7 @@ doubles() {
 
 # Positions are computed: no tables in these modules. Single constants are not tables.
 tables() {
-    size -A "$1/src/plan.o" "$1/src/circle.o" |
+    size -A "$1/src/plan/plan.o" "$1/src/core/circle.o" |
         awk '$1 ~ /^\.rodata/ && $1 !~ /^\.rodata\.cst/ { n += $2 }
             END { if (n > 64) printf "%d bytes of read-only data", n }'
 }

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bytes.h"
+#include "core/bytes.h"
 #include "drive.h"
 #include "invcal/gyro.h"
 #include "invcal/thermal.h"

@@ -13,8 +13,8 @@
 #include "invcal/allan.h"
 #include "invcal/plan.h"
 #include "invcal/thermal.h"
-#include "solve.h"
-#include "vector.h"
+#include "core/solve.h"
+#include "core/vector.h"
 
 enum { MOST = 40 }; /* positions */
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "guidance.h"
+#include "plan/guidance.h"
 
 #include <stddef.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "judge.h"
+#include "calibrate/judge.h"
 
 #include <stddef.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "solve.h"
+#include "core/solve.h"
 
 void main(void)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "solve.h"
+#include "core/solve.h"
 #include "arbitrary.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-split-return full

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "texts.h"
+#include "core/texts.h"
 
 #include "arbitrary.h"
 

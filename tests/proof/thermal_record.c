@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
 #include "invcal/thermal.h"
-#include "solve.h"
+#include "core/solve.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcal_crc32:0 -eva-split-return full
 // stubs: record solve nominal

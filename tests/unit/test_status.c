@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <string.h>
 
-#include "texts.h"
+#include "core/texts.h"
 #include "support.h"
 #include "unity.h"
 

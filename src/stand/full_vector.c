@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * All three readings of a position against its known direction, u = M eta + delta (mathematics.md,
+ * "The full vector"). The rows (eta 1) are the same for all three axes: one 4x4 factor serves them,
+ * with one right side for each. The polar decomposition of M then separates the sensor, I + S, from
+ * its mounting, R.
+ */
+#include <limits.h>
+#include <string.h>
+
+#include "../core/solve.h"
+#include "../core/sums.h"
+#include "../core/vector.h"
+
+enum { OF_AXIS = 4, OF_ROW = OF_AXIS + 3 }; /* unknowns of an axis: a row of M, and delta */
+
+#define LEAST_DET INVCAL_REAL(1e-3) /* of det M: invcal_triad wants as much of det (I + S) */
+
+void invcal_full_vector_init(invcal_full_vector *full)
+{
+    INVCAL_ASSERT(full);
+    invcal_zero(full, sizeof *full);
+}
+
+invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_calibration *nominal,
+                                     const invcal_real raw[3], const invcal_real eta[3])
+{
+    invcal_real row[OF_ROW];
+    invcal_row observed;
+
+    INVCAL_ASSERT(full && nominal && raw && eta);
+    const invcal_status status = invcal_observe(nominal, raw, &observed);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    if (!invcal_is_unit(eta)) {
+        return INVCAL_BAD_DIRECTION;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        row[i] = eta[i];
+        row[OF_AXIS + i] = observed.h[i];
+    }
+    row[3] = 1;
+    invcal_rank_one(full->sum, row, OF_ROW, 1);
+    full->count += full->count < UINT_MAX;
+    return INVCAL_OK;
+}
+
+/* M and delta, one axis at a time, as the row after the system, where invcal_back_substitute
+ * expects it. It solves A p = -b, hence the signs. */
+static void solve_axes(invcal_real *a, invcal_real m[3][3], invcal_real delta[3])
+{
+    invcal_real *p = &a[INVCAL_PACKED(OF_AXIS, 0)];
+
+    for (unsigned axis = 0; axis < 3; axis++) {
+        if (axis > 0) {
+            memcpy(p, &a[INVCAL_PACKED(OF_AXIS + axis, 0)], OF_AXIS * sizeof *p);
+        }
+        invcal_back_substitute(a, OF_AXIS);
+        for (unsigned i = 0; i < 3; i++) {
+            m[axis][i] = -p[i];
+        }
+        delta[axis] = -p[3];
+    }
+}
+
+/* I + S = p; the mean with p' removes rounding. */
+static void parameters_of(const invcal_real p[3][3], const invcal_real delta[3],
+                          invcal_real x[INVCAL_PARAMETERS])
+{
+    memcpy(&x[INVCAL_DELTA_X], delta, 3 * sizeof *delta);
+    for (unsigned i = 0; i < 3; i++) {
+        x[INVCAL_DK_X + i] = p[i][i] - 1;
+    }
+    x[INVCAL_GAMMA_XY] = p[0][1] + p[1][0];
+    x[INVCAL_GAMMA_XZ] = p[0][2] + p[2][0];
+    x[INVCAL_GAMMA_ZY] = p[2][1] + p[1][2];
+}
+
+/* M = (I + S) R; the calibrated R'A u is M^-1 u. X is found first, and passes the same limits as
+ * that of lengths (invcal_triad). `full` is overwritten as work space. */
+invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_calibration *nominal,
+                                       invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS],
+                                       invcal_real mounting[3][3])
+{
+    invcal_real m[3][3];
+    invcal_real found[INVCAL_PARAMETERS];
+    invcal_calibration c;
+
+    INVCAL_ASSERT(full && nominal && out && x && mounting);
+    invcal_real *work = full->sum;
+    if (full->count < OF_AXIS) {
+        return INVCAL_TOO_FEW;
+    }
+    invcal_status status = invcal_factor(work, OF_AXIS, OF_ROW, INVCAL_FLOOR);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    solve_axes(work, m, c.offset);
+    if (!(invcal_cofactors((const invcal_real(*)[3])m, (invcal_real(*)[3])work) > LEAST_DET)) {
+        return INVCAL_NOT_ELLIPSOID;
+    }
+    memcpy(c.matrix, m, sizeof m);
+    invcal_make_symmetric(c.matrix, work);
+    parameters_of((const invcal_real(*)[3])c.matrix, c.offset, found);
+    status = invcal_triad(found, &c);
+    if (status == INVCAL_OK) {
+        invcal_inverse3((const invcal_real(*)[3])m, c.matrix);
+        status = invcal_compose(nominal, &c);
+    }
+    if (status == INVCAL_OK) {
+        *out = c;
+        memcpy(x, found, sizeof found);
+        memcpy(mounting, work, 9 * sizeof *work);
+    }
+    return status;
+}
