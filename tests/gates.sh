@@ -172,7 +172,11 @@ plant heap src/core/status.c 's/^const char \*invcal_text/#include <stdlib.h>\nv
 plant loop src/core/circle.c 's/^    const invcal_real x = /    while (degrees > 1e9f) { degrees -= 1; }\n&/' \
     'circle.c.*loop|loop.*circle.c' make rules
 plant folder port/host/text/figure.h 's/^#define FIGURE_H/&\n#include "plan\/words.h"/' \
-    'text comes before plan' make rules
+    'host/text comes before port/host/plan' make rules
+plant order src/core/circle.h 's/^#define INVCAL_CIRCLE_H/&\n#include "..\/plan\/guidance.h"/' \
+    'src/core comes before src/plan' make rules
+plant upward src/core/circle.c 's/^    const invcal_real x = /    (void)invcal_session_reason_text(0);\n&/' \
+    'calls one after it: FAIL: src/core calls' unit library
 
 # ---- packages and releases --------------------------------------------------------------------
 
