@@ -182,7 +182,7 @@ windows: $(BUILD)/invcal.exe ## build/invcal.exe, the tool for Windows, with Min
 $(BUILD)/tool/tool.a: $(filter-out %/main.o,$(HOST:%.c=$(BUILD)/tool/%.o)) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)rm -f $@ && $(AR) qcs $@ $^
 $(BUILD)/tool/tests/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
-    -Isrc -Itests/unit -Itests/reference
+    -Itests/unit -Itests/reference
 $(BUILD)/tool/test_%: $(BUILD)/tool/tests/tool/test_%.o $(BUILD)/tool/tests/unit/support.o \
     $(BUILD)/double/unity.o $(BUILD)/tool/tool.a
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
