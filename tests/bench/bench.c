@@ -9,7 +9,7 @@
 #include "../positions.h"
 #include "../report.h"
 #include "full_vector.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 #include "invcal/allan.h"
 #include "invcal/background.h"
 #include "invcal/expert.h"

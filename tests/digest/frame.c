@@ -3,10 +3,10 @@
  * Axes: those of the case, from its faces; those of a stand, from its program.
  */
 #include "digest.h"
-#include "directions.h"
+#include "stand/directions.h"
 
 #include "invcal/frame.h"
-#include "plan_axes.h"
+#include "plan/plan_axes.h"
 
 static invcal_calibration nominal;
 

@@ -6,7 +6,7 @@
 #include "digest.h"
 #include "invcal/positions.h"
 
-#include "cells.h"
+#include "magnetometer/cells.h"
 #include "invcal/magnetometer.h"
 
 enum { RATE = 50, SAMPLES = 60 * RATE, ALIKE = 8 };

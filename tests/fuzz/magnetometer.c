@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cells.h"
+#include "magnetometer/cells.h"
 #include "fuzz.h"
 #include "invcal/magnetometer.h"
 

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "../positions.h"
-#include "bytes.h"
+#include "core/bytes.h"
 #include "drive.h"
 #include "invcal/gyro.h"
 #include "invcal/thermal_store.h"

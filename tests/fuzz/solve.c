@@ -10,18 +10,18 @@
 #include <string.h>
 
 #include "../positions.h"
-#include "directions.h"
+#include "stand/directions.h"
 #include "fuzz.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 #include "invcal/allan.h"
 #include "invcal/plan.h"
 #include "invcal/thermal_store.h"
-#include "judge.h"
-#include "noise.h"
-#include "plan_axes.h"
-#include "solve.h"
-#include "sums.h"
-#include "vector.h"
+#include "calibrate/judge.h"
+#include "allan/noise.h"
+#include "plan/plan_axes.h"
+#include "core/solve.h"
+#include "core/sums.h"
+#include "core/vector.h"
 
 enum { MOST = 40 }; /* positions */
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "cells.h"
+#include "magnetometer/cells.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 20 -eva-slevel 100 -eva-split-return full
 

@@ -3,7 +3,7 @@
 #define HISTORY_ALLAN_H
 
 #include "history.h"
-#include "noise.h"
+#include "allan/noise.h"
 
 /* Any state of one axis. */
 static void any_allan(invcal_allan *a)

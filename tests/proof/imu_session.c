@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "rotation.h"
-#include "session.h"
+#include "imu/rotation.h"
+#include "session/session.h"
 
 // eva: -eva-precision 2 -eva-slevel 40 -eva-split-return full
 // stubs: store session moves

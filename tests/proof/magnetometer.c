@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "cells.h"
-#include "judge.h"
+#include "magnetometer/cells.h"
+#include "calibrate/judge.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 20 -eva-slevel 100 -eva-slevel-function invcal_text:2000 -eva-split-return full
 // stubs: cell_fit

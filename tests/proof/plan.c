@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "plan_axes.h"
+#include "plan/plan_axes.h"
 
 void main(void)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "imu.h"
+#include "imu/imu.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 45 -eva-slevel 60 -eva-split-return full
 

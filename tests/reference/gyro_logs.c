@@ -2,7 +2,7 @@
  *
  * Prints tests/unit/gyro_logs.h: what the library keeps of real logs, which are not carried with the project.
  *
- *     gcc -DINVCAL_DOUBLE=1 -Iinclude tests/reference/gyro_logs.c src/?*.c -lm -o gyro_logs
+ *     gcc -DINVCAL_DOUBLE=1 -Iinclude tests/reference/gyro_logs.c $(find src -name '*.c') -lm -o gyro_logs
  *     ./gyro_logs xsens_mti_acc.txt xsens_mti_gyro.txt mpu9150_0.txt mpu9150_1.txt > tests/unit/gyro_logs.h
  *
  * Xsens MTi: imu_tk, bin/test_data (BSD), until the table of segments is full; MPU-9150: mikoff/imu-calib,

@@ -11,7 +11,7 @@
 #include "invcal/magnetometer.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
-#include "sums.h"
+#include "core/sums.h"
 
 #define SIZE_OF(name)                                                                              \
     extern char size_of_##name[sizeof(name)];                                                      \

@@ -7,9 +7,9 @@
 #include "expected.h"
 #include "invcal/plan.h"
 #include "invcal/positions.h"
-#include "plan_axes.h"
+#include "plan/plan_axes.h"
 #include "support.h"
-#include "system.h"
+#include "core/system.h"
 #include "unity.h"
 
 /* Slow machines may take fewer; the bounds follow. */

@@ -11,7 +11,7 @@
 #include "expected.h"
 #include "full_vector.h"
 #include "support.h"
-#include "system.h"
+#include "core/system.h"
 #include "unity.h"
 
 void setUp(void)

@@ -5,7 +5,7 @@
 
 #include "expected.h"
 #include "design/series.h"
-#include "sums.h"
+#include "core/sums.h"
 #include "support.h"
 #include "unity.h"
 

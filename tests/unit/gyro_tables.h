@@ -37,7 +37,7 @@
 #define invcal_imu_settings_check other_settings_check
 #undef invcal_imu_solve
 #define invcal_imu_solve other_solve
-#include "imu.c"
-#include "moves.c"
+#include "imu/imu.c"
+#include "imu/moves.c"
 
 #endif

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "noise.h"
+#include "allan/noise.h"
 #include "support.h"
 #include "unity.h"
 

@@ -19,7 +19,7 @@
 #define invcal_allan_gap wide_allan_gap
 #undef invcal_allan_get
 #define invcal_allan_get wide_allan_get
-#include "../../src/allan.c"
+#include "../../src/allan/allan.c"
 
 #include "support.h"
 #include "unity.h"

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "cells.h"
-#include "sums.h"
+#include "magnetometer/cells.h"
+#include "core/sums.h"
 #include "support.h"
 #include "unity.h"
 

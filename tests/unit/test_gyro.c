@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "gyro_world.h"
-#include "imu.h"
-#include "solve.h"
+#include "imu/imu.h"
+#include "core/solve.h"
 #include "turns_design.h"
 #include "unity.h"
 

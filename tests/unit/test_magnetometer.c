@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cells.h"
+#include "magnetometer/cells.h"
 #include "invcal/magnetometer.h"
 #include "invcal/result.h"
 #include "invcal/store.h"

@@ -7,7 +7,7 @@
 #include "expected.h"
 #include "invcal/expert.h"
 #include "invcal/plan.h"
-#include "judge.h"
+#include "calibrate/judge.h"
 #include "positions.h"
 #include "support.h"
 #include "unity.h"

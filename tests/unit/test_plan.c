@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "expected.h"
-#include "plan_axes.h"
+#include "plan/plan_axes.h"
 #include "support.h"
 #include "unity.h"
 

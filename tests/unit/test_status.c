@@ -3,7 +3,7 @@
 
 #include "invcal/result.h"
 #include "support.h"
-#include "texts.h"
+#include "core/texts.h"
 #include "unity.h"
 
 void setUp(void)

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "gyro_world.h"
-#include "system.h"
+#include "core/system.h"
 #include "turns_design.h"
 #include "unity.h"
 

@@ -7,7 +7,7 @@
 #include "cli/command.h"
 #include "maths/eigen.h"
 #include "maths/matrix.h"
-#include "system.h"
+#include "core/system.h"
 
 /* The moves determine the accelerometer, and the rests alone do not, or poorly. */
 static int moves_determine_more(const request *r, int refused, const calibrate_result *result)

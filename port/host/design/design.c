@@ -18,7 +18,7 @@
 #include "design/parameters.h"
 #include "read/positions.h"
 #include "design/weights.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 
 #define SAME 1e-9 /* directions that differ by less */
 

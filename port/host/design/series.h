@@ -27,8 +27,8 @@
 #define SERIES_H
 
 #include "invcal/plan.h"
-#include "plan_axes.h"
-#include "system.h"
+#include "plan/plan_axes.h"
+#include "core/system.h"
 
 #define SERIES_TERMS 5u /* 1, cos, sin, cos 2, sin 2 */
 

@@ -5,7 +5,7 @@
 #ifndef STAND_PLAN_H
 #define STAND_PLAN_H
 
-#include "plan_axes.h"
+#include "plan/plan_axes.h"
 
 /* The program of invcal_plan_init; per_group is 0 if it is refused. */
 invcal_plan stand_plan_make(unsigned per_group);

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cells.h"
+#include "magnetometer/cells.h"
 #include "invcal/plan.h"
 #include "invcal/result.h"
 #include "cli/command.h"

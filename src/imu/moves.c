@@ -1,0 +1,437 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Turns a stream of gyroscope samples into segments of moves (mathematics_imu.md, "Segments").
+ * Whether the device was at rest is known only when the detector of the accelerometer reports it,
+ * up to seven blocks of 1/8 s later. So the newest segments wait as they are, then each is merged
+ * into its move, or added to the bias of a rest and dropped once that is taken.
+ *
+ * segment[]: from 0 those of complete moves; from `first` those of the current one, merged; from
+ * `fixed` to used - 1 those still waiting.
+ */
+#include <stddef.h>
+
+#include "rotation.h"
+#include "../core/solve.h"
+
+/* mathematics_imu.md, "Segments". */
+#define MERGED_LIMIT INVCAL_REAL(0.1218)   /* 20 degrees, squared: of a segment */
+#define UNMERGED_LIMIT INVCAL_REAL(0.0110) /* 6 degrees, squared: of one that is not merged */
+#define LONGEST_MOVE INVCAL_REAL(10.0)     /* seconds */
+
+enum {
+    LATE = 8,            /* blocks that are not merged: a rest is TAKEN 7 blocks after its end */
+    CUT_OFF = 2,         /* last blocks of a rest, which are ignored: TRIM of rests.c */
+    MOST_CHANGE = 2288,  /* bias from rest to rest, 0.5 degrees/s: above it, one was no rest */
+    SPARE = 24,          /* segments kept free for those that are not merged */
+    MOST_SEGMENTS = 127, /* of a move: seven turns */
+    MOST_SAMPLES = INT16_MAX,
+    NOWHERE = UINT16_MAX,
+    SPOILT = INT16_MIN /* v[0] of an unusable segment; kappa[0] is the reason */
+};
+
+/* ---- rotations ------------------------------------------------------------------------------- */
+
+/* The rotation rho, then th, as one rotation vector: Baker-Campbell-Hausdorff to fourth order,
+ * accurate to 1e-6 for the 20 degrees of a segment. */
+static INVCAL_OFTEN void turn(invcal_real rho[3], const invcal_real th[3])
+{
+    const invcal_real k = INVCAL_REAL(0.5) + invcal_dot3(rho, th) / 24;
+    invcal_real a[3];
+    invcal_real b[3];
+    invcal_real c[3];
+
+    invcal_cross(rho, th, a);
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        c[i] = (rho[i] - th[i]) / 12;
+    }
+    invcal_cross(c, a, b);
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        rho[i] += th[i] + k * a[i] + b[i];
+    }
+}
+
+/* ---- segments -------------------------------------------------------------------------------- */
+
+/* Rounds x. Returns 0 if it is too large. */
+static int pack(invcal_real x, int16_t *out)
+{
+    if (x > -32767 && x < 32767) {
+        //@ assert \is_finite(x); // no NaN lies between two numbers
+        x += x < 0 ? INVCAL_REAL(-0.5) : INVCAL_REAL(0.5);
+        *out = (int16_t)x;
+        return 1;
+    }
+    *out = 0;
+    return 0;
+}
+
+/* Packs v and the coning kappa = rho - v: from these two the segment can be integrated again with
+ * another M.
+ * Returns 0 if either is too large. */
+static int pack_segment(const invcal_real rho[3], const invcal_real v[3], invcal_segment *out)
+{
+    int fits = 1;
+
+    for (unsigned i = 0; i < 3; i++) {
+        fits &= pack(v[i] / INVCAL_V_UNIT, &out->v[i]) &
+                pack((rho[i] - v[i]) / INVCAL_KAPPA_UNIT, &out->kappa[i]);
+    }
+    return fits;
+}
+
+INVCAL_NOINLINE void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
+{
+    for (unsigned i = 0; i < 3; i++) {
+        out[i] += (invcal_real)packed[i] * unit;
+    }
+}
+
+/* Merges b into a, which precedes it, if that gives at most 20 degrees. */
+static int merge(invcal_segment *a, const invcal_segment *b)
+{
+    const unsigned samples = (a->time / 2u) + (b->time / 2u);
+    invcal_real of[3][3]; /* rotations of a and of b; v of both */
+    invcal_segment both;
+
+    invcal_zero(of, sizeof of);
+    invcal_unpack(a->v, INVCAL_V_UNIT, of[0]);
+    invcal_unpack(a->v, INVCAL_V_UNIT, of[2]);
+    invcal_unpack(b->v, INVCAL_V_UNIT, of[1]);
+    invcal_unpack(b->v, INVCAL_V_UNIT, of[2]);
+    if (invcal_dot3(of[2], of[2]) > MERGED_LIMIT || samples > MOST_SAMPLES) {
+        return 0;
+    }
+    invcal_unpack(a->kappa, INVCAL_KAPPA_UNIT, of[0]);
+    invcal_unpack(b->kappa, INVCAL_KAPPA_UNIT, of[1]);
+    turn(of[0], of[1]);
+    both.time = (uint16_t)(2 * samples);
+    if (!pack_segment(of[0], of[2], &both)) {
+        return 0;
+    }
+    *a = both;
+    return 1;
+}
+
+/* Removes segments from..to - 1. */
+static void remove_segments(invcal_moves *m, unsigned from, unsigned to)
+{
+    /* at most INVCAL_MAX_SEGMENTS steps */
+    while (to < m->used && to < INVCAL_MAX_SEGMENTS && /* uncovered: a guard for the proof */
+           from < INVCAL_MAX_SEGMENTS) {               /* uncovered: the same */
+        for (unsigned i = 0; i < 3; i++) {
+            m->segment[from].v[i] = m->segment[to].v[i];
+            m->segment[from].kappa[i] = m->segment[to].kappa[i];
+        }
+        m->segment[from].time = m->segment[to].time;
+        from++;
+        to++;
+    }
+    m->used = (uint16_t)from;
+}
+
+static void set_fault(invcal_moves *m, unsigned status)
+{
+    if (m->fault == INVCAL_OK) {
+        m->fault = (uint8_t)status;
+    }
+}
+
+/* Closes the current segment. Its rounding error is carried to the next. If the table is full, the
+ * oldest segment that is not merged is lost, and with it the moves to which that one and this one
+ * belong. */
+INVCAL_NOINLINE static void close_segment(invcal_moves *m, unsigned mark)
+{
+    if (m->used >= INVCAL_MAX_SEGMENTS && m->fixed < INVCAL_MAX_SEGMENTS) {
+        m->marks = (uint8_t)(m->marks - (m->segment[m->fixed].time & 1u));
+        remove_segments(m, m->fixed, m->fixed + 1u);
+        set_fault(m, INVCAL_NO_SPACE);
+        m->spoilt = INVCAL_NO_SPACE;
+    }
+    if (m->used >= INVCAL_MAX_SEGMENTS) { /* resumed from stored bytes */
+        return;
+    }
+    invcal_segment *s = &m->segment[m->used];
+    m->used++;
+    s->time = (uint16_t)(2u * m->missing + mark);
+    if (!pack_segment(m->rho, m->v, s) && m->spoilt == INVCAL_OK) {
+        m->spoilt = INVCAL_MOUNTING;
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        m->v[i] -= (invcal_real)s->v[i] * INVCAL_V_UNIT;
+        if (m->spoilt != INVCAL_OK) {
+            m->v[i] = 0;
+        }
+        m->rho[i] = m->v[i];
+    }
+    if (m->spoilt != INVCAL_OK) {
+        s->v[0] = SPOILT;
+        s->kappa[0] = m->spoilt;
+    }
+    m->marks = (uint8_t)(m->marks + mark);
+    m->missing = 0;
+    m->spoilt = INVCAL_OK;
+}
+
+/* ---- rests and moves ------------------------------------------------------------------------- */
+
+/* The device is not at rest. */
+INVCAL_NOINLINE static void forget_rest(invcal_moves *m)
+{
+    m->cut = NOWHERE;
+    m->still_samples = 0;
+    invcal_zero(m->still, sizeof m->still);
+}
+
+/* Why a move cannot use the oldest segment that is not merged. */
+static unsigned find_reason(const invcal_moves *m)
+{
+    const invcal_segment *s = &m->segment[m->fixed];
+
+    return s->v[0] == SPOILT                                  ? (unsigned)s->kappa[0]
+           : (invcal_real)m->samples > LONGEST_MOVE * m->rate ? INVCAL_MOVE_LONG
+           : m->fixed + SPARE >= INVCAL_MAX_SEGMENTS          ? INVCAL_NO_SPACE
+                                                              : INVCAL_OK;
+}
+
+/* Adds a segment of a rest. */
+static void add_still(invcal_moves *m, const invcal_segment *s)
+{
+    if (m->cut == NOWHERE) {
+        m->cut = m->fixed;
+    }
+    if (s->v[0] != SPOILT) {
+        m->still_samples += s->time / 2u;
+        invcal_unpack(s->v, INVCAL_V_UNIT, m->still);
+    }
+}
+
+/* Decides about the oldest segment that is not merged. It is kept even if it belongs to a rest,
+ * since the rest may yet be refused. */
+static void settle(invcal_moves *m, int is_rest)
+{
+    invcal_segment *s = &m->segment[m->fixed];
+
+    m->marks = (uint8_t)(m->marks - (s->time & 1u));
+    m->samples += s->time / 2u;
+    const unsigned reason = find_reason(m);
+    if (!is_rest || s->v[0] == SPOILT) {
+        set_fault(m, reason);
+    }
+    if (is_rest) {
+        add_still(m, s);
+    } else {
+        forget_rest(m);
+    }
+    if (reason != INVCAL_OK || (m->fixed > m->first && m->fixed != m->cut && merge(s - 1, s))) {
+        remove_segments(m, m->fixed, m->fixed + 1u);
+    } else {
+        m->fixed++;
+    }
+}
+
+/* Settles all but the newest blocks. A rest, if any, began `resting` blocks ago. */
+static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
+{
+    /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
+    while (m->marks > newest && m->fixed < m->used) { /* uncovered: a mark has its segment */
+        settle(m, m->marks <= resting);
+    }
+}
+
+/* From now on the bias of the first rest is subtracted from v. The newest blocks still contain it.
+ * They are at rest, so they can be dropped. Time begins. */
+static void subtract_bias(invcal_moves *m)
+{
+    const invcal_real pace = m->rate / (invcal_real)m->still_samples;
+
+    for (unsigned i = 0; i < 3; i++) {
+        m->bias[i] += m->still[i] * pace;
+        m->still[i] = 0;
+    }
+    m->used = m->fixed;
+    m->marks = 0;
+    m->blocks = 0;
+}
+
+/* The oldest rest goes, and with it the move that begins there, to the next one. */
+static void drop_oldest(invcal_moves *m)
+{
+    const unsigned segments = m->rest[1].move > 0 ? (unsigned)m->rest[1].move : 0;
+
+    remove_segments(m, 0, segments);
+    m->fixed = (uint16_t)(m->fixed - segments);
+    m->first = m->fixed;
+    m->count--;
+    for (unsigned i = 0; i < m->count; i++) {
+        memcpy(&m->rest[i], &m->rest[i + 1], sizeof m->rest[i]);
+    }
+    m->rest[0].move = -INVCAL_TOO_FEW;
+}
+
+/* Measures the bias of a rest. Returns whether it is far from that of the rest before, too large or
+ * unknown: without a sample it is 0 / 0. */
+static int measure_bias(const invcal_moves *m, int16_t bias[3])
+{
+    const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / (invcal_real)m->still_samples;
+    const invcal_still *last = &m->rest[m->count > 0 ? m->count - 1 : 0];
+    int is_far = 0;
+
+    for (unsigned i = 0; i < 3; i++) {
+        is_far |= !pack(m->still[i] * pace, &bias[i]);
+        const int32_t change = (int32_t)bias[i] - last->bias[i];
+        is_far |= change > MOST_CHANGE || change < -MOST_CHANGE;
+    }
+    return is_far;
+}
+
+/* Keeps the move, which ended where the rest began. */
+static void keep_move(invcal_moves *m)
+{
+    const unsigned end = m->cut != NOWHERE ? m->cut : m->fixed;
+    const unsigned segments = end - m->first;
+    int16_t bias[3];
+
+    const int has_turned = measure_bias(m, bias);
+    set_fault(m, segments == 0              ? INVCAL_MOVE_GAP
+                 : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
+                 : has_turned               ? INVCAL_REST_DRIFT
+                                            : INVCAL_OK);
+    const unsigned kept = m->fault == INVCAL_OK ? segments : 0;
+    remove_segments(m, m->first + kept, m->fixed);
+    m->first = (uint16_t)(m->first + kept);
+    m->fixed = m->first;
+    const int move = m->fault == INVCAL_OK ? (int)segments : -(int)m->fault;
+    if (m->count == INVCAL_MAX_MOVES) {
+        drop_oldest(m);
+    }
+    invcal_still *rest = &m->rest[m->count];
+    m->count++;
+    memcpy(rest->bias, bias, sizeof bias);
+    rest->when = m->blocks;
+    rest->move = (int8_t)move;
+    m->samples = 0;
+    m->fault = INVCAL_OK;
+    forget_rest(m);
+}
+
+void invcal_moves_restart(invcal_moves *m)
+{
+    invcal_zero(m, offsetof(invcal_moves, layout));
+    m->fixed = m->first;
+    m->used = m->first;
+    /* no move leads to the first rest, so nothing before it is kept */
+    m->fault = m->count > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
+}
+
+/* ---- public functions ------------------------------------------------------------------------ */
+
+/* Else nothing is fed: they may be shorter than here. */
+static int are_begun(const invcal_moves *moves)
+{
+    return moves->layout != 0;
+}
+
+void invcal_moves_empty(invcal_moves *m, const invcal_calibration *nominal, invcal_real rate)
+{
+    invcal_zero(m, sizeof *m);
+    m->layout = INVCAL_MOVES_LAYOUT;
+    m->nominal = *nominal;
+    m->rate = rate;
+    invcal_moves_restart(m);
+}
+
+invcal_status invcal_moves_init(invcal_moves *moves, size_t size, const invcal_calibration *nominal,
+                                invcal_real rate)
+{
+    INVCAL_ASSERT(moves && nominal);
+    moves->layout = 0; /* not begun; at the same place in every build */
+    if (size != sizeof *moves) {
+        return INVCAL_OTHER_BUILD;
+    }
+    const invcal_status status = invcal_nominal_check(nominal);
+    if (status != INVCAL_OK) {
+        return status;
+    }
+    if (!(rate >= INVCAL_LEAST_RATE && rate <= INVCAL_MOST_RATE)) {
+        return INVCAL_BAD_RATE;
+    }
+    invcal_moves_empty(moves, nominal, rate);
+    return invcal_moves_set_limits(moves, INT32_MIN, INT32_MAX);
+}
+
+invcal_status invcal_moves_set_limits(invcal_moves *moves, int32_t low, int32_t high)
+{
+    INVCAL_ASSERT(moves);
+    if (low >= high) {
+        return INVCAL_BAD_LIMITS;
+    }
+    moves->low = low;
+    moves->between = (uint32_t)high - (uint32_t)low - 1;
+    return INVCAL_OK;
+}
+
+/* A sample is the rate since the sample before: right end point rule. */
+void invcal_moves_feed(invcal_moves *moves, int32_t x, int32_t y, int32_t z)
+{
+    const uint32_t first = (uint32_t)moves->low + 1u;
+    invcal_real th[3];
+
+    INVCAL_ASSERT(moves);
+    if (!are_begun(moves)) {
+        return;
+    }
+    if ((uint32_t)x - first >= moves->between || (uint32_t)y - first >= moves->between ||
+        (uint32_t)z - first >= moves->between) {
+        moves->spoilt = INVCAL_REST_CLIPPED;
+    }
+    invcal_apply(&moves->nominal, (invcal_real)x, (invcal_real)y, (invcal_real)z, th);
+    INVCAL_UNROLL
+    for (unsigned i = 0; i < 3; i++) {
+        th[i] = (th[i] - moves->bias[i]) / moves->rate;
+        moves->v[i] += th[i];
+    }
+    turn(moves->rho, th);
+    moves->missing++;
+    if (!(invcal_dot3(moves->v, moves->v) < UNMERGED_LIMIT) || moves->missing == MOST_SAMPLES) {
+        close_segment(moves, 0);
+    }
+}
+
+void invcal_moves_gap(invcal_moves *moves)
+{
+    INVCAL_ASSERT(moves);
+    if (!are_begun(moves)) {
+        return;
+    }
+    moves->spoilt = INVCAL_MOVE_GAP;
+    close_segment(moves, 0);
+}
+
+void invcal_moves_follow(invcal_moves *moves, const invcal_private_rests *rests, invcal_event event)
+{
+    INVCAL_ASSERT(moves && rests);
+    if (event == INVCAL_NOTHING || !are_begun(moves)) {
+        return;
+    }
+    close_segment(moves, 1);
+    moves->blocks = (uint16_t)(moves->blocks + (moves->blocks < UINT16_MAX));
+    const unsigned bits = rests->bits;
+    /* A refused rest counts as rest until eight blocks of motion have passed. */
+    const uint32_t resting = (rests->time - rests->begin) >> bits;
+    const int has_rest = event == INVCAL_READY || event == INVCAL_TAKEN;
+    settle_until(moves, has_rest ? ((rests->time - rests->end) >> bits) + CUT_OFF : LATE, resting);
+    if (event == INVCAL_READY && moves->count == 0 && moves->still_samples > 0) {
+        subtract_bias(moves);
+    }
+    if (event == INVCAL_TAKEN) {
+        keep_move(moves);
+    }
+}
+
+invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest)
+{
+    INVCAL_ASSERT(moves && rest < moves->count);
+    return moves->rest[rest].move < 0 ? (invcal_status)-moves->rest[rest].move : INVCAL_OK;
+}
