@@ -199,8 +199,6 @@ invcal_session_save save_session
 invcal_session_load load_session
 invcal_save save
 invcal_load load
-invcal_full_vector_add full_vector_add
-invcal_full_vector_solve full_vector_solve
 invcal_frame_add frame_add
 invcal_frame_solve frame_solve
 invcal_moves_feed gyro_feed
