@@ -58,8 +58,7 @@ static int read_rows(FILE *file)
     double x[6];
     int rows = 0;
 
-    while (rows < ROWS &&
-           fscanf(file, "%lf %lf %lf %lf %lf %lf", x, x + 1, x + 2, x + 3, x + 4, x + 5) == 6) {
+    while (rows < ROWS && fscanf(file, "%lf %lf %lf %lf %lf %lf", x, x + 1, x + 2, x + 3, x + 4, x + 5) == 6) {
         for (int i = 0; i < 3; i++) {
             row[rows][i] = x[i] * 16384 / 9.81;
             row[rows][3 + i] = x[3 + i] * 131 / RAD;
@@ -87,7 +86,7 @@ static void find_rests(int rows)
 static void take(const double sum[3], int samples)
 {
     for (int i = 0; i < 3; i++) {
-        session.mean[session.count][i] = (invcal_real)(sum[i] / samples);
+        session.mean[session.count].v[i] = (invcal_real)(sum[i] / samples);
     }
     session.count++;
 }
@@ -99,7 +98,7 @@ static void feed_stated(int rows)
     int blocks = 0, since = 0;
 
     session.count = 0;
-    *r = (invcal_rests){0};
+    *r = (invcal_private_rests){0};
     r->bits = 2;
     for (int n = 0; n < rows; n++) {
         int32_t g[3];
@@ -161,8 +160,8 @@ static void print(const char *name)
 
     printf("static const double %s_mean[][3] = {\n", name);
     for (unsigned i = 0; i < session.count; i++) {
-        printf("    {%.3f, %.3f, %.3f},\n", (double)session.mean[i][0], (double)session.mean[i][1],
-               (double)session.mean[i][2]);
+        printf("    {%.3f, %.3f, %.3f},\n", (double)session.mean[i].v[0], (double)session.mean[i].v[1],
+               (double)session.mean[i].v[2]);
     }
     printf("};\nstatic const invcal_still %s_rest[] = {\n", name);
     for (unsigned i = skip; i < moves.count; i++) {
@@ -188,15 +187,12 @@ int main(int count, char **names)
     double x[6], time;
 
     if (!m1) {
-        fputs("usage: gyro_logs XSENS_ACC XSENS_GYRO MPU_0 MPU_1, as the head of this source says; "
-              "each must be "
-              "readable\n",
-              stderr);
+        fputs("usage: gyro_logs XSENS_ACC XSENS_GYRO MPU_0 MPU_1, as the head of this source says; each must be "
+              "readable\n", stderr);
         return 3;
     }
     printf("/* SPDX-License-Identifier: MIT\n *\n"
-           " * Made by tests/reference/gyro_logs.c, which names the logs. */\n/* clang-format off "
-           "*/\n");
+           " * Made by tests/reference/gyro_logs.c, which names the logs. */\n/* clang-format off */\n");
     begin(32768, 1 / (414.4 * 9.81744), 1 / 4772.0);
     while (moves.count < 16 && fscanf(a, "%lf %lf %lf %lf", &time, x, x + 1, x + 2) == 4 &&
            fscanf(g, "%lf %lf %lf %lf", &time, x + 3, x + 4, x + 5) == 4) {

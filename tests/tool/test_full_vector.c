@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "expected.h"
-#include "full_vector.h"
+#include "stand/full_vector.h"
 #include "support.h"
 #include "core/system.h"
 #include "unity.h"
