@@ -30,11 +30,10 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
  *         finite. Checks nothing. */
 void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real weight);
 
-/* No programming error. */
-static inline int invcal_are_given(const invcal_positions *given)
-{
-    return given && (given->mean || given->count == 0) && given->nominal;
-}
+/* No programming error. A macro, since without assertions an inline function is not needed in the
+ * amalgamation, of which clang warns. */
+#define invcal_are_given(positions)                                                                \
+    ((positions) && ((positions)->mean || (positions)->count == 0) && (positions)->nominal)
 
 /* The part of a row after its first three elements g:
  *

@@ -10,6 +10,7 @@
 
 #include "invcal/allan.h"
 #include "invcal/expert.h"
+#include "invcal/invcal.h"
 #include "invcal/plan.h"
 #include "invcal/positions.h"
 #include "invcal/result.h"
