@@ -130,10 +130,10 @@ static void add_difference(invcal_private_tau *tau, uint64_t total, uint32_t lag
 
 void invcal_allan_feed(invcal_allan *allan, int32_t raw)
 {
+    INVCAL_ASSERT(allan);
     invcal_private_tau *tau = allan->own;
     unsigned t = 0;
 
-    INVCAL_ASSERT(allan);
     const uint64_t total = allan->own_total + (uint64_t)(int64_t)raw;
     const uint32_t samples = allan->samples + 1;
     allan->own_total = total;
