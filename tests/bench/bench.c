@@ -8,7 +8,6 @@
 
 #include "../positions.h"
 #include "../report.h"
-#include "full_vector.h"
 #include "plan/guidance.h"
 #include "invcal/allan.h"
 #include "invcal/background.h"

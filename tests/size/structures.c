@@ -2,7 +2,6 @@
  *
  * The sizes of the structures that firmware keeps, for nm: an array as large as each.
  */
-#include "full_vector.h"
 #include "invcal/allan.h"
 #include "invcal/background.h"
 #include "invcal/expert.h"
