@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "support.h"
+#include "system.h"
 
 #include <float.h>
 #include <math.h>

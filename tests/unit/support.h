@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "../positions.h"
 #include "invcal/expert.h"
 
 /* Random numbers (xorshift64*): the same everywhere for the same seed. */
