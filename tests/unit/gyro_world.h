@@ -365,6 +365,20 @@ static inline invcal_status world_solve(const world *w, const world_settings *se
     return world_solve_of(w, &positions, settings ? &stated : NULL, out);
 }
 
+/* All equations of the first pass, without a prior. */
+static inline void world_sum(const world *w, const world_settings *settings, invcal_imu_work *work)
+{
+    static invcal_imu_result out;
+    invcal_real raw[WORLD_RESTS][3];
+    const invcal_calibration nominal = unit_nominal();
+    invcal_positions positions = world_positions(w, raw, &nominal);
+    const invcal_imu_settings stated = world_stated(settings, NULL);
+
+    positions.noise = settings->noise;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_begin(work, &w->imu, &positions, &stated, &out));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_sum(work));
+}
+
 /* The shortest turn that makes this direction up. */
 static inline void world_to(world *w, const double to[3])
 {

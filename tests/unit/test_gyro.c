@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "gyro_world.h"
-#include "imu.h"
+#include "turns.h"
 #include "solve.h"
 #include "turns_design.h"
 #include "unity.h"
@@ -42,10 +42,10 @@ static void replay(const double m[3][3], const invcal_private_segment *segments,
     invcal_imu_work work;
 
     memset(&work, 0, sizeof work);
-    work.moves = &w.moves;
-    work.out = &imu;
+    work.imu = &w.imu;
+    work.out = &imu.result;
     for (int i = 0; i < 9; i++) {
-        imu.parameter[i] = (invcal_real)m[i / 3][i % 3];
+        work.parameter[i] = (invcal_real)m[i / 3][i % 3];
     }
     invcal_replay_move(&work, segments, count, bias, up, out);
 }
@@ -249,7 +249,6 @@ static void errors_of_ten_percent_come_back_exactly(void)
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
         expect_matrix(m, FLOAT_OR_DOUBLE(1e-6, 1e-12));
-        TEST_ASSERT_TRUE(imu.passes <= 6);
         TEST_ASSERT_EQUAL_INT(24, imu.result.moves);
         TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, imu.result.verdict);
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-6, 1e-9), 0, (double)imu.result.move_rms);
@@ -272,10 +271,8 @@ static void errors_of_ten_percent_come_back_exactly(void)
 static void one_pass_determines_scale_errors(void)
 {
     static const double errors[3] = {0.1, -0.08, 0.05};
-    const invcal_calibration nominal = unit_nominal();
     world_settings settings;
     invcal_imu_work work;
-    invcal_real raw[WORLD_RESTS][3];
     double m[3][3] = {{0}};
     int from = 2;
 
@@ -293,10 +290,7 @@ static void one_pass_determines_scale_errors(void)
         add_exact((const double(*)[3])m, v, 5);
         from = to;
     }
-    world_means(&w, raw);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_begin(&work, raw[0], (unsigned)w.count, &nominal,
-                                                      &w.moves, &settings, &imu));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_sum(&work));
+    world_sum(&w, &settings, &work);
     for (unsigned i = 0; i < 9; i++) { /* half of the misalignments is not determined */
         work.pass.sum[INVCAL_PACKED(i, i)] += INVCAL_REAL(1e6) * (i % 4 != 0);
     }
@@ -328,7 +322,6 @@ static void a_wobbling_hand_costs_little(void)
             world_tour(&w);
             world_end(&w);
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
-            TEST_ASSERT_TRUE(imu.passes <= 9); /* six steps, three weighings */
             for (int i = 0; i < 9; i++) {
                 squares += pow((double)imu.parameter[i] - w.m[i / 3][i % 3], 2);
             }
@@ -357,20 +350,15 @@ static void the_tour_determines_the_gyroscope_as_closed_form_says(void)
 /* Both, over the noise of a mean; moves have sqrt(2) times that. */
 static void the_tour_determines_both(void)
 {
-    const invcal_calibration nominal = unit_nominal();
     world_settings settings;
     invcal_imu_work work;
-    invcal_real raw[WORLD_RESTS][3];
 
     settle_settings(&settings, 0);
     settings.rate_noise = settings.instability = 0;
     settings.noise = INVCAL_REAL(0.01);
     begin_exact(upright);
     tour_exact(unit, 10294);
-    world_means(&w, raw);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_begin(&work, raw[0], (unsigned)w.count, &nominal,
-                                                      &w.moves, &settings, &imu));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_sum(&work));
+    world_sum(&w, &settings, &work);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(work.pass.sum, 18, 19, INVCAL_FLOOR));
     invcal_invert(work.pass.sum, 18);
     for (unsigned i = 0; i < 18; i++) {
@@ -731,11 +719,10 @@ static invcal_status find_mounting(int8_t axes[3], invcal_real *scale)
     const invcal_calibration nominal = unit_nominal();
     invcal_real raw[WORLD_RESTS][3];
 
-    world_means(&w, raw);
+    const invcal_positions positions = world_positions(&w, raw, &nominal);
     axes[0] = axes[1] = axes[2] = 9;
     *scale = 9;
-    return invcal_imu_mounting((const invcal_vector *)raw[0], (unsigned)w.count, &nominal, &w.moves,
-                               axes, scale);
+    return invcal_imu_mounting_of(&w.imu, &positions, axes, scale);
 }
 
 /* Moves about the space diagonal look the same after the axes are exchanged in a circle. */
@@ -1158,8 +1145,6 @@ static void a_gyroscope_that_is_dead_is_named(void)
 /* Only rests, on all six faces: every move is clipped. */
 static void without_moves_nothing_is_solved(void)
 {
-    const invcal_calibration nominal = unit_nominal();
-    const invcal_real raw[3] = {0, 0, 1};
     int8_t axes[3];
     invcal_real scale;
 
@@ -1175,8 +1160,8 @@ static void without_moves_nothing_is_solved(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, world_solve(&w, NULL, &imu));
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, find_mounting(axes, &scale));
     TEST_ASSERT_TRUE(axes[0] == 9 && scale == 9);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_imu_solve((const invcal_vector *)raw, 0, &nominal,
-                                                           &w.moves, NULL, &imu));
+    w.count = 0;
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, world_solve(&w, NULL, &imu));
 }
 
 /* All about one axis, with a hand that wobbles: never good. */
@@ -1277,7 +1262,6 @@ static void a_move_that_contradicts_the_others_is_left_out(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
     TEST_ASSERT_EQUAL_HEX32(1u << 2, imu.result.left_out);
     TEST_ASSERT_EQUAL_INT(23, imu.result.moves);
-    TEST_ASSERT_TRUE(imu.passes <= 11);
     TEST_ASSERT_TRUE(imu.result.move_max > imu.result.move_rms && imu.result.move_max < 5 * imu.result.move_rms);
     TEST_ASSERT_TRUE(imu.result.worst != 2);
     for (int i = 0; i < 9; i++) {
@@ -1400,15 +1384,12 @@ static void bad_readings_and_scales_are_refused(void)
 
     begin_exact(upright);
     tour_exact(unit, 10294);
-    world_means(&w, raw);
     for (int i = 0; i < 3; i++) {
         nominal.matrix[1][1] = (invcal_real)bad[i];
+        const invcal_positions positions = world_positions(&w, raw, &nominal);
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, world_solve_of(&w, &positions, NULL, &imu));
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
-                              invcal_imu_solve((const invcal_vector *)raw[0], (unsigned)w.count,
-                                               &nominal, &w.moves, NULL, &imu));
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
-                              invcal_imu_mounting((const invcal_vector *)raw[0], (unsigned)w.count,
-                                                  &nominal, &w.moves, axes, &scale));
+                              invcal_imu_mounting_of(&w.imu, &positions, axes, &scale));
     }
     TEST_ASSERT_TRUE(axes[0] == 9 && scale == 9);
     w.mean[3][1] = NOT_A_NUMBER;
@@ -1439,7 +1420,7 @@ static void readings_have_a_tenth_to_ten_times_the_field(void)
 static void the_last_rests_belong_together(void)
 {
     enum { OLDER = 5 };
-    invcal_imu all;
+    world_solution all;
 
     world_begin(&w, 100, 65);
     world_draw(&w, 0.02, 0.02);
@@ -1466,11 +1447,12 @@ static void the_last_rests_belong_together(void)
 
 static void every_parameter_has_a_name(void)
 {
-    TEST_ASSERT_EQUAL_STRING("gyro_xx", invcal_imu_parameter_text(0));
-    TEST_ASSERT_EQUAL_STRING("gyro_zy", invcal_imu_parameter_text(7));
-    TEST_ASSERT_EQUAL_STRING("delta_x", invcal_imu_parameter_text(9));
-    TEST_ASSERT_EQUAL_STRING("gamma_zy", invcal_imu_parameter_text(17));
-    TEST_ASSERT_EQUAL_STRING("?", invcal_imu_parameter_text(18));
+    TEST_ASSERT_EQUAL_STRING("gyro_xx", invcal_parameter_text(INVCAL_GYRO_XX));
+    TEST_ASSERT_EQUAL_STRING("gyro_zy", invcal_parameter_text(INVCAL_GYRO_ZY));
+    TEST_ASSERT_EQUAL_STRING("gyro_zz", invcal_parameter_text(17));
+    TEST_ASSERT_EQUAL_STRING("delta_x", invcal_parameter_text(0));
+    TEST_ASSERT_EQUAL_STRING("gamma_zy", invcal_parameter_text(8));
+    TEST_ASSERT_EQUAL_STRING("?", invcal_parameter_text(18));
 }
 
 int main(void)
