@@ -95,8 +95,8 @@ static int follow_path(path *p, int *is_held)
     }
     *is_held = s->last != INVCAL_TAKEN && s->last != INVCAL_REFUSED &&
                invcal_rests_mean(&s->rests, raw);
-    if (*is_held) {
-        go(p, raw, 1);
+    if (*is_held) { /* its move is not complete, but may have been refused already */
+        go(p, raw, p->imu->own.fault == INVCAL_OK);
     }
     return both > 0 || *is_held;
 }
@@ -122,6 +122,18 @@ static unsigned next_face(const path *p)
         }
     }
     return next;
+}
+
+static invcal_status turn_to_face(const path *p, invcal_turn *turn)
+{
+    const unsigned face = next_face(p);
+    invcal_real up[3] = {0, 0, 0};
+
+    if (face >= NO_FACE) { /* uncovered: a turn was not made */
+        return INVCAL_TOO_FEW;
+    }
+    up[face / 2] = face % 2 == 0 ? 1 : -1;
+    return invcal_turn_to(p->up, up, turn);
 }
 
 /* The most informative turn. A turn to the rest that is READY counts as the shortest. */
@@ -153,14 +165,9 @@ void invcal_imu_next(const invcal_imu *imu, invcal_turn *turn)
             if (find_informative(&p, is_held, turn) == INVCAL_OK) {
                 return;
             }
-        } else {
-            const unsigned face = next_face(&p);
-            invcal_real up[3] = {0, 0, 0};
-            up[face / 2] = face % 2 == 0 ? 1 : -1;
-            if (invcal_turn_to(p.up, up, turn) == INVCAL_OK) {
-                return;
-            }
-        }
+        } else if (turn_to_face(&p, turn) == INVCAL_OK) {
+            return;
+        } /* cppcheck-suppress misra-c2012-15.7 ; nothing is known */
     }
     invcal_zero(turn, sizeof *turn);
     turn->up[2] = 1;
