@@ -428,16 +428,13 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_imu *imu,
     w->noise_square = noise * noise;
     w->rate_noise = s->rate_noise > 0 ? s->rate_noise : INVCAL_IMU_RATE_NOISE;
     w->instability = s->instability > 0 ? s->instability : INVCAL_IMU_INSTABILITY;
-    out->accelerometer = *positions->nominal;
+    invcal_copy(&out->accelerometer, positions->nominal, sizeof out->accelerometer);
     for (unsigned i = 0; i < IMU_GYRO; i += 4) {
         w->parameter[i] = 1;
     }
     w->n = s->held ? IMU_GYRO : IMU_ALL;
     w->begin = imu->rests - both;
-    w->mean = positions->mean;
-    if (count > imu->rests) { /* else mean may be null, to which nothing is added */
-        w->mean += count - imu->rests;
-    }
+    w->mean = &positions->mean[count - both];
     w->variance[INVCAL_OF_RESTS] = 1;
     w->variance[INVCAL_OF_MOVES] = 1;
     for (unsigned i = 0; i < imu->rests; i++) {
@@ -657,7 +654,7 @@ invcal_status invcal_imu_solve(const invcal_imu *imu, const invcal_imu_settings 
                                invcal_imu_result *out)
 {
     INVCAL_ASSERT(imu && out);
-    if (!invcal_imu_is_begun(imu)) {
+    if (imu->own.layout != INVCAL_MOVES_LAYOUT) { /* so was the session, then */
         return INVCAL_NOT_BEGUN;
     }
     const invcal_positions positions = invcal_imu_positions(imu);

@@ -334,15 +334,21 @@ void invcal_moves_restart(invcal_imu *imu)
 
 void invcal_moves_empty(invcal_imu *imu, const invcal_calibration *nominal, invcal_real rate)
 {
-    imu->nominal = *nominal;
-    imu->rests = 0;
+    invcal_copy(&imu->nominal, nominal, sizeof *nominal);
     invcal_zero(&imu->own, sizeof imu->own);
+    imu->rests = 0;
     imu->own.layout = INVCAL_MOVES_LAYOUT;
     imu->own.rate = rate;
     invcal_moves_restart(imu);
 }
 
 /* ---- settings -------------------------------------------------------------------------------- */
+
+/* For its alignment. */
+typedef struct {
+    uint8_t byte;
+    invcal_session session;
+} aligned_session;
 
 static void set_limits(invcal_private_moves *m, int32_t low, int32_t high)
 {
@@ -354,14 +360,13 @@ static void set_limits(invcal_private_moves *m, int32_t low, int32_t high)
  * and its reason are in it is the same in every build. */
 static void refuse_session(invcal_imu *imu, size_t size)
 {
-    const uint32_t layout = INVCAL_SESSION_LAYOUT;
+    const size_t alignment = offsetof(aligned_session, session);
 
-    if (size > offsetof(invcal_imu, own.rate) + sizeof imu->session) {
-        uint8_t *session = (uint8_t *)imu + size - sizeof imu->session;
-        uint8_t *at = session + offsetof(invcal_session, layout);
-        if (invcal_is_same(at, (const uint8_t *)&layout, sizeof layout)) {
-            invcal_zero(at, sizeof layout);
-            session[offsetof(invcal_session, reason)] = INVCAL_OTHER_BUILD;
+    if (size > offsetof(invcal_imu, own.rate) + sizeof imu->session && size % alignment == 0) {
+        invcal_session *session = (invcal_session *)(void *)((uint8_t *)imu + size) - 1;
+        if (invcal_session_is_begun(session)) {
+            session->layout = 0;
+            session->reason = INVCAL_OTHER_BUILD;
         }
     }
 }
@@ -418,15 +423,12 @@ invcal_status invcal_imu_init(invcal_imu *imu, size_t size, invcal_real counts, 
 /* Else nothing is fed: the structure may be shorter than here. */
 static int is_begun(const invcal_imu *imu)
 {
-    return imu->own.layout == INVCAL_MOVES_LAYOUT;
+    return imu->own.layout != 0;
 }
 
 invcal_status invcal_imu_set_limits(invcal_imu *imu, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(imu);
-    if (!is_begun(imu)) {
-        return INVCAL_NOT_BEGUN;
-    }
     if (low >= high) {
         return INVCAL_BAD_LIMITS;
     }
@@ -496,7 +498,7 @@ static invcal_event refuse(invcal_imu *imu)
 invcal_event invcal_imu_feed(invcal_imu *imu, int32_t x, int32_t y, int32_t z)
 {
     INVCAL_ASSERT(imu);
-    if (!is_begun(imu)) {
+    if (imu->own.layout != INVCAL_MOVES_LAYOUT) {
         return refuse(imu);
     }
     const invcal_event event = invcal_session_feed(&imu->session, x, y, z);

@@ -77,7 +77,7 @@ INVCAL_NODISCARD invcal_status invcal_imu_init_nominal(invcal_imu *imu, size_t s
 /* Sets the counts at which the gyroscope clips: a move that reaches one of them is refused from now
  * on. (The accelerometer's: invcal_session_set_limits.)
  *
- * Returns INVCAL_OK; INVCAL_NOT_BEGUN; INVCAL_BAD_LIMITS unless low < high. */
+ * Returns INVCAL_OK; INVCAL_BAD_LIMITS unless low < high. */
 invcal_status invcal_imu_set_limits(invcal_imu *imu, int32_t low, int32_t high);
 
 /* Feeds one sample of the gyroscope, moving or not, raw counts. Cost: 290 instructions. Stack: about

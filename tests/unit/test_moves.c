@@ -175,7 +175,6 @@ static void feed_all(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_imu_feed(&w.imu, 100, 200, n % 2));
     }
     invcal_imu_gap(&w.imu);
-    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_imu_set_limits(&w.imu, -5, 5));
 }
 
 /* Also if nobody looks at the status: no sample is used, and each is refused. */
@@ -239,7 +238,7 @@ static void moves_need_a_session(void)
  * nothing is written beyond its end. */
 static void another_build_is_refused_and_the_session_says_why(void)
 {
-    static const int others[] = {-616, -8, -1, 1, 8, 616};
+    static const int others[] = {-616, -8, 8, 616};
     static union {
         invcal_imu imu;
         uint8_t bytes[sizeof(invcal_imu) + 1000];
@@ -269,7 +268,7 @@ static void another_build_is_refused_and_the_session_says_why(void)
         memset(&of[offsetof(invcal_session, layout)], 0, sizeof session.layout);
         TEST_ASSERT_EQUAL_MEMORY(&before, &memory, sizeof before);
     }
-    for (size_t size = 0; size < sizeof(invcal_session) + 200; size += 8) {
+    for (size_t size = 0; size < sizeof(invcal_session) + 200; size++) { /* of nothing */
         memset(&memory, 0x5A, sizeof memory);
         TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD, invcal_imu_init(&memory.imu, size, 3753, 100));
         TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_imu_feed(&memory.imu, 100, 200, 300));
