@@ -339,7 +339,7 @@ static const uint8_t store_0_2_0[] = {0x5c, 0x01, 0x88, 0x00, 0x00, 0x00, 0x00, 
 static const stored_record records[] = {
     {"record of 0.1.0", record_0_1_0, sizeof record_0_1_0, {.date = 0}},
     {"record of 0.2.0", record_0_2_0, sizeof record_0_2_0, {.sensor = {17, 34, 51, 68, 85, 102, 119,
-    136}, .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385, .verdict = 5,
+    136}, .date = 1698898177u, .positions = 4660, .weak = 322, .held = 385, .verdict = 80,
     .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024),
     .temperature = FLOAT(-12.5), .noise = FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05),
     .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75), FLOAT(33275.125),
@@ -350,11 +350,11 @@ static const stored_record records[] = {
     FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999), FLOAT(0.000107),
     FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}},
     {"record_cold of 0.2.0", record_cold_0_2_0, sizeof record_cold_0_2_0, {.sensor = {17, 34, 51, 68,
-    85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385,
-    .verdict = 5, .temperature_known = 0, .field = FLOAT(9.81744003), .field_sigma =
-    FLOAT(0.000500000024), .temperature = FLOAT(0.0), .noise = FLOAT(0.000125000006), .rms =
-    FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75),
-    FLOAT(33275.125), FLOAT(32364.5)}, .matrix = {{FLOAT(0.000246000011), FLOAT(-4.19999992e-07),
+    85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak = 322, .held = 385, .verdict =
+    80, .temperature_known = 0, .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024),
+    .temperature = FLOAT(0.0), .noise = FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05),
+    .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75), FLOAT(33275.125),
+    FLOAT(32364.5)}, .matrix = {{FLOAT(0.000246000011), FLOAT(-4.19999992e-07),
     FLOAT(-1.11999998e-06)}, {FLOAT(-4.27000003e-07), FLOAT(0.000246999989),
     FLOAT(-2.62999993e-06)}, {FLOAT(-1.12999999e-06), FLOAT(-2.62000003e-06),
     FLOAT(0.000247999997)}}}, .sigma = {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05),
@@ -371,7 +371,7 @@ static const stored_thermal thermals[] = {
     {.date = 0}}},
     {"thermal_record_0 of 0.2.0", thermal_record_0_0_2_0, sizeof thermal_record_0_0_2_0, {.record =
     {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
-    322, .from_prior = 385, .verdict = 5, .temperature_known = 1, .field = FLOAT(9.81744003),
+    322, .held = 385, .verdict = 80, .temperature_known = 1, .field = FLOAT(9.81744003),
     .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(22.5), .noise =
     FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
     {.offset = {FLOAT(32772.5898), FLOAT(32775.125), FLOAT(32778.1289)}, .matrix =
@@ -390,7 +390,7 @@ static const stored_thermal thermals[] = {
     FLOAT(0.00600000005), FLOAT(0.00700000022), FLOAT(0.00800000038), FLOAT(0.00899999961)}}}},
     {"thermal_record_1 of 0.2.0", thermal_record_1_0_2_0, sizeof thermal_record_1_0_2_0, {.record =
     {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
-    322, .from_prior = 385, .verdict = 5, .temperature_known = 1, .field = FLOAT(9.81744003),
+    322, .held = 385, .verdict = 80, .temperature_known = 1, .field = FLOAT(9.81744003),
     .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(22.5), .noise =
     FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
     {.offset = {FLOAT(32772.5898), FLOAT(32775.125), FLOAT(32778.1289)}, .matrix =
@@ -412,7 +412,7 @@ static const stored_thermal thermals[] = {
     FLOAT(0.00910000037)}}}},
     {"thermal_record_2 of 0.2.0", thermal_record_2_0_2_0, sizeof thermal_record_2_0_2_0, {.record =
     {.sensor = {17, 34, 51, 68, 85, 102, 119, 136}, .date = 1698898177u, .positions = 4660, .weak =
-    322, .from_prior = 385, .verdict = 5, .temperature_known = 1, .field = FLOAT(9.81744003),
+    322, .held = 385, .verdict = 80, .temperature_known = 1, .field = FLOAT(9.81744003),
     .field_sigma = FLOAT(0.000500000024), .temperature = FLOAT(22.5), .noise =
     FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration =
     {.offset = {FLOAT(32772.5898), FLOAT(32775.125), FLOAT(32778.1289)}, .matrix =
@@ -438,8 +438,8 @@ static const stored_thermal thermals[] = {
 
 static const stored_imu imus[] = {
     {"imu_record of 0.2.0", imu_record_0_2_0, sizeof imu_record_0_2_0, {.accelerometer = {.sensor = {17,
-    34, 51, 68, 85, 102, 119, 136}, .date = 1698898178u, .positions = 4660, .weak = 322, .from_prior
-    = 385, .verdict = 5, .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma =
+    34, 51, 68, 85, 102, 119, 136}, .date = 1698898178u, .positions = 4660, .weak = 322, .held =
+    385, .verdict = 80, .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma =
     FLOAT(0.000500000024), .temperature = FLOAT(31.25), .noise = FLOAT(0.000125000006), .rms =
     FLOAT(9.50000031e-05), .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75),
     FLOAT(33275.125), FLOAT(32364.5)}, .matrix = {{FLOAT(0.000246000011), FLOAT(-4.19999992e-07),
@@ -448,7 +448,7 @@ static const stored_imu imus[] = {
     FLOAT(0.000247999997)}}}, .sigma = {FLOAT(7.59999966e-05), FLOAT(7.89999976e-05),
     FLOAT(8.2999999e-05), FLOAT(0.000101999998), FLOAT(0.000103999999), FLOAT(0.000107),
     FLOAT(0.000190000006), FLOAT(0.000209999998), FLOAT(0.000230000005)}}, .weak = 260, .dof = 279,
-    .verdict = 5, .moves = 23, .g_is_used = 1, .move_noise = FLOAT(0.000425000006), .move_rms =
+    .verdict = 80, .moves = 23, .g_is_used = 1, .move_noise = FLOAT(0.000425000006), .move_rms =
     FLOAT(0.00159999996), .move_max = FLOAT(0.00437500002), .gyro = {.offset = {FLOAT(85.5),
     FLOAT(-131.25), FLOAT(24.125)}, .matrix = {{FLOAT(0.000262999994), FLOAT(3.09999996e-06),
     FLOAT(-1.30000001e-06)}, {FLOAT(-2.90000003e-06), FLOAT(0.000270999997), FLOAT(1.90000003e-06)},
@@ -474,7 +474,7 @@ static const stored_session sessions[] = {
 static const stored_flash flashes[] = {
     {"store of 0.1.0", store_0_1_0, sizeof store_0_1_0, {.date = 0}},
     {"store of 0.2.0", store_0_2_0, sizeof store_0_2_0, {.sensor = {17, 34, 51, 68, 85, 102, 119, 136},
-    .date = 1698898177u, .positions = 4660, .weak = 322, .from_prior = 385, .verdict = 5,
+    .date = 1698898177u, .positions = 4660, .weak = 322, .held = 385, .verdict = 80,
     .temperature_known = 1, .field = FLOAT(9.81744003), .field_sigma = FLOAT(0.000500000024),
     .temperature = FLOAT(-12.5), .noise = FLOAT(0.000125000006), .rms = FLOAT(9.50000031e-05),
     .condition = FLOAT(13.75), .calibration = {.offset = {FLOAT(33123.75), FLOAT(33275.125),

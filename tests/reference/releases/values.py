@@ -65,7 +65,7 @@ def record(data):
         return REFUSED
     r = Reader(data, 0xCA)
     out = {"sensor": r.take("B", 8), "date": r.take("I"), "positions": r.take("H"),
-           "weak": r.take("H"), "from_prior": r.take("H"), "verdict": r.take("B"),
+           "weak": r.take("H"), "held": r.take("H"), "verdict": 16 * r.take("B"),
            "temperature_known": r.take("B")}
     for name in ("field", "field_sigma", "temperature", "noise", "rms", "condition"):
         out[name] = r.take("f")
@@ -97,6 +97,7 @@ def imu_record(data):
     r.at = 140
     for name, letter in (("weak", "H"), ("dof", "H"), ("verdict", "B"), ("moves", "B"), ("g_is_used", "B")):
         out[name] = r.take(letter)
+    out["verdict"] *= 16
     assert r.take("B") == 0, "byte 147"
     for name in ("move_noise", "move_rms", "move_max"):
         out[name] = r.take("f")
