@@ -24,6 +24,7 @@ typedef struct {
     invcal_real up[3]; /* in the last rest: a unit vector */
     unsigned face;     /* of it */
     unsigned made;     /* bit i: turn i */
+    int is_held;       /* the last rest is not taken yet */
 } path;
 
 /* The up direction of a reading. */
@@ -81,24 +82,22 @@ static void go(path *p, const invcal_real raw[3], int is_made)
 }
 
 /* Follows all rests, and the one that is READY. Returns 0 if there is none. */
-static int follow_path(path *p, int *is_held)
+static int follow_path(path *p)
 {
     const invcal_session *s = &p->imu->session;
     const unsigned rests = p->imu->rests;
     const unsigned both = s->count < rests ? s->count : rests;
     invcal_real raw[3];
 
-    p->face = NO_FACE;
-    p->made = 0;
     for (unsigned i = 0; i < both; i++) {
         go(p, s->mean[s->count - both + i].v, p->imu->own.rest[rests - both + i].move > 0);
     }
-    *is_held = s->last != INVCAL_TAKEN && s->last != INVCAL_REFUSED &&
-               invcal_rests_mean(&s->rests, raw);
-    if (*is_held) { /* its move is not complete, but may have been refused already */
+    if (s->last != INVCAL_TAKEN && s->last != INVCAL_REFUSED && invcal_rests_mean(&s->rests, raw)) {
+        /* its move is not complete, but may have been refused already */
         go(p, raw, p->imu->own.fault == INVCAL_OK);
+        p->is_held = 1;
     }
-    return both > 0 || *is_held;
+    return both > 0 || p->is_held;
 }
 
 /* The face to turn to: that of the first turn of the tour that was not made and begins or ends here;
@@ -137,14 +136,14 @@ static invcal_status turn_to_face(const path *p, invcal_turn *turn)
 }
 
 /* The most informative turn. A turn to the rest that is READY counts as the shortest. */
-static invcal_status find_informative(const path *p, int is_held, invcal_turn *turn)
+static invcal_status find_informative(const path *p, invcal_turn *turn)
 {
     const invcal_positions positions = invcal_imu_positions(p->imu);
     invcal_turns turns;
 
     const invcal_status status = invcal_turns_after(&turns, p->imu, &positions, NULL);
     if (status == INVCAL_OK) {
-        if (is_held && invcal_turn_to(turns.up, p->up, turn) == INVCAL_OK) {
+        if (p->is_held && invcal_turn_to(turns.up, p->up, turn) == INVCAL_OK) {
             (void)invcal_turns_add(&turns, turn);
         }
         memcpy(turns.up, p->up, sizeof turns.up);
@@ -156,13 +155,14 @@ static invcal_status find_informative(const path *p, int is_held, invcal_turn *t
 void invcal_imu_next(const invcal_imu *imu, invcal_turn *turn)
 {
     path p;
-    int is_held;
 
     INVCAL_ASSERT(imu && turn);
+    invcal_zero(&p, sizeof p);
     p.imu = imu;
-    if (invcal_imu_is_begun(imu) && follow_path(&p, &is_held)) {
+    p.face = NO_FACE;
+    if (invcal_imu_is_begun(imu) && follow_path(&p)) {
         if (p.made == TOUR_MADE) {
-            if (find_informative(&p, is_held, turn) == INVCAL_OK) {
+            if (find_informative(&p, turn) == INVCAL_OK) {
                 return;
             }
         } else if (turn_to_face(&p, turn) == INVCAL_OK) {
