@@ -57,7 +57,7 @@ page_words    = $(WASM) $(TOOL_FLAGS)
 .DELETE_ON_ERROR:
 .SECONDARY:
 .PHONY: help all install uninstall demo web test check check-web windows targets builds firmware size bench schema pages manual derived \
-    rules coverage mutation fuzz proof numerics check-gates check-shells reference fleet format deps \
+    rules coverage mutation fuzz misuse proof numerics check-gates check-shells reference fleet format deps \
     package packages check-packages dist clean
 
 help: ## this list
@@ -146,7 +146,7 @@ $(eval $(call variant,double,1))
 
 # Prints the bits of everything that the library computes, to be compared with those of the targets.
 DIGEST := $(patsubst %.c,$(BUILD)/float/%.o,$(wildcard tests/digest/*.c))
-$(DIGEST) $(BUILD)/float/port/hosted/board.o: EXTRA += -Iport -Itests/reference -I$(BUILD)
+$(DIGEST) $(BUILD)/float/port/hosted/board.o: EXTRA += -Iport -Isrc -Itests/reference -I$(BUILD)
 $(BUILD)/float/tests/digest/calibrations.o: | $(BUILD)/positions.h
 $(BUILD)/float/digest: $(DIGEST) $(BUILD)/float/port/hosted/board.o $(BUILD)/float/libinvcal.a
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
@@ -159,7 +159,7 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(DATA)
 # The host tool: the library in double, with more positions and averaging times than on a device, and quadratics in
 # temperature. The library's options in CFLAGS do not apply to it.
 TOOL_FLAGS = -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_ALLAN_TAUS=31 \
-    -DINVCAL_PRIVATE_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host
+    -DINVCAL_PRIVATE_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host -Isrc
 TOOL_COMPILER_FLAGS = $(filter-out $(CHOICES),$(subst -D INVCAL_,-DINVCAL_,$(FLAGS)))
 $(BUILD)/tool/%.o: %.c $(BUILD)/words/tool $(HEADERS)
 	@mkdir -p $(@D)
@@ -205,7 +205,7 @@ $(BUILD)/web/live.wasm: port/web/live.c $(BUILD)/words/page $(SOURCES) $(wildcar
 	$(call need,wasm-ld-19)
 	$(need_wasm)
 	@mkdir -p $(@D)
-	$(Q)$(WASM) $(WARNINGS) -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -mexec-model=reactor -nostartfiles \
+	$(Q)$(WASM) $(WARNINGS) -Isrc -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -mexec-model=reactor -nostartfiles \
 	    -Wl,--no-entry $(SOURCES) $< -o $@
 
 $(BUILD)/web/tool.wasm: port/web/wasi.c $(BUILD)/words/page port/web/wasi.h $(WASM_HOST) $(SOURCES) \
@@ -281,6 +281,9 @@ fuzz: ## fuzzers of the library and the tool with sanitizers (SECONDS=60 each, D
 	$(call need,clang-19)
 	$(Q)DOUBLE="$(DOUBLE)" KEEP="$(KEEP)" sh tests/gate.sh fuzz sh tests/fuzz.sh $(BUILD) $(SECONDS)
 
+misuse: ## every public function with arguments that it should not be given, under sanitizers
+	$(Q)CC=$(call quoted,$(CC)) sh tests/gate.sh misuse sh tests/misuse.sh $(BUILD)
+
 proof: ## no undefined behaviour in src/, proved by Frama-C/Eva (MODULES=..., DOUBLE=1, INT16=1)
 	$(call need,frama-c)
 	$(Q)DOUBLE="$(DOUBLE)" INT16="$(INT16)" $(call gate,proof $(if $(INT16),int16),$(MODULES)) sh tests/proof.sh $(BUILD) $(MODULES)
@@ -318,7 +321,7 @@ derived: $(BUILD)/invcal $(BUILD)/invcal.1 ## check layout, expected.h, man page
 	$(call need,mandoc)
 	$(Q)sh tests/gate.sh derived sh tests/derived.sh $(BUILD)
 
-numerics: ## rounding errors, against 50 digits and the bounds of expert.h (COUNT=30000: ten minutes)
+numerics: ## rounding errors, against 50 digits and the bounds of src/solve.h (COUNT=30000: ten minutes)
 	$(call need,python3)
 	$(Q)CC=$(call quoted,$(CC)) sh tests/gate.sh numerics sh tests/numerics.sh $(BUILD) $(COUNT)
 

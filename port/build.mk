@@ -72,7 +72,8 @@ $(BUILD)/positions.h: tests/data/to_c.awk $(wildcard tests/data/*_positions.csv)
 $(IMAGES:%=$(OUT)/tests/unit/%.o) $(OUT)/tests/digest/calibrations.o: | $(BUILD)/positions.h
 
 $(OUT)/tests/unit/%.o: FLAGS += $(TESTING)
-$(OUT)/tests/digest/%.o: FLAGS += -Itests/reference -I$(BUILD)
+$(OUT)/tests/digest/%.o: FLAGS += -Isrc -Itests/reference -I$(BUILD)
+$(OUT)/tests/bench/%.o $(OUT)/tests/size/%.o: FLAGS += -Isrc
 
 define part
 $(OUT)/tests/unit/$(1).$(2).o: tests/unit/$(1).c $(RULES)

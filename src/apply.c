@@ -28,6 +28,7 @@ void invcal_apply(const invcal_calibration *calibration, invcal_real x, invcal_r
 {
     const invcal_real raw[3] = {x, y, z};
 
+    INVCAL_ASSERT(calibration && calibrated);
     invcal_correct(calibration, raw, calibrated);
 }
 

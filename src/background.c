@@ -79,9 +79,8 @@ INVCAL_NOINLINE static invcal_event sift(invcal_background *b)
 
 invcal_event invcal_background_feed(invcal_background *background, int32_t x, int32_t y, int32_t z)
 {
-    invcal_session *session = &background->session;
-
     INVCAL_ASSERT(background);
+    invcal_session *const session = &background->session;
     const invcal_event event = invcal_session_feed(session, x, y, z);
     if (event != INVCAL_TAKEN) {
         return event;

@@ -11,7 +11,7 @@
 invcal_status invcal_calibrate_plain(const invcal_positions *positions, invcal_calibration *out,
                                      invcal_quality *quality)
 {
-    INVCAL_ASSERT(invcal_are_given(positions) && out && quality);
+    INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && out && quality);
     const invcal_selection all = {*positions, 0};
 
     return invcal_positions_calibrate(&all, out, quality);

@@ -98,7 +98,7 @@ void invcal_next(const invcal_positions *positions, invcal_real up[3])
     invcal_sums sums;
     invcal_real last[3];
 
-    INVCAL_ASSERT(invcal_are_given(positions) && up);
+    INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && up);
     invcal_sum_readings(positions, &sums, last);
     invcal_next_of_sums(&sums, last, up);
 }
@@ -110,7 +110,7 @@ void invcal_prospect(const invcal_positions *positions, const invcal_real *up,
     invcal_sums sums;
     invcal_row row;
 
-    INVCAL_ASSERT(invcal_are_given(positions) && root);
+    INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && root);
     invcal_sum_readings(positions, &sums, row.h);
     if (up != NULL) {
         memcpy(row.h, up, 3 * sizeof *up);

@@ -81,14 +81,14 @@ static INVCAL_ONCE invcal_status leave_out_groups(invcal_selection *s, invcal_ca
 invcal_status invcal_calibrate(const invcal_positions *positions, invcal_calibration *out,
                                invcal_quality *quality)
 {
-    INVCAL_ASSERT(invcal_are_given(positions) && out && out != positions->nominal && quality);
+    INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && out && out != positions->nominal && quality);
     if (positions->count > INVCAL_MAX_POSITIONS) {
         return INVCAL_BAD_COUNT;
     }
     invcal_selection selection = {*positions, 0};
     const invcal_status status = leave_out_groups(&selection, out, quality);
     if (status == INVCAL_OK) {
-        judge_directions(positions, out, quality);
+        judge_directions(&selection.given, out, quality);
     }
     return status;
 }

@@ -3,6 +3,7 @@
  * Accepts or refuses a calibration as nominal. Every solver checks its result in the same way
  * (invcal_compose), so each result may be stored, or be the nominal of the next calibration.
  */
+#include "invcal/positions.h"
 #include "solve.h"
 #include "vector.h"
 

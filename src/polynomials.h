@@ -8,6 +8,8 @@
 #include "invcal/thermal.h"
 #include "solve.h"
 
+enum { INVCAL_ROWS = 3 }; /* of the coefficients of a calibration, those above the degree 0 */
+
 /* Nine polynomials of t: c has degree + 1 rows of nine coefficients. */
 void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
                         invcal_real out[INVCAL_PARAMETERS]);

@@ -192,7 +192,7 @@ invcal_status invcal_calibrate_prior(const invcal_positions *positions,
 {
     update u;
 
-    INVCAL_ASSERT(invcal_are_given(positions) && prior && out && quality);
+    INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && prior && out && quality);
     const invcal_status status = calibrate_twice(positions, prior, &u);
     if (status == INVCAL_OK) {
         *out = u.c;
@@ -209,7 +209,7 @@ invcal_status invcal_calibrate_faces(const invcal_positions *positions, invcal_r
     const unsigned angles = 0x1C0;
     update u;
 
-    INVCAL_ASSERT(invcal_are_given(positions) && out && quality);
+    INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && out && quality);
     const invcal_status status =
         gamma < 1 ? calibrate_twice(positions, prior, &u) : INVCAL_BAD_PRIOR;
     if (status == INVCAL_OK) {

@@ -131,9 +131,9 @@ invcal_status invcal_save(const invcal_calibration *calibration, const invcal_qu
 
     INVCAL_ASSERT(calibration && quality);
     invcal_zero(bytes, sizeof bytes);
-    (void)invcal_put_two(bytes + POSITIONS_AT, quality->positions, quality->weak);
-    (void)invcal_put_two(bytes + PRIOR_AT, quality->held, invcal_swap(quality->verdict));
-    uint8_t *at = invcal_put_reals(bytes + NOISE_AT, &quality->noise, 2); /* and rms */
+    uint8_t *at = invcal_put_two(bytes + POSITIONS_AT, quality->positions, quality->weak);
+    (void)invcal_put_two(at, quality->held, invcal_swap(quality->verdict));
+    at = invcal_put_reals(bytes + NOISE_AT, &quality->noise, 2); /* and rms */
     at = invcal_put_reals(at, &quality->condition, 1);
     at = invcal_put_reals(at, calibration, CALIBRATION_REALS);
     (void)invcal_put_reals(at, quality->sigma, INVCAL_PARAMETERS);

@@ -14,7 +14,7 @@ unsigned invcal_bad_reading(const invcal_positions *positions)
     invcal_row row;
     unsigned i = 0;
 
-    INVCAL_ASSERT(invcal_are_given(positions));
+    INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions));
     /* at most count steps */
     while (i < positions->count &&
            invcal_observe(positions->nominal, positions->mean[i].v, &row) == INVCAL_OK) {
@@ -31,7 +31,7 @@ uint16_t invcal_undetermined(const invcal_positions *positions)
     invcal_real last[3];
     unsigned open = 0;
 
-    INVCAL_ASSERT(invcal_are_given(positions));
+    INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions));
     invcal_sum_readings(positions, &sums, last);
     const invcal_real ridge = invcal_ridged_inverse(&sums);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {

@@ -4,6 +4,7 @@
  * (mathematics.md, "From p to the calibration"). All follow from the calibration and its nominal,
  * matrix = A N: the solution does not compute them, and only those that are called are linked.
  */
+#include "invcal/background.h"
 #include "solve.h"
 #include "vector.h"
 

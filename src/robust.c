@@ -28,7 +28,7 @@ static INVCAL_NOINLINE invcal_set leave_out_outliers(invcal_selection *selection
 invcal_status invcal_calibrate_robust(const invcal_positions *positions, invcal_calibration *out,
                                       invcal_quality *quality)
 {
-    INVCAL_ASSERT(invcal_are_given(positions) && out && quality);
+    INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && out && quality);
     if (positions->count > INVCAL_MAX_POSITIONS) {
         return INVCAL_BAD_COUNT;
     }

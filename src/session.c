@@ -342,5 +342,5 @@ int invcal_session_is_good(invcal_session *session)
         session->good = judge_session(session, &session->calibration, &session->quality);
 #endif
     }
-    return session->good == GOOD;
+    return session->good - NOT_GOOD; /* 1 or 0 */
 }

@@ -25,11 +25,11 @@ enum { REFUSALS = INVCAL_BAD_RATE - INVCAL_OUT_OF_RANGE + 1 };
 const char *invcal_refusal_text(invcal_status status)
 {
     static const char texts[] = "far from the field: wrong scale or offset\0"
-                                "too short: hold it still longer\0"
-                                "drifts: turned slowly or not settled\0"
+                                "too short: hold still longer\0"
+                                "drifts: turning or settling\0"
                                 "at the end of the range\0"
-                                "readings never change: is the sensor read?\0"
-                                "too short: samples were lost\0"
+                                "readings never change: sensor not read?\0"
+                                "too short: samples lost\0"
                                 "nothing new: same place\0"
                                 "not begun\0"
                                 "other build\0"

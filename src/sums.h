@@ -30,11 +30,9 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
  *         finite. Checks nothing. */
 void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real weight);
 
-/* No programming error. */
-static inline int invcal_are_given(const invcal_positions *positions)
-{
-    return positions && (positions->mean || positions->count == 0) && positions->nominal;
-}
+/* No programming error. A macro, as a function would be unused without INVCAL_ASSERT. */
+#define INVCAL_ARE_GIVEN(positions)                                                                \
+    ((positions) && ((positions)->mean || (positions)->count == 0) && (positions)->nominal)
 
 /* The part of a row after its first three elements g:
  *

@@ -6,6 +6,8 @@
  */
 #include "polynomials.h"
 
+#include <stddef.h>
+
 #include "vector.h"
 
 /* Horner's rule. */
@@ -26,7 +28,7 @@ invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
 {
     invcal_real x[INVCAL_PARAMETERS];
 
-    invcal_polynomials(&thermal->x[0][0], INVCAL_THERMAL_ROWS - 1, t, x);
+    invcal_polynomials(&thermal->x[0][0], INVCAL_ROWS - 1, t, x);
     return invcal_triad(x, triad);
 }
 
@@ -49,13 +51,13 @@ invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real tem
 }
 
 invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real temperature,
-                                invcal_calibration *calibration, invcal_thermal_place *place)
+                                invcal_calibration *out, invcal_thermal_place *place)
 {
     invcal_thermal_place where;
     invcal_calibration c;
     invcal_real t;
 
-    INVCAL_ASSERT(thermal && calibration && place);
+    INVCAL_ASSERT(thermal && out);
     invcal_status status = invcal_thermal_find(thermal, temperature, &t, &where);
     if (status == INVCAL_OK) {
         status = invcal_thermal_triad(thermal, t, &c);
@@ -64,8 +66,10 @@ invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real tempe
         status = invcal_compose(&thermal->nominal, &c);
     }
     if (status == INVCAL_OK) {
-        *calibration = c;
-        *place = where;
+        *out = c;
+        if (place != NULL) {
+            *place = where;
+        }
     }
     return status;
 }

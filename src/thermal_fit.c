@@ -20,8 +20,6 @@
 #define FARTHEST INVCAL_REAL(2.0)         /* |t| */
 #define NARROWEST INVCAL_REAL(5.0)        /* K, for each degree */
 #define NARROWEST_STEP INVCAL_REAL(0.125) /* of t, to a point of interpolation */
-#define USUAL_SLOPE INVCAL_REAL(1e-3)     /* 1/K */
-#define USUAL_NOISE INVCAL_REAL(1e-4)     /* over field */
 
 enum {
     DEGREE = INVCAL_THERMAL_DEGREE,
@@ -53,14 +51,6 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback)
            : fallback == INVCAL_THERMAL_NARROW ? "too narrow a range of temperatures for slopes"
            : fallback == INVCAL_THERMAL_OPEN   ? "positions and temperatures leave slopes open"
                                                : "unknown reason";
-}
-
-invcal_real invcal_thermal_drift_limit(invcal_real noise, invcal_real slope)
-{
-    const invcal_real limit =
-        2 * (noise > 0 ? noise : USUAL_NOISE) / (slope > 0 ? slope : USUAL_SLOPE);
-
-    return noise >= 0 && slope >= 0 && invcal_is_finite(limit) ? limit : 0;
 }
 
 /* ---- the system ------------------------------------------------------------------------------ */
@@ -203,7 +193,7 @@ static invcal_status solve_highest(job *j, unsigned degree)
     invcal_thermal_fallback why = try_degree(j, degree, &status);
 
     while (why != INVCAL_THERMAL_AS_ASKED && degree > 0) { /* at most INVCAL_THERMAL_DEGREE */
-        j->now.fallback = (uint8_t)why;
+        j->now.fallback = why;
         why = try_degree(j, --degree, &status);
     }
     j->now.fitted = (uint8_t)degree;
@@ -480,7 +470,7 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
 }
 
 /* The nominal calibration at all temperatures: X = 0. */
-static invcal_status begin(const invcal_positions *positions, invcal_thermal *base)
+static invcal_status make_base(const invcal_positions *positions, invcal_thermal *base)
 {
     invcal_status status = invcal_nominal_check(positions->nominal);
 
@@ -505,7 +495,7 @@ invcal_status invcal_thermal_fit(const invcal_positions *positions,
     job j;
 
     INVCAL_ASSERT(positions && (base || positions->nominal) && out && quality);
-    invcal_status status = base == NULL ? begin(positions, &begun) : INVCAL_OK;
+    invcal_status status = base == NULL ? make_base(positions, &begun) : INVCAL_OK;
     if (status == INVCAL_OK) {
         status = set_up(&j, positions, prior, base == NULL ? &begun : base, degree);
     }

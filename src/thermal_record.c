@@ -2,12 +2,12 @@
  *
  * Encodes and decodes a calibration over temperature: the record of the one at the reference
  * (record.c), complete with its own CRC, then the polynomials. The two must agree. Only lengths are
- * compared, since the frame of the record may have been turned.
+ * compared, since 0.2.0 may have turned the frame of the record; its flag for that is ignored.
  */
 #include <stddef.h>
 
 #include "bytes.h"
-#include "invcal/thermal.h"
+#include "invcal/thermal_store.h"
 #include "polynomials.h"
 #include "vector.h"
 
@@ -15,6 +15,7 @@
 
 enum { RECORD_AT = 4, AFTER_RECORD = RECORD_AT + INVCAL_RECORD_SIZE, REALS_AFTER = 4 };
 enum { BEFORE_X = 16 }; /* reals */
+#define THERMAL_LENGTH(degree) (212u + 36u * ((degree) + 1u))
 
 /* The reals come first in the structure, too, and in the same order. */
 typedef char
@@ -53,23 +54,21 @@ static int agree_in_length(const invcal_calibration *a, const invcal_calibration
     return 1;
 }
 
-/* Is it a calibration, and the record within that of its reference? */
-static INVCAL_ONCE invcal_status check_thermal(const invcal_thermal_record *r)
+/* Is it a calibration, and that of the record within the one at its reference? */
+static INVCAL_ONCE invcal_status check_thermal(const invcal_thermal *t,
+                                               const invcal_calibration *recorded)
 {
-    const invcal_thermal *t = &r->thermal;
-    invcal_thermal_place place;
     invcal_calibration c;
 
     if (!(t->span > 0) || !(t->min <= t->max) || t->fitted > t->degree ||
-        t->fallback > INVCAL_THERMAL_OPEN || r->is_triangular > 1) {
+        t->fallback > INVCAL_THERMAL_OPEN) {
         return INVCAL_DAMAGED;
     }
     invcal_status status = invcal_nominal_check(&t->nominal);
     if (status == INVCAL_OK) {
-        status = invcal_thermal_at(t, t->reference, &c, &place);
+        status = invcal_thermal_at(t, t->reference, &c, NULL);
     }
-    return status == INVCAL_OK && !agree_in_length(&r->record.calibration, &c) ? INVCAL_DAMAGED
-                                                                               : status;
+    return status == INVCAL_OK && !agree_in_length(recorded, &c) ? INVCAL_DAMAGED : status;
 }
 
 /* Does the stated length fit the degree? */
@@ -77,89 +76,104 @@ static INVCAL_ONCE invcal_status check_length(const uint8_t *bytes)
 {
     const unsigned length = invcal_get_u16(bytes + 2);
 
-    if (length <= AFTER_RECORD || length != INVCAL_THERMAL_RECORD_BYTES(bytes[AFTER_RECORD])) {
+    if (length <= AFTER_RECORD || length != THERMAL_LENGTH(bytes[AFTER_RECORD])) {
         return INVCAL_DAMAGED;
     }
-    return bytes[AFTER_RECORD] < INVCAL_THERMAL_ROWS ? INVCAL_OK : INVCAL_OTHER_VERSION;
+    return bytes[AFTER_RECORD] < INVCAL_ROWS ? INVCAL_OK : INVCAL_OTHER_VERSION;
 }
 
 /* Reads the part after the record within. */
-static INVCAL_ONCE invcal_status read_tail(const uint8_t *tail, invcal_thermal_record *r)
+static INVCAL_ONCE invcal_status read_tail(const uint8_t *tail, invcal_thermal *t)
 {
-    invcal_zero(&r->thermal, sizeof r->thermal);
-    r->thermal.degree = tail[0];
-    r->thermal.fitted = tail[1];
-    r->thermal.fallback = tail[2];
-    r->is_triangular = tail[3];
-    return invcal_get_reals(tail + REALS_AFTER, &r->thermal, count_reals(tail[0]))
-               ? INVCAL_OK
-               : INVCAL_NOT_FINITE;
+    invcal_zero(t, sizeof *t);
+    t->degree = tail[0];
+    t->fitted = tail[1];
+    t->fallback = tail[2];
+    return invcal_get_reals(tail + REALS_AFTER, t, count_reals(tail[0])) ? INVCAL_OK
+                                                                         : INVCAL_NOT_FINITE;
 }
 
-/* Overwrites r on failure. */
-static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_thermal_record *r)
+/* Overwrites t and about on failure. */
+static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_thermal *t,
+                                  invcal_record *about)
 {
     invcal_status status = invcal_unseal(bytes, size, INVCAL_THERMAL_KIND);
     if (status == INVCAL_OK) {
         status = check_length(bytes);
     }
     if (status == INVCAL_OK) {
-        status = invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE, &r->record);
+        status = invcal_record_decode(bytes + RECORD_AT, INVCAL_RECORD_SIZE, about);
     }
     if (status == INVCAL_OK) {
-        status = read_tail(bytes + AFTER_RECORD, r);
+        status = read_tail(bytes + AFTER_RECORD, t);
     }
-    return status == INVCAL_OK ? check_thermal(r) : status;
-}
-
-invcal_status invcal_thermal_record_init(invcal_thermal_record *record,
-                                         const invcal_thermal *thermal,
-                                         const invcal_quality *quality)
-{
-    invcal_thermal_place place;
-    invcal_calibration c;
-
-    INVCAL_ASSERT(record && thermal && quality);
-    const invcal_status status = invcal_thermal_at(thermal, thermal->reference, &c, &place);
-    if (status == INVCAL_OK) {
-        invcal_record_init(&record->record, &c, quality);
-        record->thermal = *thermal;
-        record->is_triangular = 0;
-    }
-    return status;
+    return status == INVCAL_OK ? check_thermal(t, &about->calibration) : status;
 }
 
 /* Decodes the bytes again: rounded to float, they may not be a calibration. */
-invcal_status invcal_thermal_record_encode(const invcal_thermal_record *record,
-                                           uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE])
+invcal_status invcal_thermal_encode(const invcal_thermal *thermal, const invcal_record *about,
+                                    uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE])
 {
-    const invcal_thermal *t = &record->thermal;
-    invcal_thermal_record r;
+    invcal_thermal t;
+    invcal_record r;
 
-    INVCAL_ASSERT(record && bytes);
-    const invcal_status status = t->degree < INVCAL_THERMAL_ROWS
-                                     ? invcal_record_encode(&record->record, bytes + RECORD_AT)
+    INVCAL_ASSERT(thermal && about && bytes);
+    const invcal_status status = thermal->degree < INVCAL_ROWS
+                                     ? invcal_record_encode(about, bytes + RECORD_AT)
                                      : INVCAL_BAD_COUNT;
     if (status != INVCAL_OK) {
         return status;
     }
-    const unsigned length = INVCAL_THERMAL_RECORD_BYTES(t->degree);
-    uint8_t *at = invcal_put_two(bytes + AFTER_RECORD, t->degree | (unsigned)t->fitted << 8,
-                                 t->fallback | (unsigned)record->is_triangular << 8);
-    (void)invcal_put_reals(at, t, count_reals(t->degree));
+    const unsigned length = THERMAL_LENGTH(thermal->degree);
+    uint8_t *at = invcal_put_two(
+        bytes + AFTER_RECORD, thermal->degree | (unsigned)thermal->fitted << 8, thermal->fallback);
+    (void)invcal_put_reals(at, thermal, count_reals(thermal->degree));
     invcal_seal(bytes, INVCAL_THERMAL_KIND, length);
-    return read_thermal(bytes, length, &r);
+    return read_thermal(bytes, length, &t, &r);
 }
 
-invcal_status invcal_thermal_record_decode(const uint8_t *bytes, uint32_t size,
-                                           invcal_thermal_record *out)
+invcal_status invcal_thermal_decode(const uint8_t *bytes, uint32_t size, invcal_thermal *out,
+                                    invcal_record *about)
 {
-    invcal_thermal_record r;
+    invcal_thermal t;
+    invcal_record r;
 
     INVCAL_ASSERT(bytes && out);
-    const invcal_status status = read_thermal(bytes, size, &r);
+    const invcal_status status = read_thermal(bytes, size, &t, &r);
     if (status == INVCAL_OK) {
-        *out = r;
+        *out = t;
+        if (about != NULL) {
+            *about = r;
+        }
     }
     return status;
+}
+
+/* ---- in a memory ----------------------------------------------------------------------------- */
+
+invcal_status invcal_thermal_save(const invcal_thermal *thermal, const invcal_quality *quality,
+                                  const invcal_store *store)
+{
+    uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE];
+    invcal_calibration c;
+    invcal_record r;
+
+    INVCAL_ASSERT(thermal && quality && store);
+    invcal_status status = invcal_thermal_at(thermal, thermal->reference, &c, NULL);
+    if (status == INVCAL_OK) {
+        invcal_record_init(&r, &c, quality);
+        status = invcal_thermal_encode(thermal, &r, bytes);
+    }
+    return status == INVCAL_OK ? invcal_store_save(store, bytes, THERMAL_LENGTH(thermal->degree))
+                               : status;
+}
+
+invcal_status invcal_thermal_load(invcal_thermal *out, const invcal_store *store)
+{
+    uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE];
+    uint32_t size = 0;
+
+    INVCAL_ASSERT(out);
+    const invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);
+    return status == INVCAL_OK ? invcal_thermal_decode(bytes, size, out, NULL) : status;
 }

@@ -95,7 +95,7 @@ row "flash, the core" flash.core
 row "flash, the program of [README.md](../../README.md#in-your-firmware)" flash.program
 row "flash, the whole library alone" flash
 row "RAM with stack, that program" memory.program
-row "stack, \`invcal_solve\`" invcal_solve
+row "stack, \`invcal_sums_solve\`" invcal_sums_solve
 row "stack, \`invcal_session_feed\`" invcal_session_feed
 row "stack, \`invcal_session_solve\`" invcal_session_solve
 
@@ -189,7 +189,7 @@ invcal_calibrate_prior 18_positions_with_prior
 invcal_calibrate_faces six_faces
 invcal_undetermined undetermined
 invcal_sums_add add_position
-invcal_solve solve
+invcal_sums_solve solve
 invcal_session_feed feed_1000_Hz feed_100_Hz
 invcal_session_next next_orientation
 invcal_session_solve session_solve session_solve_3_wrong
@@ -198,8 +198,6 @@ invcal_session_save save_session
 invcal_session_load load_session
 invcal_save save
 invcal_load load
-invcal_full_vector_add full_vector_add
-invcal_full_vector_solve full_vector_solve
 invcal_frame_add frame_add
 invcal_frame_solve frame_solve
 invcal_imu_feed_gyro gyro_feed

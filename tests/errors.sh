@@ -21,11 +21,12 @@ result() { # 0 or 1, SENTENCE
     fi
 }
 
-# The enumerators of a type, in order.
+# The enumerators of a type, in order; of one with a byte they follow its name.
 enumerators() { # HEADER TYPE
     sed 's,/\*.*,,' "include/invcal/$1" | awk -v type="$2" '
-        /^typedef enum \{/ { names = ""; on = 1; next }
-        on && /^\}/ { if ($2 == type ";") printf "%s", names; on = 0 }
+        $0 == "typedef uint8_t " type ";" { follow = 1; next }
+        /^(typedef )?enum \{/ { names = ""; on = 1; next }
+        on && /^\}/ { if (follow || $2 == type ";") printf "%s", names; on = follow = 0 }
         on && match($0, /INVCAL_[A-Z_]+/) {
             name = substr($0, RSTART, RLENGTH)
             if (name !~ /_(COUNT|END)$/) names = names name "\n"

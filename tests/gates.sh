@@ -85,8 +85,8 @@ plant constant port/host/fit/gravity.c 's/9\.7803253359/9.7803253459/' \
     'tool-gravity: .* [1-9][0-9]* failed' unit gravity
 plant event src/rests.c 's/report(s, INVCAL_REST_FROZEN/report(s, INVCAL_REST_SHORT/' \
     'float-(faults|rests): .* [1-9][0-9]* failed' unit 'faults|rests'
-plant mirrored src/full_vector.c 's/work) > LEAST_DET)) {/work) > -9)) {/' \
-    'float-full_vector: .* [1-9][0-9]* failed' unit full_vector
+plant mirrored port/host/stand/full_vector.c 's/work) > LEAST_DET)) {/work) > -9)) {/' \
+    'tool-full_vector: .* [1-9][0-9]* failed' unit full_vector
 plant dropped src/magnetometer.c 's/if (!(excess <= 0))/if (excess <= 0)/' \
     'float-magnetometer: .* [1-9][0-9]* failed' unit 'float-magnetometer'
 plant dip src/dip.c 's/(dip->count - DIP_UNKNOWNS)/(dip->count + DIP_UNKNOWNS)/' \
@@ -194,8 +194,8 @@ plant uninitialised src/nominal.c 's/invcal_real of_rows = .*;/invcal_real of_ro
     'initiali' sh tests/proof.sh build nominal
 plant overflow src/rests.c 's/size_of((uint32_t)x) >> bits/(uint32_t)(x < 0 ? -x : x) >> bits/' \
     'overflow' sh tests/proof.sh build rests
-plant behind src/full_vector.c 's/memcpy(mounting, work, 9/memcpy(mounting, work, 10/' \
-    'mem_access|out of bounds|valid' sh tests/proof.sh build full_vector
+plant behind src/directions.c 's/memcpy(x, p, INVCAL_PARAMETERS/memcpy(x, p, 10/' \
+    'mem_access|out of bounds|valid' sh tests/proof.sh build linear
 plant unreached src/calibrate.c 's/^    const invcal_real n = /    if (dof == 123456) {\n        return 0;\n    }\n&/' \
     'calibrate.c:[0-9]+: line' make coverage PART=src
 plant untested tests/unit/test_allan.c '/RUN_TEST(/{/every_octave/!d}' \

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# Compiles the programs of README.md and of two pages of the manual, and runs them on the board of tests/readme, with
+# Compiles the programs of README.md and of three pages of the manual, and runs them on the board of tests/readme, with
 # the float library of the build folder $1: each must calibrate, go on after a reset, and after another one find what
 # it stored. CC and CFLAGS as for the library.
 build=$1
@@ -116,6 +116,12 @@ result 'port/manual/wearable.md: switched on again, it finds the calibration' $?
 head -c 16384 /dev/zero > "$out/memory"
 saves_foreign_session && runs
 result 'port/manual/wearable.md: the stored session of another build does no harm' $?
+
+builds port/manual/thermal.md 60
+runs && [ "$(grep -c '^[cw]' "$out/log")" -eq 3 ]
+result 'port/manual/thermal.md: a hand that follows its words gets calibrated readings at every temperature' $?
+runs && [ "$(grep -c . "$out/log")" -eq 1 ]
+result 'port/manual/thermal.md: switched on again, it finds the calibration' $?
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -64,7 +64,7 @@ jobs() {
     if [ -n "$1" ]; then
         for file in port/host/*.c port/host/*/*.c; do
             echo "tidy tool $file -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64" \
-                "-DINVCAL_ALLAN_TAUS=31 -DINVCAL_PRIVATE_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host"
+                "-DINVCAL_ALLAN_TAUS=31 -DINVCAL_PRIVATE_OVERLAP=4096 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_SEGMENTS=1000 -Iport/host -Isrc"
         done
     else
         echo 'misra float -DINVCAL_DOUBLE=0'

@@ -3,13 +3,12 @@
  * invcal/config.h: build options, and the types that every header needs. No functions.
  *
  * Define an option on the command line, for the library and the program alike, or name a header of
- * your own to be included first: -DINVCAL_CONFIG_HEADER='"my_invcal_config.h"'. If library and
- * program differ, nothing is written past the end of a structure:
+ * your own to be included first: -DINVCAL_CONFIG_HEADER='"my_invcal_config.h"'. If they differ,
+ * nothing is written past the end of a structure:
  *
- *     INVCAL_DOUBLE   the functions have other names (double.h), so the program does not link;
- *     a capacity      each _init function of a structure that depends on one takes its size, and
- *                     returns INVCAL_OTHER_BUILD if it is another one. Each structure depends on
- *                     one capacity, so equal sizes mean equal options.
+ *     INVCAL_DOUBLE   the functions have other names (double.h): the program does not link;
+ *     a capacity      the _init functions of what depends on it take its size, and return
+ *                     INVCAL_OTHER_BUILD. Each structure depends on one capacity.
  */
 #ifndef INVCAL_CONFIG_H
 #define INVCAL_CONFIG_H
@@ -33,22 +32,19 @@
 #define INVCAL_TEXT(number) INVCAL_TEXT_OF(number) /* a macro's value as text */
 #define INVCAL_TEXT_OF(number) #number             /* its name as text */
 
-/* 0: invcal_real is float, and nothing is computed in double. 1: it is double, and the library is
- * another one, whose functions begin with invcald_ (double.h). Both may be linked into one
- * program. */
+/* 1: invcal_real is double, and the library another one, which may be linked beside that of 0. 0: it
+ * is float, and nothing is computed in double. */
 #ifndef INVCAL_DOUBLE
 #define INVCAL_DOUBLE 0
 #endif
 
-/* 0: the library is small at any level of optimisation. 1: it is fast, at two to three times the
- * flash: see port/manual/targets.md. It changes no result and no structure, so it need not be the
- * same in a program and its library. */
+/* 0: small at any level of optimisation. 1: fast, at two to three times the flash (targets.md), with
+ * the same results and structures. An option of the library alone. */
 #ifndef INVCAL_FAST
 #define INVCAL_FAST 0
 #endif
 
-/* Max positions in a session, and in a search for outliers, 12 to 64. Each takes 12 bytes of the
- * session (float). */
+/* Max positions in a session, and in a search for outliers, 12 to 64, 12 bytes each (float). */
 #ifndef INVCAL_MAX_POSITIONS
 #ifdef __AVR__
 #define INVCAL_MAX_POSITIONS 16 /* for the 2 KB of RAM of an Arduino Uno */
@@ -58,9 +54,8 @@
 #endif
 
 /* gyro.h: segments of all moves together, 64 to 1000, 14 bytes each. A quarter turn takes five or
- * six, and 24 are kept free for the current move. The number of rests, 10 bytes each, is such that
- * moves of six fit between them; from 192 on it is 32. If memory is short, 100 hold twelve quarter
- * turns in 1.7 kB. */
+ * six, and 24 are kept free for the current move: 100 hold twelve quarter turns in 1.7 kB. The
+ * number of rests, 10 bytes each, follows. */
 #ifndef INVCAL_MAX_SEGMENTS
 #ifdef __AVR__
 #define INVCAL_MAX_SEGMENTS 120 /* so that the solution fits into 8 KB of RAM */
@@ -79,20 +74,19 @@
 #define INVCAL_ALLAN_TAUS 16
 #endif
 
-/* Not an option: how many times the windows of allan.h overlap, a power of two. The host tool,
- * which is compiled as a whole, has more. */
+/* Not an option: how many times the windows of allan.h overlap, a power of two. */
 #ifndef INVCAL_PRIVATE_OVERLAP
 #define INVCAL_PRIVATE_OVERLAP 4
 #endif
 
-/* thermal.h: the highest degree that the library can fit, 0 (constants), 1 (slopes) or 2
- * (parabolas): the stack of the fit. An option of the library alone. */
+/* thermal.h: the highest degree that the library can fit, 0, 1 or 2: its stack. An option of the
+ * library alone. */
 #ifndef INVCAL_THERMAL_DEGREE
 #define INVCAL_THERMAL_DEGREE 1
 #endif
 
-/* Called with a condition that only a programming error can make false. Compiles to nothing by
- * default; define it as assert or as a breakpoint, for example. An option of the library alone. */
+/* Called with a condition that only a programming error can make false: define it as assert or as a
+ * breakpoint, for example. An option of the library alone. */
 #ifndef INVCAL_ASSERT
 #define INVCAL_ASSERT(condition) ((void)sizeof((condition) ? 1 : 0))
 #endif
@@ -139,12 +133,10 @@ typedef float invcal_real; /* double with INVCAL_DOUBLE */
 #define INVCAL_FABS fabsf               /* the other one */
 #endif
 
-/* A set of positions, moves, parameters or kinds of error: bit i for member i. One type for all, in
- * every build. */
+/* A set of positions or moves: bit i for member i. The same in every build. */
 typedef uint64_t invcal_mask;
 
-/* A compiler warns if the result is ignored: for functions after which a program would hang, or use
- * what was never written. */
+/* A compiler warns if the answer is ignored: a program would hang, or use what was never written. */
 #if defined(__cplusplus) && __cplusplus >= 201703L
 #define INVCAL_NODISCARD [[nodiscard]]
 #elif defined(__GNUC__)

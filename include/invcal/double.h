@@ -113,12 +113,13 @@
 #define invcal_systematic_text invcald_systematic_text
 #define invcal_thermal_at invcald_thermal_at
 #define invcal_thermal_calibrate invcald_thermal_calibrate
+#define invcal_thermal_decode invcald_thermal_decode
+#define invcal_thermal_encode invcald_thermal_encode
 #define invcal_thermal_fallback_text invcald_thermal_fallback_text
 #define invcal_thermal_fit invcald_thermal_fit
 #define invcal_thermal_judge invcald_thermal_judge
-#define invcal_thermal_record_decode invcald_thermal_record_decode
-#define invcal_thermal_record_encode invcald_thermal_record_encode
-#define invcal_thermal_record_init invcald_thermal_record_init
+#define invcal_thermal_load invcald_thermal_load
+#define invcal_thermal_save invcald_thermal_save
 #define invcal_undetermined invcald_undetermined
 #define invcal_verdict_text invcald_verdict_text
 
@@ -155,13 +156,9 @@
 #define invcal_factor invcald_factor
 #define invcal_fit_row invcald_fit_row
 #define invcal_fit_solve invcald_fit_solve
-#define invcal_full_vector_add invcald_full_vector_add
-#define invcal_full_vector_init invcald_full_vector_init
-#define invcal_full_vector_solve invcald_full_vector_solve
 #define invcal_get_reals invcald_get_reals
 #define invcal_imu_begin invcald_imu_begin
 #define invcal_imu_follow invcald_imu_follow
-#define invcal_imu_is_begun invcald_imu_is_begun
 #define invcal_imu_mounting_of invcald_imu_mounting_of
 #define invcal_imu_positions invcald_imu_positions
 #define invcal_imu_settings_check invcald_imu_settings_check

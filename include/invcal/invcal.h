@@ -231,7 +231,8 @@ invcal_status invcal_session_set_noise(invcal_session *session, invcal_real nois
 invcal_status invcal_session_set_hold(invcal_session *session, invcal_real seconds);
 
 /* Feeds one sample, raw counts, any value. Positions beyond INVCAL_MAX_POSITIONS replace the
- * oldest.
+ * oldest. If your driver delivers g or m/s^2 as fractions, multiply them by 1e6, here and for
+ * invcal_apply, and begin with 1e6 or 9.80665e6 counts.
  *
  * Returns what happened. Never solves, so its cost is bounded.
  * Cost: 140 instructions on average at 1 kHz, 180 instructions at 100 Hz.

@@ -97,16 +97,12 @@ invcal_status invcal_calibrate_plain(const invcal_positions *positions, invcal_c
 /* The usual procedure: each axis once up and once down determines offsets and scales, but none of
  * the three angles. They are held at those of nominal, with the standard deviation of the data
  * sheet: 1 % of cross-axis sensitivity leaves 4.5 mg rms in a calibrated length (mathematics.md,
- * "Six faces"). Six more positions midway between two axes determine the angles: pass all twelve to
- * invcal_calibrate.
+ * "Six faces"). Six more positions midway between two axes determine them: invcal_calibrate.
  *
  * positions  six or more; noise must be stated. With six nothing checks it.
  * gamma      standard deviation of each angle, rad, above 0, up to about 0.2: INVCAL_CROSS_AXIS.
  * quality    of offsets and scales: verdict and weak do not cover the angles. held: each angle that
  *            the positions leave open.
- *
- * An actual angle of gamma shifts a scale by gamma^2 / 8 (12 ppm at 1 %), and no offset, if the
- * faces are along gravity; sigma includes a tilt.
  *
  * Returns as invcal_calibrate_plain; INVCAL_TOO_FEW for fewer than six; INVCAL_UNDETERMINED if they
  * leave offsets or scales open; INVCAL_BAD_PRIOR unless gamma is above 0 and below 1.
@@ -120,15 +116,14 @@ invcal_status invcal_calibrate_faces(const invcal_positions *positions, invcal_r
  * of an earlier calibration with three positions.
  *
  * positions  at least one, and as many as there are parameters without a prior; noise must be
- *            stated: it weighs the prior. If the residuals show more, theirs does. If the positions
- *            alone leave parameters open, it is raised to what the number type resolves next to the
- *            prior, in float sqrt(count) / 2000 of the widest prior.
+ *            stated: it weighs the prior. It is raised if the residuals show more; or, if the
+ *            positions alone leave parameters open, to what the number type resolves next to the
+ *            prior, in float sqrt(count) / 2000 of the widest.
  * prior      about nominal, over field, 1 or rad, up to about 0.2 (above that, p is no longer -X);
  *            0: not known. Not all may be 0.
- * quality    sigma never exceeds the prior. dof counts data only, rounded down: a parameter
- *            supplied by the prior costs no position. condition includes the rows of the prior; it
- *            may be infinite if their widths differ very much. held: each parameter that the prior
- *            determines more than the data.
+ * quality    sigma never exceeds the prior. dof counts data only, rounded down. condition includes
+ *            the rows of the prior; it may be infinite if their widths differ very much. held: each
+ *            parameter that the prior determines more than the data.
  *
  * Returns as invcal_calibrate_plain; INVCAL_BAD_PRIOR if a number is negative or not finite, or all
  * are 0. INVCAL_UNDETERMINED refers to parameters without a prior.

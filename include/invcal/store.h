@@ -4,11 +4,10 @@
  *
  *     memory          two slots of a flash, an EEPROM or a file, and callbacks to access them
  *     save, load      a calibration, or a session to resume: what most programs need
- *     store           the same for any bytes, safe against power loss; the layout of the slots
+ *     store           the same for any bytes, safe against power loss
  *     record          a calibration with all that is known about it, as 136 bytes
  *
- * invcal.h states the rules and units. A program and a library with different build options do not
- * link.
+ * invcal.h states the rules and units; frozen.md, "Stored bytes", lists what is where.
  */
 #ifndef INVCAL_STORE_H
 #define INVCAL_STORE_H
@@ -54,17 +53,11 @@ typedef struct {
 
 /* ---- a calibration, a session -------------------------------------------------------------------
  *
- *     at start:      if (invcal_load(&calibration, &result) != INVCAL_OK)
- *                        calibrate, then invcal_save(&calibration, &quality, &result)
- *     to calibrate:  invcal_session_init, and invcal_session_load(&session, &progress)
- *                    after INVCAL_TAKEN: invcal_session_save(&session, &progress)
- *
  * A store holds one object: these are two stores. Their slots have at least
  * INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, granularity) and
  * INVCAL_STORE_BYTES(INVCAL_SESSION_SIZE, granularity) bytes.
  *
- * A session is begun first, then loaded. Positions that were saved with another nominal calibration
- * or rate are refused. What invcal_session_set_limits, _set_noise and _set_hold stated stays. */
+ * A session is begun first, then loaded: what was begun and set stays. */
 
 /* Saves a calibration, and how good it is, as a record (see below); over field, so before
  * invcal_scale.
@@ -78,19 +71,19 @@ invcal_status invcal_save(const invcal_calibration *calibration, const invcal_qu
 /* Loads it. For its other contents, use invcal_store_load and invcal_record_decode.
  *
  * Returns INVCAL_OK; as invcal_store_load; as invcal_record_decode. INVCAL_NO_SPACE,
- * INVCAL_OTHER_VERSION or INVCAL_DAMAGED: it holds something else. A session of up to five
- * positions is INVCAL_DAMAGED, since it does not end with the CRC of a record. Cost: 11,000
- * instructions. Stack: about 450 bytes; both as above. */
+ * INVCAL_OTHER_VERSION or INVCAL_DAMAGED: it holds something else.
+ * Cost: 11,000 instructions. Stack: about 450 bytes; both as above. */
 INVCAL_NODISCARD invcal_status invcal_load(invcal_calibration *calibration,
                                            const invcal_store *store);
 
-/* Saves the lasting part of a session: see invcal_session_size.
+/* Saves settings and positions of a session, as invcal_session_size.
  *
  * Returns as invcal_store_save. Cost: 22,000 instructions for 18 positions, without the callbacks.
  * Stack as that. */
 invcal_status invcal_session_save(const invcal_session *session, const invcal_store *store);
 
-/* Loads it into a session that was begun, to resume with a new stream.
+/* Loads it into a session that was begun, to resume with a new stream. Noise is learned again, and a
+ * device still in its last orientation may take it again, which does no harm.
  *
  * Returns as invcal_store_load, then as invcal_session_resume. INVCAL_OTHER_SETTINGS: also if it
  * holds something else. If it fails, the session is as it was begun: to ignore that is to begin
@@ -102,18 +95,6 @@ invcal_status invcal_session_load(invcal_session *session, const invcal_store *s
  * A save never touches the slot that a load would find: it erases the other one, programs the bytes
  * there, reads them back, and only then confirms them, with one granule of zeros after them.
  * Whenever power fails, a later load finds the old bytes or all of the new ones.
- *
- * A slot, everything with the least significant byte first:
- *
- *     at        size  what
- *     0         1     kind, 0x5C
- *     1         1     version, 1
- *     2         2     size of the data
- *     4         4     sequence number: that of the previous save, if any, plus 1, mod 2^32
- *     8         size  the data
- *               ...   0xFF, up to 4 bytes before the end of a granule
- *     E - 4     4     CRC-32 (IEEE 802.3, as zlib) of all bytes before it
- *     E               one granule: 0x00, confirmed; 0xFF, not
  *
  * If both slots have a correct CRC, a load takes the confirmed one; of two confirmed ones the
  * later; of two unconfirmed ones the earlier, since it was complete when writing of the later
@@ -167,33 +148,10 @@ invcal_status invcal_store_erase(const invcal_store *store);
 /* ---- the record of a calibration ----------------------------------------------------------------
  *
  * Use it to store more than invcal_save does: which sensor, when, at what temperature; or to send
- * it. It is the same on every machine: integers with the least significant byte first; reals as
- * IEEE-754 binary32 in the same order, whatever invcal_real is. A float build loses nothing. A
- * double build keeps 24 bits of each number, an error of 6e-8 of the value (0.002 counts of an
- * offset of 33000). Decoding and encoding again gives the same bytes: nothing more is lost.
- *
- * It begins with its kind, its version (now 2) and its length, and ends with the CRC-32 (IEEE
- * 802.3, as zlib) of all before it. Later versions may change everything else. So any version can
- * distinguish sound bytes of another one from damaged ones. Any change, even a new verdict, gets a
- * new version number, and later releases keep a function to read every version released before;
- * except version 1, of release 0.1.0, which is refused as another version.
- *
- * The CRC detects one to four wrong bits, any run of up to 32 wrong bits, and any two bytes
- * exchanged. Other damage passes once in 2^32 times.
- *
- *     at    size  what                         at    size  what
- *       0   1     kind, 0xCA                    28   4     field_sigma
- *       1   1     version, 2                    32   4     temperature
- *       2   2     length, 136                   36   4     noise
- *       4   8     sensor                        40   4     rms
- *      12   4     date                          44   4     condition
- *      16   2     positions                     48   12    offset x, y, z
- *      18   2     weak                          60   36    matrix by rows
- *      20   2     held                          96   36    sigma of the nine parameters
- *      22   1     verdict                      132   4     CRC
- *      23   1     temperature_known
- *      24   4     field
- */
+ * it. It is the same on every machine. Reals are stored as IEEE-754 binary32: a double build keeps
+ * 24 bits of each number, an error of 6e-8 of the value (0.002 counts of an offset of 33000);
+ * decoding and encoding again gives the same bytes. It begins with its kind,
+ * version and length, and ends with a CRC-32. */
 #define INVCAL_RECORD_SIZE 136u /* bytes of a record */
 
 /* Unknown values are 0. */
@@ -244,20 +202,16 @@ invcal_status invcal_record_encode(const invcal_record *record, uint8_t bytes[IN
  * Stack as above. */
 invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_record *out);
 
-/* ---- the lasting part of a session --------------------------------------------------------------
+/* ---- a session without an invcal_store ----------------------------------------------------------
  *
- * The settings and the positions are at the beginning of the structure. The state of the stream is
- * after them, and is not saved: a rest in progress is lost, noise is learned again, and a device
- * still in its last orientation may record it again, which does no harm.
- *
- * These bytes are for the same device: a build with another number type, byte order or layout of
- * the structure refuses them. A table of another size accepts them if they fit. */
+ * For a memory that keeps blobs, such as NVS. The bytes are for the same device: a build with
+ * another number type, byte order or layout of the structure refuses them. A table of another size
+ * accepts them if they fit. */
 #define INVCAL_SESSION_SIZE                                                                        \
     ((uint32_t)(offsetof(invcal_session, mean) +                                                   \
                 INVCAL_MAX_POSITIONS * sizeof(invcal_vector))) /* bytes at most */
 
-/* The number of bytes to save, from the beginning of a session. Without an invcal_store, save these
- * yourself. */
+/* The number of bytes to save, from the beginning of a session. */
 uint32_t invcal_session_size(const invcal_session *session);
 
 /* Resumes from these bytes, at any alignment, with a new stream.
@@ -266,8 +220,8 @@ uint32_t invcal_session_size(const invcal_session *session);
  *
  * Returns INVCAL_OK; else the session is as it was begun, without positions:
  *   INVCAL_NOT_BEGUN;
- *   INVCAL_OTHER_SETTINGS  they were saved with another nominal calibration or rate, or by a
- *                          different build;
+ *   INVCAL_OTHER_SETTINGS  they were saved with another nominal calibration or rate, or by another
+ *                          build;
  *   INVCAL_DAMAGED         their number does not match the table;
  *   INVCAL_NO_SPACE        more than INVCAL_SESSION_SIZE.
  * The means are not checked: solving refuses bad ones. */

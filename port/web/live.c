@@ -6,7 +6,10 @@
 #include <string.h>
 
 #include "invcal/expert.h"
+#include "invcal/plan.h"
+#include "invcal/result.h"
 #include "invcal/store.h"
+#include "system.h"
 
 #define EXPORT(name) __attribute__((export_name(#name))) name
 
@@ -92,7 +95,9 @@ const char *EXPORT(next)(void)
 /* Position i as a reading over field. */
 void EXPORT(position)(unsigned i)
 {
-    invcal_apply(&session.nominal, session.mean[i][0], session.mean[i][1], session.mean[i][2], out);
+    const invcal_real *mean = session.mean[i].v;
+
+    invcal_apply(&session.nominal, mean[0], mean[1], mean[2], out);
 }
 
 /* ---- the result so far ------------------------------------------------------------------------ */
@@ -107,7 +112,7 @@ void EXPORT(uncertainty)(unsigned n)
 
     invcal_sums_init(&sums);
     for (unsigned i = 0; i < session.count; i++) {
-        (void)invcal_sums_add(&sums, &session.nominal, session.mean[i], 1);
+        (void)invcal_sums_add(&sums, &session.nominal, session.mean[i].v, 1);
     }
     const invcal_real ridge = 1e-5 * (10 + invcal_trace(sums.sum, INVCAL_PARAMETERS));
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {

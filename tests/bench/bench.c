@@ -6,8 +6,12 @@
  */
 #include <string.h>
 
+#include "../positions.h"
 #include "../report.h"
+#include "full_vector.h"
+#include "guidance.h"
 #include "invcal/allan.h"
+#include "invcal/background.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
 #include "invcal/magnetometer.h"
@@ -235,63 +239,31 @@ static void bench_dip(void)
     }
 }
 
-/* Against the directions of the program. */
-static void bench_full_vector(void)
-{
-    invcal_plan plan = {.per_group = POSITIONS / INVCAL_PLAN_GROUPS};
-    invcal_plan_position p;
-    invcal_full_vector full;
-    invcal_calibration calibration;
-    invcal_real x[INVCAL_PARAMETERS];
-    invcal_real mounting[3][3];
-
-    (void)invcal_plan_starts(plan.per_group, plan.start);
-    invcal_full_vector_init(&full);
-    for (unsigned i = 0; i < POSITIONS; i++) {
-        (void)invcal_plan_position_at(&plan, i, &p);
-        begin();
-        (void)invcal_full_vector_add(&full, &nominal, raw[i], p.vertical);
-        const uint32_t count = end();
-        if (i + 1 == POSITIONS) {
-            report("full_vector_add", count);
-        }
-    }
-    begin();
-    const invcal_status status =
-        invcal_full_vector_solve(&full, &nominal, &calibration, x, mounting);
-    report("full_vector_solve", end());
-    if (status != INVCAL_OK) {
-        board_exit(1);
-    }
-}
-
 static void bench_all(void)
 {
     const invcal_real prior[INVCAL_PARAMETERS] = {0, 0, 0, 0, 0, 0, INVCAL_CROSS_AXIS};
     invcal_calibration calibration;
     invcal_quality quality;
-    uint16_t set;
+    invcal_positions positions = *POSITIONS_OF(raw, POSITIONS, &nominal, 0);
 
     begin();
-    const invcal_status status = invcal_calibrate_plain(
-        POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), &calibration, &quality);
+    const invcal_status status = invcal_calibrate_plain(&positions, &calibration, &quality);
     report("18_positions_and_everything", end());
     if (status != INVCAL_OK || quality.verdict != INVCAL_GOOD) {
         board_exit(1);
     }
     begin();
-    (void)invcal_calibrate(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), &calibration, &quality);
+    (void)invcal_calibrate(&positions, &calibration, &quality);
     report("judged_18_positions", end());
     begin();
-    (void)invcal_calibrate_robust(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), &calibration,
-                                  &quality);
+    (void)invcal_calibrate_robust(&positions, &calibration, &quality);
     report("robust_18_positions", end());
+    positions.noise = INVCAL_REAL(0.001);
     begin();
-    (void)invcal_calibrate_prior(POSITIONS_OF(raw[0], POSITIONS, &nominal, INVCAL_REAL(0.001)),
-                                 prior, &calibration, &quality) /*HELD &set*/;
+    (void)invcal_calibrate_prior(&positions, prior, &calibration, &quality);
     report("18_positions_with_prior", end());
     begin();
-    set = invcal_undetermined(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0));
+    const uint16_t set = invcal_undetermined(&positions);
     report("undetermined", end());
     if (set != 0) {
         board_exit(1);
@@ -303,7 +275,6 @@ static void bench_six_faces(void)
     invcal_real face[6][3] = {{0}};
     invcal_calibration calibration;
     invcal_quality quality;
-    uint16_t held = 0;
 
     for (unsigned i = 0; i < 6; i++) {
         face[i][i / 2] = i % 2 ? -8100 : 8300;
@@ -311,9 +282,9 @@ static void bench_six_faces(void)
     begin();
     const invcal_status status =
         invcal_calibrate_faces(POSITIONS_OF(face[0], 6, &nominal, INVCAL_REAL(0.001)),
-                               INVCAL_CROSS_AXIS, &calibration, &quality) /*HELD &held*/;
+                               INVCAL_CROSS_AXIS, &calibration, &quality);
     report("six_faces", end());
-    if (status != INVCAL_OK || held != 7u << INVCAL_GAMMA_XY) {
+    if (status != INVCAL_OK || quality.held != 7u << INVCAL_GAMMA_XY) {
         board_exit(1);
     }
 }
@@ -473,7 +444,7 @@ static void bench_background(void)
     require(invcal_background_init(&background, sizeof background, &nominal, RATE));
     background.session.count = INVCAL_MAX_POSITIONS - 1;
     for (unsigned i = 0; i + 1 < INVCAL_MAX_POSITIONS; i++) {
-        memcpy(background.session.mean[i], raw[i % POSITIONS], sizeof raw[0]);
+        memcpy(&background.session.mean[i], raw[i % POSITIONS], sizeof raw[0]);
     }
     for (unsigned i = 0; i < RATE * SECONDS; i++) {
         next_sample(sample);
@@ -673,7 +644,6 @@ int main(void)
     report("session_solve_3_wrong", solve_session(POSITIONS, 3));
     report("feed_400_Hz", feed(400));
     report("feed_1000_Hz", feed(1000));
-    bench_full_vector();
     bench_frame();
     bench_magnetometer();
     bench_dip();

@@ -3,6 +3,8 @@
  * A device that is never calibrated on purpose: it is put down somewhere again and again.
  */
 #include "digest.h"
+#include "invcal/background.h"
+#include "invcal/positions.h"
 
 enum { RATE = 16, REST = 4 * RATE, MOTION = RATE, PLACES = 60 };
 

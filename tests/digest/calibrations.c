@@ -2,7 +2,10 @@
  *
  * Fixed sets of positions: of real sensors, simulated ones, with a prior, wrong and hopeless ones.
  */
+#include "../positions.h"
 #include "digest.h"
+#include "guidance.h"
+#include "solve.h"
 
 #include "board.h"
 #include "expected.h"
@@ -85,16 +88,13 @@ static void sets_with_a_prior(void)
     for (unsigned count = 4; count <= 12; count += 4) {
         invcal_calibration calibration;
         invcal_quality quality;
-        uint16_t from_prior = 0;
         input_positions(raw, count, 0.02f, 1e-3f);
-        const invcal_status status =
-            invcal_calibrate_prior(POSITIONS_OF(raw[0], count, &nominal, 1e-3f), prior,
-                                   &calibration, &quality) /*HELD &from_prior*/;
+        const invcal_status status = invcal_calibrate_prior(
+            POSITIONS_OF(raw[0], count, &nominal, 1e-3f), prior, &calibration, &quality);
         begin_set("prior", status);
         if (status == INVCAL_OK) {
             digest_calibration(&calibration, &nominal);
             digest_quality(&quality, &nominal);
-            digest_bits("from_prior", from_prior);
         }
     }
 }
@@ -103,7 +103,6 @@ static void six_faces(void)
 {
     invcal_calibration calibration;
     invcal_quality quality;
-    uint16_t held = 0;
 
     for (unsigned i = 0; i < 6; i++) {
         for (unsigned a = 0; a < 3; a++) {
@@ -111,13 +110,11 @@ static void six_faces(void)
         }
         raw[i][i / 2] += i % 2 ? -4060 : 4150;
     }
-    const invcal_status status =
-        invcal_calibrate_faces(POSITIONS_OF(raw[0], 6, &nominal, 1e-3f), INVCAL_CROSS_AXIS,
-                               &calibration, &quality) /*HELD &held*/;
+    const invcal_status status = invcal_calibrate_faces(POSITIONS_OF(raw[0], 6, &nominal, 1e-3f),
+                                                        INVCAL_CROSS_AXIS, &calibration, &quality);
     begin_set("six faces", status);
     digest_calibration(&calibration, &nominal);
     digest_quality(&quality, &nominal);
-    digest_bits("held", held);
 }
 
 /* ---- positions that are wrong --------------------------------------------------------------- */

@@ -4,6 +4,10 @@
  * with the mishaps of a hand, a sensor and a memory; then what it keeps.
  */
 #include "digest.h"
+#include "invcal/plan.h"
+#include "invcal/positions.h"
+#include "invcal/result.h"
+#include "rests.h"
 
 enum { RATE = 50, TURN = RATE, REST = 9 * RATE / 4, SHORT_REST = 6 * RATE / 5 };
 
@@ -81,7 +85,7 @@ static void event_results(invcal_event event)
         break;
     case INVCAL_TAKEN:
         rest_results();
-        digest_reals("mean", session.mean[session.count - 1], 3);
+        digest_reals("mean", session.mean[session.count - 1].v, 3);
         digest_bits("is_good", (uint32_t)invcal_session_is_good(&session));
         save();
         break;
@@ -214,13 +218,11 @@ static void tour(void)
 
 static void solve(invcal_calibration *calibration, invcal_quality *quality)
 {
-    static const float target[3] = {0.001f, 0.001f, 0.002f};
-
     digest_set("result");
     digest_bits("status", invcal_session_solve(&session, calibration, quality));
     digest_calibration(calibration, &nominal);
     digest_quality(quality, &nominal);
-    digest_bits("reaches", (uint32_t)invcal_session_reaches(&session, target));
+    digest_bits("reaches", (uint32_t)invcal_reaches(quality, 0.001f, 0.001f, 0.002f));
     digest_bits("stated", invcal_session_set_noise(&session, 2e-4f));
     digest_bits("is_good", (uint32_t)invcal_session_is_good(&session));
 }
@@ -271,7 +273,7 @@ static void texts(void)
     for (unsigned i = 0; i <= INVCAL_STATUS_END; i++) {
         digest_text("status", invcal_status_text((invcal_status)i));
     }
-    for (unsigned i = 0; i <= INVCAL_WEAK + 1; i++) {
+    for (unsigned i = 0; i <= INVCAL_WEAK + 16; i += 16) {
         digest_text("verdict", invcal_verdict_text((invcal_verdict)i));
     }
     for (unsigned i = 0; i <= INVCAL_PARAMETERS; i++) {

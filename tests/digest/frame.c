@@ -3,6 +3,8 @@
  * Axes: those of the case, from its faces; those of a stand, from its program.
  */
 #include "digest.h"
+#include "directions.h"
+#include "full_vector.h"
 
 #include "invcal/frame.h"
 #include "invcal/plan.h"
@@ -60,13 +62,12 @@ static void level(void)
     digest_reals("rotation", rotation[0], 9);
 }
 
-/* The sums of a stand whose axes are known, and of one whose are not. */
-static void add_to(invcal_directions *linear, invcal_full_vector *full, const float vertical[3])
+/* The sums of a stand whose axes are known. */
+static void add_to(invcal_directions *linear, const float vertical[3])
 {
     float raw[3];
 
     read_askew(vertical, raw);
-    digest_bits("added", invcal_full_vector_add(full, &nominal, raw, vertical));
     digest_bits("added", invcal_directions_add(linear, &nominal, raw, vertical));
     digest_bits("added", invcal_directions_add_scalar(linear, &nominal, raw, vertical));
 }
@@ -86,15 +87,11 @@ static void stand(void)
 {
     invcal_plan plan = {.per_group = 6, .start = {0, 0, 0}};
     invcal_directions linear;
-    invcal_full_vector full;
-    invcal_calibration calibration;
-    float x[INVCAL_PARAMETERS], mounting[3][3];
 
     digest_set("stand");
     invcal_directions_init(&linear);
     digest_bits("starts", invcal_plan_starts(plan.per_group, plan.start));
     digest_reals("start", plan.start, INVCAL_PLAN_GROUPS);
-    invcal_full_vector_init(&full);
     for (unsigned i = 0; i < 3 * plan.per_group; i++) {
         invcal_plan_position position;
         digest_bits("status", invcal_plan_position_at(&plan, i, &position));
@@ -102,12 +99,8 @@ static void stand(void)
         digest_reals("beta", &position.beta, 1);
         digest_reals("vertical", position.vertical, 3);
         digest_bits("axis_up", invcal_axis_up(position.vertical));
-        add_to(&linear, &full, position.vertical);
+        add_to(&linear, position.vertical);
     }
-    digest_bits("status", invcal_full_vector_solve(&full, &nominal, &calibration, x, mounting));
-    digest_calibration(&calibration, &nominal);
-    digest_reals("x", x, INVCAL_PARAMETERS);
-    digest_reals("mounting", mounting[0], 9);
     solve_linear(&linear);
 }
 

@@ -3,6 +3,7 @@
  * Both sensors of an IMU, from a tour of quarter turns; and which turns would be best.
  */
 #include "digest.h"
+#include "invcal/positions.h"
 
 #include "invcal/gyro_store.h"
 #include "turns.h"

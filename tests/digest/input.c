@@ -3,6 +3,7 @@
  * Simulated data. Every sum has an order of its own, so that no compiler may choose one.
  */
 #include "digest.h"
+#include "invcal/positions.h"
 
 static uint32_t state; /* of the random source, xorshift32 */
 

@@ -4,6 +4,7 @@
  * accelerometer.
  */
 #include "digest.h"
+#include "invcal/positions.h"
 
 #include "invcal/frame.h"
 #include "invcal/magnetometer.h"

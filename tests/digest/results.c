@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "digest.h"
+#include "invcal/result.h"
 
 void digest_calibration(const invcal_calibration *calibration, const invcal_calibration *nominal)
 {
@@ -30,6 +31,7 @@ void digest_quality(const invcal_quality *quality, const invcal_calibration *nom
     digest_bits("left_out", (uint32_t)quality->left_out);
     digest_bits("suspected", (uint32_t)quality->suspected);
     digest_bits("weak", quality->weak);
+    digest_bits("held", quality->held);
     digest_bits("positions", quality->positions);
     digest_bits("dof", quality->dof);
     digest_bits("sigma_dof", quality->sigma_dof);

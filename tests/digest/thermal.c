@@ -2,9 +2,10 @@
  *
  * A calibration for every temperature, from positions at two.
  */
+#include "../positions.h"
 #include "digest.h"
 
-#include "invcal/thermal.h"
+#include "invcal/thermal_store.h"
 
 enum { AT_ONE = 16, COUNT = 2 * AT_ONE };
 
@@ -31,7 +32,7 @@ static void thermal_results(const invcal_thermal *thermal)
     digest_reals("span", &thermal->span, 1);
     digest_reals("min", &thermal->min, 1);
     digest_reals("max", &thermal->max, 1);
-    digest_reals("x", thermal->x[0], INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS);
+    digest_reals("x", thermal->x[0], 3 * INVCAL_PARAMETERS);
     digest_bits("degree", thermal->degree);
     digest_bits("fitted", thermal->fitted);
     digest_bits("fallback", thermal->fallback);
@@ -39,7 +40,7 @@ static void thermal_results(const invcal_thermal *thermal)
 
 static void at_temperatures(const invcal_thermal *thermal)
 {
-    const invcal_thermal_positions positions = {means[0], temperature, COUNT, 0};
+    const invcal_positions *positions = POSITIONS_AT(means, temperature, COUNT, &nominal, 0);
 
     for (uint32_t celsius = 0; celsius <= 60; celsius += 20) {
         invcal_calibration calibration;
@@ -50,7 +51,7 @@ static void at_temperatures(const invcal_thermal *thermal)
         digest_bits("place", place);
         digest_calibration(&calibration, &nominal);
         digest_bits("judged",
-                    invcal_thermal_judge(&positions, NULL, thermal, (float)celsius, &quality));
+                    invcal_thermal_judge(positions, NULL, thermal, (float)celsius, &quality));
         digest_reals("sigma", quality.sigma, INVCAL_PARAMETERS);
         digest_bits("verdict", quality.verdict);
     }
@@ -60,7 +61,7 @@ static void at_temperatures(const invcal_thermal *thermal)
 static void renew(const invcal_thermal *base)
 {
     static invcal_thermal_prior prior;
-    const invcal_thermal_positions positions = {means[0], temperature, 4, 1e-3f};
+    const invcal_positions *positions = POSITIONS_AT(means, temperature, 4, &nominal, 1e-3f);
     invcal_thermal renewed;
     invcal_quality quality;
 
@@ -71,7 +72,7 @@ static void renew(const invcal_thermal *base)
     for (unsigned i = 0; i < 4; i++) {
         means[i][2] += 30;
     }
-    digest_bits("status", invcal_thermal_fit(&positions, &prior, base, 0, &renewed, &quality));
+    digest_bits("status", invcal_thermal_fit(positions, &prior, base, 0, &renewed, &quality));
     thermal_results(&renewed);
     digest_quality(&quality, &nominal);
 }
@@ -79,15 +80,18 @@ static void renew(const invcal_thermal *base)
 static void record_results(const invcal_thermal *thermal, const invcal_quality *quality)
 {
     uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE];
-    invcal_thermal_record record;
+    invcal_calibration at_reference;
+    invcal_thermal decoded;
+    invcal_record about;
 
     digest_set("record");
-    digest_bits("made", invcal_thermal_record_init(&record, thermal, quality));
-    digest_bits("encoded", invcal_thermal_record_encode(&record, bytes));
-    digest_bytes("bytes", bytes, INVCAL_THERMAL_RECORD_BYTES(thermal->degree));
-    memset(&record, 0, sizeof record);
-    digest_bits("decoded", invcal_thermal_record_decode(bytes, sizeof bytes, &record));
-    thermal_results(&record.thermal);
+    digest_bits("made", invcal_thermal_at(thermal, thermal->reference, &at_reference, NULL));
+    invcal_record_init(&about, &at_reference, quality);
+    digest_bits("encoded", invcal_thermal_encode(thermal, &about, bytes));
+    digest_bytes("bytes", bytes, 212 + 36 * (thermal->degree + 1u));
+    memset(&decoded, 0, sizeof decoded);
+    digest_bits("decoded", invcal_thermal_decode(bytes, sizeof bytes, &decoded, NULL));
+    thermal_results(&decoded);
 }
 
 void part_thermal(void)
@@ -99,7 +103,7 @@ void part_thermal(void)
     make_positions();
     digest_set("fit");
     digest_bits("status",
-                invcal_thermal_calibrate(POSITIONS_AT(means[0], temperature, COUNT, &nominal, 0),
+                invcal_thermal_calibrate(POSITIONS_AT(means, temperature, COUNT, &nominal, 0),
                                          INVCAL_THERMAL_DEGREE, &thermal, &quality));
     thermal_results(&thermal);
     digest_quality(&quality, &nominal);

@@ -7,6 +7,7 @@
 #define DRIVE_H
 
 #include "fuzz.h"
+#include "invcal/background.h"
 
 /* Until the bytes end. The background's ages, and its own way to feed, count only if there is one; its
  * session is the session then. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fuzz.h"
+#include "invcal/background.h"
 
 #include <math.h>
 #include <stdio.h>

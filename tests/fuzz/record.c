@@ -10,10 +10,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../positions.h"
 #include "bytes.h"
 #include "drive.h"
 #include "invcal/gyro_store.h"
-#include "invcal/thermal.h"
+#include "invcal/thermal_store.h"
 
 /* ---- records and sessions --------------------------------------------------------------------- */
 
@@ -49,7 +50,7 @@ static void look_at_record(const uint8_t *bytes, uint32_t size)
     require_finite(&r.condition, 1);
     require_finite(r.sigma, INVCAL_PARAMETERS);
     REQUIRE((r.verdict == INVCAL_WEAK) == (r.weak != 0) && r.verdict <= INVCAL_WEAK);
-    REQUIRE(r.weak < 1u << INVCAL_PARAMETERS && r.from_prior < 1u << INVCAL_PARAMETERS);
+    REQUIRE(r.weak < 1u << INVCAL_PARAMETERS && r.held < 1u << INVCAL_PARAMETERS);
     REQUIRE(r.temperature_known <= 1 && (r.temperature_known || r.temperature == 0));
     REQUIRE(invcal_record_encode(&r, again) == INVCAL_OK);
     REQUIRE(size >= sizeof again && memcmp(bytes, again, sizeof again) == 0);
@@ -57,22 +58,28 @@ static void look_at_record(const uint8_t *bytes, uint32_t size)
 
 static void look_at_thermal(const uint8_t *bytes, uint32_t size)
 {
+    enum { FRAME_AT = 143 }; /* not used any more: encoded as 0 */
     uint8_t again[INVCAL_THERMAL_RECORD_SIZE];
-    invcal_thermal_record r;
+    invcal_thermal t;
+    invcal_record about;
 
-    mark(&r, sizeof r);
-    if (invcal_thermal_record_decode(bytes, size, &r) != INVCAL_OK) {
-        require_mark(&r, sizeof r);
+    mark(&t, sizeof t);
+    mark(&about, sizeof about);
+    if (invcal_thermal_decode(bytes, size, &t, &about) != INVCAL_OK) {
+        require_mark(&t, sizeof t);
+        require_mark(&about, sizeof about);
         return;
     }
-    REQUIRE(r.thermal.fitted <= r.thermal.degree && r.thermal.degree < INVCAL_THERMAL_ROWS);
-    REQUIRE(r.thermal.fallback <= INVCAL_THERMAL_OPEN && r.is_triangular <= 1);
-    REQUIRE(r.thermal.span > 0 && r.thermal.min <= r.thermal.max);
-    require_regular(&r.thermal.nominal);
-    require_finite(&r.thermal.x[0][0], INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS);
-    const uint32_t length = INVCAL_THERMAL_RECORD_BYTES(r.thermal.degree);
-    REQUIRE(invcal_thermal_record_encode(&r, again) == INVCAL_OK);
-    REQUIRE(length <= size && memcmp(bytes, again, length) == 0);
+    REQUIRE(t.fitted <= t.degree && t.degree <= 2 && t.fallback <= INVCAL_THERMAL_OPEN);
+    REQUIRE(t.span > 0 && t.min <= t.max);
+    require_regular(&t.nominal);
+    require_finite(&t.x[0][0], 3 * INVCAL_PARAMETERS);
+    const uint32_t length = 212 + 36 * (t.degree + 1u);
+    const uint32_t end = length - INVCAL_CRC_SIZE;
+    REQUIRE(invcal_thermal_encode(&t, &about, again) == INVCAL_OK);
+    REQUIRE(length <= size && memcmp(bytes, again, FRAME_AT) == 0 && again[FRAME_AT] == 0);
+    REQUIRE(memcmp(bytes + FRAME_AT + 1, again + FRAME_AT + 1, end - FRAME_AT - 1) == 0);
+    REQUIRE(bytes[FRAME_AT] != 0 || memcmp(bytes + end, again + end, INVCAL_CRC_SIZE) == 0);
     look_at_record(bytes + RECORD_AT, INVCAL_RECORD_SIZE);
 }
 
@@ -196,7 +203,7 @@ static void look_at_session(const uint8_t *bytes, uint32_t size)
     (void)invcal_session_solve(&session, &calibration, &quality);
     invcal_session_next(&session, up);
     require_finite(up, 3);
-    if (invcal_bad_reading(POSITIONS_OF(session.mean[0], session.count, &session.nominal, 0)) ==
+    if (invcal_bad_reading(POSITIONS_OF(session.mean, session.count, &session.nominal, 0)) ==
         session.count) {
         source s = {bytes + length, size - length};
         drive(&session, NULL, &s);
@@ -429,9 +436,9 @@ static invcal_status save_session(flash *f, const invcal_store *store, content *
 
     memset(wish, 0, sizeof *wish);
     REQUIRE(invcal_session_init(&session, sizeof session, 1000, 50) == INVCAL_OK);
-    session.mean[0][0] = 1000;
-    session.mean[0][1] = 20;
-    session.mean[0][2] = (invcal_real)take_byte(f->s);
+    session.mean[0].v[0] = 1000;
+    session.mean[0].v[1] = 20;
+    session.mean[0].v[2] = (invcal_real)take_byte(f->s);
     session.count = 1;
     wish->size = invcal_session_size(&session);
     memcpy(wish->bytes, &session, wish->size);

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "invcal/invcal.h"
+#include "invcal/plan.h"
 
 enum { FINE = 200 }; /* parts of a step, to integrate */
 

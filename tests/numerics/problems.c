@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "support.h"
+#include "system.h"
 #include "unity.h"
 
 void setUp(void)

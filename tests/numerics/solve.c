@@ -11,7 +11,9 @@
  */
 #include <stdio.h>
 
+#include "solve.h"
 #include "support.h"
+#include "system.h"
 #include "unity.h"
 
 void setUp(void)

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "invcal/allan.h"
+#include "invcal/background.h"
 #include "invcal/expert.h"
 #include "invcal/gyro.h"
 #include "invcal/store.h"

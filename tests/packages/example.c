@@ -6,15 +6,17 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "invcal/allan.h"
 #include "invcal/expert.h"
 #include "invcal/invcal.h"
 #include "invcal/plan.h"
+#include "invcal/result.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
 
-static unsigned measure(invcal_real mean[18][3])
+static unsigned measure(invcal_vector mean[18])
 {
     unsigned n = 0;
 
@@ -23,9 +25,9 @@ static unsigned measure(invcal_real mean[18][3])
         const int square = side[0] * side[0] + side[1] * side[1] + side[2] * side[2];
         if (square == 1 || square == 2) {
             const invcal_real counts = 16384 / INVCAL_SQRT((invcal_real)square);
-            mean[n][0] = counts * (invcal_real)side[0] * INVCAL_REAL(1.01);
-            mean[n][1] = counts * (invcal_real)side[1];
-            mean[n][2] = counts * (invcal_real)side[2] + 300;
+            mean[n].v[0] = counts * (invcal_real)side[0] * INVCAL_REAL(1.01);
+            mean[n].v[1] = counts * (invcal_real)side[1];
+            mean[n].v[2] = counts * (invcal_real)side[2] + 300;
             n++;
         }
     }
@@ -36,18 +38,21 @@ int main(void)
 {
     const invcal_real zero[3] = {0, 0, 0};
     const invcal_real counts[3] = {16384, 16384, 16384};
-    invcal_real mean[18][3];
+    invcal_vector mean[18];
     invcal_real x[INVCAL_PARAMETERS];
     uint8_t bytes[INVCAL_RECORD_SIZE];
     invcal_calibration nominal, calibration;
+    invcal_positions positions;
     invcal_quality quality;
     invcal_record record;
 
-    const unsigned n = measure(mean);
     invcal_status status = invcal_nominal(zero, counts, &nominal);
+    memset(&positions, 0, sizeof positions);
+    positions.mean = mean;
+    positions.count = measure(mean);
+    positions.nominal = &nominal;
     if (status == INVCAL_OK) {
-        status =
-            invcal_calibrate_plain(POSITIONS_OF(mean[0], n, &nominal, 0), &calibration, &quality);
+        status = invcal_calibrate_plain(&positions, &calibration, &quality);
     }
     if (status == INVCAL_OK) {
         invcal_record_init(&record, &calibration, &quality);
@@ -61,11 +66,11 @@ int main(void)
         return 1;
     }
     invcal_deviation(&record.calibration, &nominal, x);
-    printf("%u positions, %s\n", n, invcal_verdict_text((invcal_verdict)quality.verdict));
+    printf("%u positions, %s\n", positions.count, invcal_verdict_text(quality.verdict));
     printf("scale error of x %.4f, offset of z %.1f\n", (double)x[INVCAL_DK_X],
            (double)record.calibration.offset[2]);
-    invcal_apply(&record.calibration, mean[0][0], mean[0][1], mean[0][2], mean[0]);
-    printf("length %.3f\n", (double)INVCAL_SQRT(mean[0][0] * mean[0][0] + mean[0][1] * mean[0][1] +
-                                                mean[0][2] * mean[0][2]));
+    invcal_real *const v = mean[0].v;
+    invcal_apply(&record.calibration, v[0], v[1], v[2], v);
+    printf("length %.3f\n", (double)INVCAL_SQRT(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
     return 0;
 }

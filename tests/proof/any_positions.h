@@ -9,23 +9,25 @@
 #include "judge.h"
 
 /* May look at any reading; raises an alarm if there are more than the mask has bits. */
-static void look_at(const invcal_positions *positions)
+static void look_at(const invcal_selection *selection)
 {
-    (void)(1 / (positions->count <= INVCAL_MAX_POSITIONS));
-    if (positions->count > 0) {
-        (void)positions->raw[BETWEEN(0, 3 * positions->count - 1)];
+    const invcal_positions *given = &selection->given;
+
+    (void)(1 / (given->count <= INVCAL_MAX_POSITIONS));
+    if (given->count > 0) {
+        (void)given->mean[BETWEEN(0, given->count - 1)].v[BETWEEN(0, 2)];
     }
-    (void)positions->nominal->matrix[2][2];
-    (void)positions->left_out;
-    (void)positions->noise;
+    (void)given->nominal->matrix[2][2];
+    (void)given->noise;
+    (void)selection->left_out;
 }
 
-invcal_status invcal_positions_calibrate(const invcal_positions *positions, invcal_calibration *out,
+invcal_status invcal_positions_calibrate(const invcal_selection *selection, invcal_calibration *out,
                                          invcal_quality *quality)
 {
     const invcal_status status = (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 
-    look_at(positions);
+    look_at(selection);
     if (status == INVCAL_OK) {
         ANY(*out);
         ANY(*quality);

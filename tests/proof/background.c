@@ -3,6 +3,7 @@
 
 #include "arbitrary.h"
 #include "guidance.h"
+#include "invcal/background.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 40 -eva-split-return full
 // stubs: session guidance
@@ -37,14 +38,12 @@ invcal_event invcal_session_feed(invcal_session *session, int32_t x, int32_t y, 
     return event;
 }
 
-void invcal_sum_readings(POSITIONS_OF(const invcal_real *raw, unsigned count,
-                                      const invcal_calibration *nominal, 0),
-                         invcal_sums *sums, invcal_real last[3])
+void invcal_sum_readings(const invcal_positions *positions, invcal_sums *sums, invcal_real last[3])
 {
-    if (count > 0) {
-        (void)raw[BETWEEN(0, 3 * count - 1)];
+    if (positions->count > 0) {
+        (void)positions->mean[BETWEEN(0, positions->count - 1)].v[BETWEEN(0, 2)];
     }
-    (void)nominal->matrix[2][2];
+    (void)positions->nominal->matrix[2][2];
     ANY(*sums);
     Frama_C_make_unknown((char *)last, 3 * sizeof *last);
 }

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include <stddef.h>
 
+#include "../positions.h"
 #include "arbitrary.h"
 #include "invcal/expert.h"
+#include "invcal/result.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
 // eva: -eva-split-return-function invcal_observe:0,invcal_positions_pass:0,invcal_positions_solve:0,invcal_factor:0,invcal_ellipsoid:0,invcal_compose:0,invcal_residuals_end:0,invcal_determine:0
@@ -12,18 +14,19 @@ enum { COUNT = 100 };
 
 void main(void)
 {
-    static invcal_real raw[3 * COUNT];
+    static invcal_vector mean[COUNT];
     invcal_calibration nominal;
     invcal_calibration out;
     invcal_quality quality;
     invcal_real noise;
 
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     ANY(noise);
     (void)invcal_coverage(BETWEEN(0, 0xFFFFFFFF));
     ANY(quality);
     (void)invcal_accuracy(&quality, noise);
-    (void)invcal_calibrate_plain(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, noise), &out,
+    (void)invcal_reaches(&quality, noise, noise, noise);
+    (void)invcal_calibrate_plain(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, noise), &out,
                                  &quality);
 }

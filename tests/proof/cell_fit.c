@@ -8,11 +8,12 @@
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
-invcal_status invcal_positions_calibrate(const invcal_positions *positions, invcal_calibration *out,
+invcal_status invcal_positions_calibrate(const invcal_selection *selection, invcal_calibration *out,
                                          invcal_quality *quality)
 {
-    for (unsigned i = 0; i < positions->count; i++) {
-        (void)(positions->raw[3 * i] + positions->raw[3 * i + 1] + positions->raw[3 * i + 2]);
+    for (unsigned i = 0; i < selection->given.count; i++) {
+        const invcal_real *mean = selection->given.mean[i].v;
+        (void)(mean[0] + mean[1] + mean[2]);
     }
     ANY(*out);
     ANY(*quality);

@@ -12,18 +12,18 @@
 /* At most as many positions as the mask has bits; nothing is known of them, or anything. */
 void main(void)
 {
-    static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+    static invcal_vector mean[INVCAL_MAX_POSITIONS];
     invcal_calibration nominal;
-    invcal_positions positions;
+    invcal_selection selection;
     invcal_quality quality;
 
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
-    ANY(positions);
+    ANY(selection);
     ANY(quality);
-    positions.raw = raw;
-    positions.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
-    positions.nominal = &nominal;
-    (void)invcal_diagnose(&positions, &nominal, NULL);
-    (void)invcal_diagnose(&positions, &nominal, &quality);
+    selection.given.mean = mean;
+    selection.given.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
+    selection.given.nominal = &nominal;
+    (void)invcal_diagnose(&selection, &nominal, NULL);
+    (void)invcal_diagnose(&selection, &nominal, &quality);
 }

@@ -8,16 +8,16 @@
 // config: -DINVCAL_FAST=1
 // config: -DINVCAL_MAX_POSITIONS=64
 
-static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+static invcal_vector mean[INVCAL_MAX_POSITIONS];
 static invcal_calibration nominal;
 
 /* Any positions, as the diagnosis passes them: at most as many as the mask has bits. */
 static void any_fit(invcal_fit *fit)
 {
     ANY(*fit);
-    fit->positions.raw = raw;
-    fit->positions.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
-    fit->positions.nominal = &nominal;
+    fit->selection.given.mean = mean;
+    fit->selection.given.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
+    fit->selection.given.nominal = &nominal;
 }
 
 static void any_solve(void)
@@ -27,7 +27,7 @@ static void any_solve(void)
     invcal_real row[INVCAL_PARAMETERS + 1];
 
     any_fit(&any);
-    fit.positions = any.positions;
+    fit.selection = any.selection;
     if (invcal_fit_solve(&fit) == INVCAL_OK) {
         invcal_fit_row(&fit, BETWEEN(0, INVCAL_MAX_POSITIONS - 1), row);
         (void)invcal_chance(&fit, fit.squares, fit.squares, 1, 0, 0);
@@ -50,7 +50,7 @@ static void any_chance(void)
 
 void main(void)
 {
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     any_solve();
     any_chance();

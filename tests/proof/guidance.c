@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../positions.h"
 #include "guidance.h"
 
 #include <stddef.h>
@@ -11,20 +12,20 @@ enum { COUNT = 100 };
 
 void main(void)
 {
-    static invcal_real raw[3 * COUNT];
+    static invcal_vector mean[COUNT];
     invcal_calibration nominal;
     invcal_sums sums;
     invcal_real up[3];
     invcal_real next[3];
     invcal_real root[INVCAL_PARAMETERS];
 
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     ANY(up);
     invcal_next(POSITIONS_OF(NULL, 0, &nominal, 0), next);
-    invcal_next(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, 0), next);
+    invcal_next(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, 0), next);
     invcal_prospect(POSITIONS_OF(NULL, 0, &nominal, 0), NULL, root);
-    invcal_prospect(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, 0), up, root);
+    invcal_prospect(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, 0), up, root);
     ANY(sums);
     invcal_next_of_sums(&sums, up, next);
     ANY(sums);

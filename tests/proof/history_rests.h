@@ -4,6 +4,7 @@
 
 #include "history.h"
 #include "invcal/expert.h"
+#include "rests.h"
 
 #define LEVEL_MAX 16383
 

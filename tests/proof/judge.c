@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../positions.h"
 #include "judge.h"
 
 #include <stddef.h>
@@ -12,7 +13,7 @@
 
 enum { COUNT = 100 };
 
-static invcal_real raw[3 * COUNT];
+static invcal_vector mean[COUNT];
 static invcal_calibration nominal;
 static invcal_real a[3][3];
 
@@ -28,26 +29,26 @@ static void read(const invcal_quality *q)
 
 static void any_passes(void)
 {
-    invcal_positions positions;
+    invcal_selection selection;
     invcal_sums sums;
     invcal_calibration out;
     invcal_quality quality;
 
-    ANY(positions);
-    positions.raw = raw;
-    positions.nominal = &nominal;
-    (void)invcal_positions_check(&positions);
-    positions.count = BETWEEN(0, COUNT);
-    if (invcal_positions_calibrate(&positions, &out, &quality) == INVCAL_OK) {
+    ANY(selection);
+    selection.given.mean = mean;
+    selection.given.nominal = &nominal;
+    (void)invcal_positions_check(&selection.given);
+    selection.given.count = BETWEEN(0, COUNT);
+    if (invcal_positions_calibrate(&selection, &out, &quality) == INVCAL_OK) {
         read(&quality);
     }
-    (void)invcal_positions_sum(&positions, &sums);
-    if (invcal_positions_solve(&positions, &sums, &quality) == INVCAL_OK) {
+    (void)invcal_positions_sum(&selection, &sums);
+    if (invcal_positions_solve(&selection, &sums, &quality) == INVCAL_OK) {
         (void)quality.sigma[BETWEEN(0, INVCAL_PARAMETERS - 1)];
         (void)quality.condition;
     }
     ANY(out);
-    if (invcal_positions_pass(&positions, &out, (const invcal_real(*)[3])a, &sums, &quality) ==
+    if (invcal_positions_pass(&selection, &out, (const invcal_real(*)[3])a, &sums, &quality) ==
         INVCAL_OK) {
         read(&quality);
     }
@@ -70,7 +71,7 @@ static void any_steps(void)
     ANY(silent);
     invcal_residuals_add(&q, BETWEEN(0, 0xFFFFFFFF), &row);
     (void)invcal_residuals_end(&q);
-    (void)invcal_gradient((const invcal_real(*)[3])a, raw, g);
+    (void)invcal_gradient((const invcal_real(*)[3])a, mean[0].v, g);
     const invcal_real dof = (invcal_real)Frama_C_double_interval(-1e30, 1e30);
     invcal_judge_noise(x, y, dof, silent, &q);
     invcal_weigh_noise(x, y, &q);
@@ -96,15 +97,15 @@ static void any_calibrate(void)
     ANY(left_out);
     ANY(noise);
     (void)invcal_positions_calibrate(SELECTION(NULL, 0, left_out, &nominal, noise), &out, &quality);
-    (void)invcal_positions_calibrate(SELECTION(raw, BETWEEN(1, COUNT), left_out, &nominal, noise),
+    (void)invcal_positions_calibrate(SELECTION(mean, BETWEEN(1, COUNT), left_out, &nominal, noise),
                                      &out, &quality);
-    (void)invcal_positions_calibrate(SELECTION(raw, BETWEEN(1, COUNT), left_out, &nominal, noise),
+    (void)invcal_positions_calibrate(SELECTION(mean, BETWEEN(1, COUNT), left_out, &nominal, noise),
                                      &nominal, &quality);
 }
 
 void main(void)
 {
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     ANY(a);
     any_passes();

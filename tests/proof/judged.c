@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <stddef.h>
 
+#include "../positions.h"
 #include "any_positions.h"
 #include "diagnosis.h"
 
@@ -11,12 +12,12 @@
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
-invcal_set invcal_diagnose(const invcal_positions *positions, const invcal_calibration *c,
+invcal_set invcal_diagnose(const invcal_selection *selection, const invcal_calibration *c,
                            invcal_quality *q)
 {
     invcal_set more;
 
-    look_at(positions);
+    look_at(selection);
     (void)c->matrix[2][2];
     if (q != NULL) {
         (void)q->verdict;
@@ -30,21 +31,21 @@ invcal_set invcal_diagnose(const invcal_positions *positions, const invcal_calib
 
 void main(void)
 {
-    static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+    static invcal_vector mean[INVCAL_MAX_POSITIONS];
     invcal_calibration nominal;
     invcal_real noise;
     invcal_calibration out;
     invcal_quality quality;
 
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     ANY(noise);
     (void)invcal_calibrate(POSITIONS_OF(NULL, 0, &nominal, noise), &out, &quality);
-    (void)invcal_calibrate(POSITIONS_OF(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise),
+    (void)invcal_calibrate(POSITIONS_OF(mean, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise),
                            &out, &quality);
     (void)invcal_calibrate(
-        POSITIONS_OF(raw, BETWEEN(INVCAL_MAX_POSITIONS + 1, 0xFFFFFFFF), &nominal, noise), &out,
+        POSITIONS_OF(mean, BETWEEN(INVCAL_MAX_POSITIONS + 1, 0xFFFFFFFF), &nominal, noise), &out,
         &quality);
-    (void)invcal_calibrate(POSITIONS_OF(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise),
+    (void)invcal_calibrate(POSITIONS_OF(mean, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise),
                            &nominal, &quality);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
+#include "invcal/positions.h"
 #include "solve.h"
 
 void main(void)

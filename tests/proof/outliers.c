@@ -10,20 +10,20 @@
 /* In any fit of at most as many positions as the mask has bits. */
 void main(void)
 {
-    static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+    static invcal_vector mean[INVCAL_MAX_POSITIONS];
     invcal_calibration nominal;
     invcal_fit fit;
     invcal_group found;
 
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     ANY(fit);
-    fit.positions.raw = raw;
-    fit.positions.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
-    fit.positions.nominal = &nominal;
+    fit.selection.given.mean = mean;
+    fit.selection.given.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
+    fit.selection.given.nominal = &nominal;
     invcal_outliers_search(&fit, &found);
     (void)found.group; /* initialised, whatever was found */
     (void)found.suspected;
     (void)found.chance;
-    (void)invcal_are_many(found.group, fit.positions.count);
+    (void)invcal_are_many(found.group, fit.selection.given.count);
 }

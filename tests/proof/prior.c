@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include <stddef.h>
 
+#include "../positions.h"
 #include "arbitrary.h"
 #include "invcal/expert.h"
+#include "invcal/result.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
 // eva: -eva-split-return-function check_prior:0,calibrate:0,calibrate_twice:0,solve_with:0,factor_with:0,judge_with:0,invcal_observe:0,invcal_positions_pass:0,invcal_factor:0,invcal_ellipsoid:0,invcal_compose:0,invcal_residuals_end:0
@@ -12,27 +14,22 @@ enum { COUNT = 100 };
 
 void main(void)
 {
-    static invcal_real raw[3 * COUNT];
+    static invcal_vector mean[COUNT];
     invcal_calibration nominal;
     invcal_real prior[INVCAL_PARAMETERS];
     invcal_calibration out;
     invcal_quality quality;
     invcal_real noise;
-    uint16_t from_prior;
     invcal_real gamma;
 
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     ANY(prior);
     ANY(noise);
     ANY(gamma);
-    (void)invcal_calibrate_prior(POSITIONS_OF(NULL, 0, &nominal, noise), prior, &out,
-                                 &quality) /*HELD &from_prior*/;
-    (void)invcal_calibrate_prior(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, noise), prior, &out,
-                                 &quality) /*HELD &from_prior*/;
-    (void)invcal_calibrate_faces(POSITIONS_OF(raw, BETWEEN(1, COUNT), &nominal, noise), gamma, &out,
-                                 &quality) /*HELD &from_prior*/;
-    ANY(quality);
-    ANY(from_prior);
-    (void)invcal_accuracy(&quality, gamma) /*HELD from_prior*/;
+    (void)invcal_calibrate_prior(POSITIONS_OF(NULL, 0, &nominal, noise), prior, &out, &quality);
+    (void)invcal_calibrate_prior(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, noise), prior,
+                                 &out, &quality);
+    (void)invcal_calibrate_faces(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, noise), gamma,
+                                 &out, &quality);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <stddef.h>
 
+#include "../positions.h"
 #include "arbitrary.h"
 #include "invcal/expert.h"
 
@@ -10,15 +11,15 @@ enum { COUNT = 100 };
 
 void main(void)
 {
-    static invcal_real raw[3 * COUNT];
+    static invcal_vector mean[COUNT];
     invcal_calibration nominal;
     unsigned count;
 
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     count = BETWEEN(1, COUNT);
     (void)invcal_bad_reading(POSITIONS_OF(NULL, 0, &nominal, 0));
-    (void)invcal_bad_reading(POSITIONS_OF(&raw[0], count, &nominal, 0));
+    (void)invcal_bad_reading(POSITIONS_OF(mean, count, &nominal, 0));
     (void)invcal_undetermined(POSITIONS_OF(NULL, 0, &nominal, 0));
-    (void)invcal_undetermined(POSITIONS_OF(&raw[0], count, &nominal, 0));
+    (void)invcal_undetermined(POSITIONS_OF(mean, count, &nominal, 0));
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
+#include "invcal/background.h"
 #include "invcal/expert.h"
+#include "solve.h"
 
 // eva: -eva-auto-loop-unroll 12 -eva-slevel 50
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <stddef.h>
 
+#include "../positions.h"
 #include "any_positions.h"
 #include "outliers.h"
 
@@ -13,7 +14,7 @@
 
 invcal_status invcal_fit_solve(invcal_fit *fit)
 {
-    look_at(&fit->positions);
+    look_at(&fit->selection);
     ANY(fit->squares);
     ANY(fit->sums);
     return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
@@ -21,7 +22,7 @@ invcal_status invcal_fit_solve(invcal_fit *fit)
 
 void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
 {
-    look_at(&fit->positions);
+    look_at(&fit->selection);
     ANY(*found);
 }
 
@@ -29,21 +30,21 @@ void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
 
 void main(void)
 {
-    static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+    static invcal_vector mean[INVCAL_MAX_POSITIONS];
     invcal_calibration nominal;
     invcal_real noise;
     invcal_calibration out;
     invcal_quality quality;
 
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     ANY(noise);
     (void)invcal_calibrate_robust(POSITIONS_OF(NULL, 0, &nominal, noise), &out, &quality);
     (void)invcal_calibrate_robust(
-        POSITIONS_OF(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise), &out, &quality);
+        POSITIONS_OF(mean, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise), &out, &quality);
     (void)invcal_calibrate_robust(
-        POSITIONS_OF(raw, BETWEEN(INVCAL_MAX_POSITIONS + 1, 0xFFFFFFFF), &nominal, noise), &out,
+        POSITIONS_OF(mean, BETWEEN(INVCAL_MAX_POSITIONS + 1, 0xFFFFFFFF), &nominal, noise), &out,
         &quality);
     (void)invcal_calibrate_robust(
-        POSITIONS_OF(raw, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise), &nominal, &quality);
+        POSITIONS_OF(mean, BETWEEN(1, INVCAL_MAX_POSITIONS), &nominal, noise), &nominal, &quality);
 }

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "invcal/result.h"
 #include "texts.h"
 
 #include "arbitrary.h"

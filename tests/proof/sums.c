@@ -40,10 +40,10 @@ void main(void)
     ANY(raw);
     ANY(weight);
     (void)invcal_observe(&nominal, raw, &row);
-    (void)invcal_sums_add(&sums, &nominal, raw, 1);
+    (void)invcal_sums_add(&sums, &nominal, raw, weight);
     ANY(sums);
     ANY(row);
-    (void)invcal_sums_add(&sums, &nominal, raw, 1);
+    (void)invcal_sums_add(&sums, &nominal, raw, weight);
     invcal_sums_add_row(&sums, &row, weight);
     ANY(h);
     invcal_products(raw, h);

@@ -10,17 +10,17 @@
 /* In any fit of at most as many positions as the mask has bits; of any kind, at any step. */
 void main(void)
 {
-    static invcal_real raw[3 * INVCAL_MAX_POSITIONS];
+    static invcal_vector mean[INVCAL_MAX_POSITIONS];
     invcal_calibration nominal;
     invcal_fit fit;
     invcal_test test;
 
-    ANY(raw);
+    ANY(mean);
     ANY(nominal);
     ANY(fit);
-    fit.positions.raw = raw;
-    fit.positions.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
-    fit.positions.nominal = &nominal;
+    fit.selection.given.mean = mean;
+    fit.selection.given.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
+    fit.selection.given.nominal = &nominal;
     invcal_test_for(&fit, BETWEEN(0, 0xFFFFFFFF), BETWEEN(0, 0xFFFFFFFF), &test);
     (void)test.rank; /* all of it is initialised */
     (void)test.squares;

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+
 #include "arbitrary.h"
 #include "polynomials.h"
 
@@ -21,6 +23,7 @@ void main(void)
     ANY(temperature);
     ANY(c);
     (void)invcal_thermal_at(&thermal, temperature, &out, &place);
+    (void)invcal_thermal_at(&thermal, temperature, &out, NULL);
     (void)invcal_thermal_find(&thermal, temperature, &t, &place);
     (void)invcal_thermal_triad(&thermal, temperature, &triad);
     (void)invcal_thermal_scaled(&thermal, temperature);

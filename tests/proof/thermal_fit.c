@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <stddef.h>
 
+#include "../positions.h"
 #include "arbitrary.h"
 #include "judge.h"
 #include "polynomials.h"
@@ -206,25 +207,15 @@ void invcal_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
 
 enum { COUNT = 100 };
 
-static invcal_real raw[3 * COUNT];
+static invcal_vector mean[COUNT];
 static invcal_real temperature[COUNT];
 
 static void any_look(void)
 {
-    invcal_calibration nominal;
     invcal_thermal_fallback fallback;
-    invcal_real noise;
-    invcal_real slope;
-    invcal_thermal out;
 
-    ANY(nominal);
     ANY(fallback);
-    ANY(noise);
-    ANY(slope);
     (void)invcal_thermal_fallback_text(fallback);
-    (void)invcal_thermal_drift_limit(noise, slope);
-    (void)invcal_thermal_start(&nominal, NULL, 0, &out);
-    (void)invcal_thermal_start(&nominal, temperature, BETWEEN(1, COUNT), &out);
 }
 
 static void any_calibrate(void)
@@ -239,34 +230,39 @@ static void any_calibrate(void)
     (void)invcal_thermal_calibrate(POSITIONS_AT(NULL, NULL, 0, &nominal, noise),
                                    INVCAL_THERMAL_DEGREE, &out, &quality);
     (void)invcal_thermal_calibrate(
-        POSITIONS_AT(raw, temperature, BETWEEN(1, COUNT), &nominal, noise), INVCAL_THERMAL_DEGREE,
+        POSITIONS_AT(mean, temperature, BETWEEN(1, COUNT), &nominal, noise), INVCAL_THERMAL_DEGREE,
         &out, &quality);
 }
 
 /* From a base with that many coefficients fitted. */
 static void any_fit(const invcal_thermal_prior *prior, unsigned fitted)
 {
-    invcal_thermal_positions positions = {raw, temperature, BETWEEN(0, COUNT), 0};
+    invcal_calibration nominal;
+    invcal_positions positions = {mean, BETWEEN(0, COUNT), &nominal, 0, temperature};
     invcal_thermal base;
     invcal_thermal out;
     invcal_quality quality;
     invcal_real at;
 
+    ANY(nominal);
     ANY(positions.noise);
     ANY(base);
     ANY(at);
     base.fitted = (uint8_t)fitted;
     for (unsigned degree = 0; degree <= INVCAL_THERMAL_DEGREE + 1; degree++) {
         (void)invcal_thermal_fit(&positions, prior, &base, degree, &out, &quality);
+        (void)invcal_thermal_fit(&positions, prior, NULL, degree, &out, &quality);
     }
     (void)invcal_thermal_judge(&positions, prior, &base, at, &quality);
+    positions.temperature = NULL;
+    (void)invcal_thermal_fit(&positions, prior, &base, 0, &out, &quality);
 }
 
 void main(void)
 {
     invcal_thermal_prior prior;
 
-    ANY(raw);
+    ANY(mean);
     ANY(temperature);
     ANY(prior);
     any_look();

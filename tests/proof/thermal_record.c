@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
+#include <stddef.h>
+
 #include "arbitrary.h"
-#include "invcal/thermal.h"
-#include "solve.h"
+#include "invcal/thermal_store.h"
+#include "polynomials.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcal_crc32:0 -eva-split-return full
-// stubs: record solve nominal
+// stubs: record solve nominal store
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
@@ -55,9 +57,28 @@ invcal_status invcal_nominal_check(const invcal_calibration *nominal)
     return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
+invcal_status invcal_store_save(const invcal_store *s, const uint8_t *bytes, uint32_t size)
+{
+    (void)s->slot_size;
+    (void)bytes[size - 1];
+    return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_IO;
+}
+
+invcal_status invcal_store_load(const invcal_store *s, uint8_t *bytes, uint32_t capacity,
+                                uint32_t *size)
+{
+    (void)s->slot_size;
+    Frama_C_make_unknown((char *)bytes, capacity);
+    if (BETWEEN(0, 1)) {
+        *size = (uint32_t)BETWEEN(1, (int)capacity);
+        return INVCAL_OK;
+    }
+    return INVCAL_NO_RECORD;
+}
+
 /* ---- the record ------------------------------------------------------------------------------- */
 
-enum { LARGEST = INVCAL_THERMAL_RECORD_BYTES(255u), DEGREE_AT = 4 + INVCAL_RECORD_SIZE };
+enum { LARGEST = 212 + 36 * 256, DEGREE_AT = 4 + INVCAL_RECORD_SIZE };
 
 /* From a buffer of exactly that many bytes, which state a length (its lower byte from
  * range[0] to range[1], its upper one from range[2] to range[3]) and a degree from least to most. */
@@ -65,7 +86,8 @@ static void decode(uint32_t size, const unsigned range[4], unsigned least, unsig
 {
     static uint8_t buffer[LARGEST + 1];
     uint8_t *bytes = &buffer[sizeof buffer - size];
-    invcal_thermal_record record;
+    invcal_thermal out;
+    invcal_record about;
 
     ANY(buffer);
     if (size > DEGREE_AT) {
@@ -75,7 +97,7 @@ static void decode(uint32_t size, const unsigned range[4], unsigned least, unsig
         bytes[2] = (uint8_t)BETWEEN(range[0], range[1]);
         bytes[3] = (uint8_t)BETWEEN(range[2], range[3]);
     }
-    (void)invcal_thermal_record_decode(bytes, size, &record);
+    (void)invcal_thermal_decode(bytes, size, &out, BETWEEN(0, 1) ? &about : NULL);
 }
 
 /* The same for all lengths of a range below 512; lengths that fit the buffer separately from the others. */
@@ -96,14 +118,14 @@ static void decode_all(uint32_t size)
 {
     unsigned next = 0;
 
-    for (unsigned degree = 0; degree < INVCAL_THERMAL_ROWS; degree++) {
-        const unsigned length = INVCAL_THERMAL_RECORD_BYTES(degree);
+    for (unsigned degree = 0; degree < INVCAL_ROWS; degree++) {
+        const unsigned length = 212 + 36 * (degree + 1);
         const unsigned exact[4] = {length % 256, length % 256, length / 256, length / 256};
         decode_lengths(size, next, length - 1);
-        for (unsigned stated = 0; stated < INVCAL_THERMAL_ROWS; stated++) {
+        for (unsigned stated = 0; stated < INVCAL_ROWS; stated++) {
             decode(size, exact, stated, stated);
         }
-        decode(size, exact, INVCAL_THERMAL_ROWS, 255);
+        decode(size, exact, INVCAL_ROWS, 255);
         next = length + 1;
     }
     decode_lengths(size, next, 511);
@@ -124,30 +146,28 @@ static void decode_any(void)
 static void encode(unsigned least, unsigned most)
 {
     uint8_t bytes[INVCAL_THERMAL_RECORD_SIZE];
-    invcal_thermal_record record;
-
-    ANY(record);
-    record.thermal.degree = (uint8_t)BETWEEN(least, most);
-    (void)invcal_thermal_record_encode(&record, bytes);
-}
-
-static void init(void)
-{
+    const invcal_store store = {NULL, NULL, NULL, NULL, 0, 0};
     invcal_thermal thermal;
+    invcal_record about;
     invcal_quality quality;
-    invcal_thermal_record record;
 
     ANY(thermal);
+    ANY(about);
     ANY(quality);
-    (void)invcal_thermal_record_init(&record, &thermal, &quality);
+    thermal.degree = (uint8_t)BETWEEN(least, most);
+    (void)invcal_thermal_encode(&thermal, &about, bytes);
+    (void)invcal_thermal_save(&thermal, &quality, &store);
 }
 
 void main(void)
 {
+    const invcal_store store = {NULL, NULL, NULL, NULL, 0, 0};
+    invcal_thermal out;
+
     decode_any();
-    for (unsigned degree = 0; degree < INVCAL_THERMAL_ROWS; degree++) {
+    for (unsigned degree = 0; degree < INVCAL_ROWS; degree++) {
         encode(degree, degree);
     }
-    encode(INVCAL_THERMAL_ROWS, 255);
-    init();
+    encode(INVCAL_ROWS, 255);
+    (void)invcal_thermal_load(&out, &store);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
 #include "invcal/invcal.h"
+#include "invcal/plan.h"
 
 // eva: -eva-auto-loop-unroll 32 -eva-slevel 2000
 // trusted: 1

@@ -24,6 +24,9 @@ enum { ACCELEROMETER = 1, GYRO = 2 };
 static double rate[3], force[3]; /* of this step */
 static int is_read = ACCELEROMETER | GYRO;
 static unsigned moving; /* steps of the present move; 0: at rest */
+enum { COLD = 5, USUAL = 25, WARM = 45 };
+static double temperature = USUAL;
+static int has_thermometer; /* which the program reads */
 
 static void step(void)
 {
@@ -55,14 +58,29 @@ static void read_sensor(int which, const double v[3], const double gain[3][3],
     }
 }
 
+/* Offsets, and the scale of x, follow the temperature: 1 mg/K and 2e-4/K. */
 void board_read(int16_t v[3])
 {
-    static const double gain[3][3] = {{1.02 * COUNTS, 0.004 * COUNTS, -0.006 * COUNTS},
-                                      {0.004 * COUNTS, 0.985 * COUNTS, 0.01 * COUNTS},
-                                      {-0.006 * COUNTS, 0.01 * COUNTS, 1.01 * COUNTS}};
-    static const double offset[3] = {490, -820, 330};
+    const double t = temperature - USUAL;
+    const double gain[3][3] = {{(1.02 + 2e-4 * t) * COUNTS, 0.004 * COUNTS, -0.006 * COUNTS},
+                               {0.004 * COUNTS, 0.985 * COUNTS, 0.01 * COUNTS},
+                               {-0.006 * COUNTS, 0.01 * COUNTS, 1.01 * COUNTS}};
+    const double offset[3] = {490 + 16.4 * t, -820 - 8.2 * t, 330};
 
     read_sensor(ACCELEROMETER, force, gain, offset, 8, v);
+}
+
+/* To the nearest 1/16 K. */
+invcal_real board_temperature(void)
+{
+    has_thermometer = 1;
+    return (invcal_real)(floor(16 * temperature + 0.5) / 16);
+}
+
+void board_await(const char *climate)
+{
+    puts(climate);
+    temperature = strcmp(climate, "cold") == 0 ? COLD : WARM;
 }
 
 void board_read_gyro(int16_t v[3])
@@ -96,7 +114,7 @@ static void note_length(const invcal_real g[3], double *worst)
     }
 }
 
-/* Where the device is, and then along each axis. */
+/* Where the device is, and then along each axis; and, if it has a thermometer, at another temperature. */
 void board_use(const invcal_real g[3])
 {
     static const char *const axes[] = {"+x up", "+y up", "+z up", NULL};
@@ -113,6 +131,9 @@ void board_use(const invcal_real g[3])
         exit(worst < 0.003 ? 0 : 1);
     }
     (void)hand_reads(axes[axis++], HAND_TURN);
+    if (has_thermometer) {
+        temperature = COLD + 10.0 * axis;
+    }
 }
 
 /* The gyroscope alone turns the up direction from before a turn; after it, the accelerometer must agree. */

@@ -111,9 +111,9 @@ int main(void)
     report("invcal_session_solve", MEASURE(invcal_session_solve(&session, &calibration, &quality)));
     report("invcal_session_next", MEASURE((invcal_session_next(&session, up), 0)));
     for (unsigned i = 0; i < session.count; i++) {
-        (void)invcal_sums_add(&sums, &session.nominal, session.mean[i], 1);
+        (void)invcal_sums_add(&sums, &session.nominal, session.mean[i].v, 1);
     }
-    report("invcal_solve", MEASURE(invcal_sums_solve(&sums, &session.nominal, &calibration)));
+    report("invcal_sums_solve", MEASURE(invcal_sums_solve(&sums, &session.nominal, &calibration)));
     report_text("OK\n");
     return 0;
 }

@@ -9,7 +9,7 @@ HEADERS := $(notdir $(wildcard include/invcal/*.h))
 
 # Programs without start-up code, made only of library functions: what a device needs for offset and matrix; the
 # same with every sigma and the verdict; what the program of README.md calls; that with the gyroscope; everything.
-$(OUT)/core.elf:    WANTED = invcal_sums_init invcal_sums_add invcal_solve invcal_apply
+$(OUT)/core.elf:    WANTED = invcal_sums_init invcal_sums_add invcal_sums_solve invcal_apply
 $(OUT)/judged.elf:  WANTED = invcal_calibrate_plain invcal_apply
 $(OUT)/product.elf: WANTED = $(shell $(subst gcc,nm,$(CC)) -u $(OUT)/program.o | sed -n 's/.* invcal_/invcal_/p')
 $(OUT)/imu.elf:     WANTED = $(shell $(subst gcc,nm,$(CC)) -u $(OUT)/program.o | sed -n 's/.* invcal_/invcal_/p') \

@@ -2,13 +2,16 @@
  *
  * The sizes of the structures that firmware keeps, for nm: an array as large as each.
  */
+#include "full_vector.h"
 #include "invcal/allan.h"
+#include "invcal/background.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
-#include "invcal/magnetometer.h"
 #include "invcal/gyro.h"
+#include "invcal/magnetometer.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
+#include "sums.h"
 
 #define SIZE_OF(name)                                                                              \
     extern char size_of_##name[sizeof(name)];                                                      \
@@ -21,9 +24,8 @@ SIZE_OF(invcal_frame);
 SIZE_OF(invcal_imu);
 SIZE_OF(invcal_imu_result);
 SIZE_OF(invcal_private_moves);
-SIZE_OF(invcal_full_vector);
 SIZE_OF(invcal_quality);
-SIZE_OF(invcal_rests);
+SIZE_OF(invcal_private_rests);
 SIZE_OF(invcal_session);
 SIZE_OF(invcal_background);
 SIZE_OF(invcal_record);
@@ -32,4 +34,3 @@ SIZE_OF(invcal_noise);
 SIZE_OF(invcal_magnetometer);
 SIZE_OF(invcal_dip);
 SIZE_OF(invcal_thermal);
-SIZE_OF(invcal_thermal_record);

@@ -74,7 +74,7 @@ fault "an offset that steps half-way" 0 '^Rough: the positions disagree by [0-9]
     'half { $2 += 200 }'
 fault "one sample of 1,000 at a rail" 0 '^Good: ' 'NR % 1000 == 500 { $2 = -32768 }'
 right "one sample of 1,000 at a rail" 1.5
-fault "a quarter of the samples half-way" 0 '^ +[0-9]+ rests? refused: too short: hold it still' \
+fault "a quarter of the samples half-way" 0 '^ +[0-9]+ rests? refused: too short: hold still' \
     'half && NR % 4 { next }'
 check "fault: a quarter of the samples half-way: not called good" matches "$work/said" \
     '^No redundancy: '
@@ -82,7 +82,7 @@ check "fault: a quarter of the samples half-way: not called good" matches "$work
 # ---- the fixture, and the hand -----------------------------------------------------------------------
 
 # 0.5 degrees a second in two rests.
-fault "rests in a slow turn" 0 '^ +[234] rests refused: drifts: turned slowly or not settled' \
+fault "rests in a slow turn" 0 '^ +[234] rests refused: drifts: turning or settling' \
     '$1 > 14 && $1 < 20 { $2 += 140 * ($1 - 14) } $1 > 35 && $1 < 41 { $3 += 140 * ($1 - 35) }'
 right "rests in a slow turn" 1.5
 # The case rocks by 0.06 rad at 17 Hz about z: cos has the mean 1 - 0.06^2 / 4, by which x and y read less.

@@ -231,7 +231,7 @@ check "watch: a mean that is good enough soon is taken" \
     test "$(grep -c '^position .* taken' "$work/stdout")" -eq 18
 run watch - --mean-sigma 0.0001
 check "watch: one that needs longer is refused" matches "$work/stdout" \
-    '^refused: too short: hold it still longer'
+    '^refused: too short: hold still longer'
 check "watch: and none is taken" lacks "$work/stdout" '^position .* taken'
 # With measured noise: white noise N needs (N / sigma)^2, the worst axis decides.
 noise() { # noise WHITE_OF_Z INSTABILITY_OF_X: m/s^2/sqrt(Hz), m/s^2

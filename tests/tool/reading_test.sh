@@ -242,7 +242,7 @@ run calibrate "$work/log.csv"
 check "too few: how many" was_refused 1 'log\.csv: [34] positions are too few: 9 are needed, 12 or more are good; found: '
 check "too few: where the rests were, and how long" says \
     'found: line [0-9]+, 0\.[0-9]* to 4\.[0-9]* s \(4\.[0-9]* s\); line 7[0-9]+, 7\.[0-9]* to 11\.[0-9]* s \(4\.[0-9]* s\);'
-check "too few: what was refused, why and where" says '; refused 1: too short: samples were lost \(near line 15[0-9][0-9]\)'
+check "too few: what was refused, why and where" says '; refused 1: too short: samples lost \(near line 15[0-9][0-9]\)'
 check "too few: what to do" says '; hold each position still for 3 s or longer$'
 run calibrate "$work/log.csv" --json
 check "too few: the JSON says the same" matches "$work/stdout" '"reason": "[34] positions are too few.*; found: line '

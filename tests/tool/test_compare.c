@@ -11,6 +11,8 @@
 
 #include "maths/matrix.h"
 #include "support.h"
+#include "invcal/result.h"
+#include "solve.h"
 #include "unity.h"
 
 enum { TRIALS = 4000 };

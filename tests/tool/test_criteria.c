@@ -6,7 +6,9 @@
 #include "design/criteria.h"
 #include "expected.h"
 #include "invcal/plan.h"
+#include "invcal/positions.h"
 #include "support.h"
+#include "system.h"
 #include "unity.h"
 
 /* Slow machines may take fewer; the bounds follow. */
@@ -107,9 +109,11 @@ static unsigned open_in(const double v[][3], unsigned count)
 {
     const invcal_sums design = design_of(v, count);
     const invcal_calibration unit = unit_nominal();
+    const invcal_positions given = {
+        .mean = (const invcal_vector *)v, .count = count, .nominal = &unit};
 
     assert_undetermined(&design);
-    return invcal_undetermined(POSITIONS_OF(v[0], count, &unit, 0));
+    return invcal_undetermined(&given);
 }
 
 static void turn_all(random_source *random, double v[][3], unsigned count)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "read/rests.h"
+#include "read/log_rests.h"
 
 #include "unity.h"
 

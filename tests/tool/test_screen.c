@@ -390,7 +390,7 @@ static void the_target_is_marked_on_the_bar(void)
 static void the_verdict_so_far_is_shown(void)
 {
     const struct {
-        unsigned verdict;
+        invcal_verdict verdict;
         const char *words;
     } verdict[] = {{INVCAL_GOOD, "so far    Good so far; take a few more positions to confirm it"},
                    {INVCAL_NO_REDUNDANCY, "so far    No redundancy: "},
@@ -413,7 +413,7 @@ static void the_verdict_so_far_is_shown(void)
                              line_text(21));
     for (unsigned n = 0; n < 6; n++) {
         know(1, 1, 1);
-        now.quality.verdict = (uint8_t)verdict[n].verdict;
+        now.quality.verdict = verdict[n].verdict;
         draw();
         TEST_ASSERT_TRUE(says(verdict[n].words));
         TEST_ASSERT_FALSE(says("you may stop"));

@@ -5,6 +5,7 @@
 
 #include "expected.h"
 #include "design/series.h"
+#include "sums.h"
 #include "support.h"
 #include "unity.h"
 

@@ -11,6 +11,7 @@
 #include "maths/angles.h"
 #include "cli/command.h"
 #include "expected.h"
+#include "invcal/expert.h"
 #include "support.h"
 #include "unity.h"
 

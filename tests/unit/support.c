@@ -5,6 +5,8 @@
 #include <float.h>
 #include <math.h>
 
+#include "invcal/positions.h"
+#include "system.h"
 #include "unity.h"
 
 static const double TURN = 6.283185307179586;
@@ -212,9 +214,12 @@ invcal_status calibrate_set(const reading_set *set, double noise, invcal_calibra
 {
     const invcal_calibration nominal = unit_nominal();
 
-    return invcal_calibrate_plain(
-        POSITIONS_OF(&set->u[0][0], set->count, &nominal, (invcal_real)noise), calibration,
-        quality);
+    const invcal_positions given = {.mean = (const invcal_vector *)set->u,
+                                    .count = set->count,
+                                    .nominal = &nominal,
+                                    .noise = (invcal_real)noise};
+
+    return invcal_calibrate_plain(&given, calibration, quality);
 }
 
 double calibrated_length(const invcal_calibration *calibration, const triad_truth *truth,

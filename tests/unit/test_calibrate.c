@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "expected.h"
+#include "judge.h"
 #include "positions.h"
+#include "solve.h"
 #include "support.h"
 #include "unity.h"
 

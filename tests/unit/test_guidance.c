@@ -3,7 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "guidance.h"
 #include "invcal/expert.h"
+#include "invcal/plan.h"
 #include "support.h"
 #include "unity.h"
 

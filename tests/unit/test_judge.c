@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "expected.h"
+#include "invcal/result.h"
+#include "judge.h"
 #include "support.h"
 #include "unity.h"
 
@@ -518,6 +520,57 @@ static void accuracy_is_the_error_of_lengths(void)
     }
 }
 
+/* Student's t of 3 degrees of freedom for what was measured, the normal quantile for what was
+ * stated: of parameters and field. */
+static void what_is_held_counts_as_stated(void)
+{
+    for (unsigned held = 0; held < 512; held += 37) {
+        invcal_quality q = {.sigma_dof = 3, .held = (uint16_t)held};
+        double square = pow(1.959964 * 0.0027, 2);
+        for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+            const double sigma = 1e-3 * (r + 1);
+            const double wide = held >> r & 1u ? 1.959964 : 3.18245;
+            q.sigma[r] = (invcal_real)sigma;
+            square += pow(wide * sigma, 2) * (r < 3 ? 1. / 3 : r < 6 ? 1. / 5 : 1. / 15);
+        }
+        TEST_ASSERT_DOUBLE_WITHIN(2e-3 * sqrt(square), sqrt(square),
+                                  (double)invcal_accuracy(&q, INVCAL_REAL(0.0027)));
+    }
+}
+
+/* Nine degrees of freedom: Student's t is 2.2622 where the normal distribution has 1.9600. */
+static void a_target_is_reached_when_every_sigma_is_within_it(void)
+{
+    invcal_quality good = {.verdict = INVCAL_GOOD, .sigma_dof = 9};
+    double target[3] = {1, 2, 3};
+
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        good.sigma[r] = (invcal_real)(target[r / 3] / 1.155);
+    }
+    TEST_ASSERT_EQUAL_INT(1, invcal_reaches(&good, 1, 2, 3));
+    for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
+        const double bad[] = {target[r / 3] / 1.153, NOT_A_NUMBER, INFINITE};
+        for (unsigned i = 0; i < 3; i++) {
+            invcal_quality q = good;
+            q.sigma[r] = (invcal_real)bad[i];
+            TEST_ASSERT_EQUAL_INT(0, invcal_reaches(&q, 1, 2, 3));
+        }
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        const invcal_real none[3] = {i == 0 ? (invcal_real)NAN : 1, i == 1 ? (invcal_real)NAN : 2,
+                                     i == 2 ? (invcal_real)NAN : 3};
+        TEST_ASSERT_EQUAL_INT(0, invcal_reaches(&good, none[0], none[1], none[2]));
+    }
+    for (unsigned verdict = 1; verdict < 256; verdict++) {
+        invcal_quality q = good;
+        q.verdict = (invcal_verdict)verdict;
+        TEST_ASSERT_EQUAL_INT(0, invcal_reaches(&q, 1, 2, 3));
+    }
+    good.sigma_dof = 65535;
+    TEST_ASSERT_EQUAL_INT(
+        1, invcal_reaches(&good, INVCAL_REAL(0.87), INVCAL_REAL(1.74), INVCAL_REAL(2.61)));
+}
+
 static void coverage_is_students_quantile(void)
 {
     for (unsigned i = 0; i < EXPECTED_STUDENT_COUNT; i++) {
@@ -548,6 +601,8 @@ int main(void)
     RUN_TEST(sigma_is_the_cramer_rao_bound_beside_large_cross_terms);
     RUN_TEST(a_wrong_scale_of_nominal_scales_what_is_over_field_only);
     RUN_TEST(accuracy_is_the_error_of_lengths);
+    RUN_TEST(what_is_held_counts_as_stated);
+    RUN_TEST(a_target_is_reached_when_every_sigma_is_within_it);
     RUN_TEST(coverage_is_students_quantile);
     return UNITY_END() != 0;
 }

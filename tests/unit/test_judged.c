@@ -12,6 +12,7 @@
 
 #include "expected.h"
 #include "invcal/expert.h"
+#include "invcal/result.h"
 #include "support.h"
 #include "unity.h"
 
@@ -763,9 +764,8 @@ static void more_than_one_in_six_left_out_is_rough(void)
 
 /* ---- refusals -------------------------------------------------------------------------------- */
 
-typedef invcal_status calibrate_function(const invcal_real *raw, unsigned count,
-                                         const invcal_calibration *nominal, invcal_real noise,
-                                         invcal_calibration *out, invcal_quality *quality);
+typedef invcal_status calibrate_function(const invcal_positions *positions, invcal_calibration *out,
+                                         invcal_quality *quality);
 
 /* Also by the function that does not look for systematic errors. */
 static void assert_refused_by(invcal_status expected, const reading_set *set,
@@ -780,8 +780,9 @@ static void assert_refused_by(invcal_status expected, const reading_set *set,
         memset(&quality, 0x5A, sizeof quality);
         const invcal_calibration before = out;
         const invcal_quality unchanged = quality;
-        TEST_ASSERT_EQUAL_INT(expected, calibrate[i](set->u[0], set->count, nominal,
-                                                     (invcal_real)noise, &out, &quality));
+        TEST_ASSERT_EQUAL_INT(
+            expected, calibrate[i](POSITIONS_OF(set->u[0], set->count, nominal, (invcal_real)noise),
+                                   &out, &quality));
         TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof out);
         TEST_ASSERT_EQUAL_MEMORY(&unchanged, &quality, sizeof quality);
     }

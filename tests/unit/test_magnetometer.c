@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "invcal/magnetometer.h"
+#include "invcal/result.h"
 #include "invcal/store.h"
 #include "magnetometer.h"
 #include "support.h"

@@ -7,6 +7,7 @@
 #include "expected.h"
 #include "invcal/expert.h"
 #include "invcal/plan.h"
+#include "judge.h"
 #include "positions.h"
 #include "support.h"
 #include "unity.h"
@@ -113,7 +114,7 @@ static invcal_status judge_set(const reading_set *set, double stated, invcal_cal
     const invcal_calibration nominal = unit_nominal();
 
     return (is_robust ? invcal_calibrate_robust : invcal_calibrate)(
-        set->u[0], set->count, &nominal, (invcal_real)stated, out, quality);
+        POSITIONS_OF(set->u[0], set->count, &nominal, (invcal_real)stated), out, quality);
 }
 
 static invcal_quality find(const reading_set *set, double stated)

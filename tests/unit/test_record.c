@@ -68,7 +68,7 @@ static invcal_record golden_record(void)
     r.date = 0x6543210Fu;
     r.positions = 18;
     r.weak = 0x101;
-    r.from_prior = 0x82;
+    r.held = 0x82;
     r.verdict = INVCAL_WEAK;
     r.temperature_known = 1;
     return r;
@@ -85,7 +85,7 @@ static void assert_equal_records(invcal_record *expected, invcal_record *actual)
     TEST_ASSERT_EQUAL_HEX32(expected->date, actual->date);
     TEST_ASSERT_EQUAL_HEX16(expected->positions, actual->positions);
     TEST_ASSERT_EQUAL_HEX16(expected->weak, actual->weak);
-    TEST_ASSERT_EQUAL_HEX16(expected->from_prior, actual->from_prior);
+    TEST_ASSERT_EQUAL_HEX16(expected->held, actual->held);
     TEST_ASSERT_EQUAL_INT(expected->verdict, actual->verdict);
     TEST_ASSERT_EQUAL_INT(expected->temperature_known, actual->temperature_known);
 }
@@ -154,9 +154,9 @@ static invcal_record random_record(random_source *random)
     }
     r.verdict = INVCAL_WEAK;
     while ((r.verdict == INVCAL_WEAK) != (r.weak > 0)) {
-        r.verdict = (uint8_t)random_uniform(random, 0, INVCAL_WEAK + 1);
+        r.verdict = (uint8_t)(16 * (int)random_uniform(random, 0, 6));
     }
-    r.from_prior = (uint16_t)random_uniform(random, 0, 512);
+    r.held = (uint16_t)random_uniform(random, 0, 512);
     r.temperature_known = 1;
     return r;
 }
@@ -232,6 +232,7 @@ static void a_new_record_holds_what_is_known_and_marks_the_rest_as_unknown(void)
     q.rms = expected.rms;
     q.condition = expected.condition;
     q.weak = expected.weak;
+    q.held = expected.held;
     q.positions = 18;
     q.verdict = INVCAL_WEAK;
     invcal_record_init(&r, &expected.calibration, &q);
@@ -239,7 +240,6 @@ static void a_new_record_holds_what_is_known_and_marks_the_rest_as_unknown(void)
     expected.field_sigma = 0;
     expected.temperature = 0;
     expected.temperature_known = 0;
-    expected.from_prior = 0;
     expected.date = 0;
     memset(expected.sensor, 0, sizeof expected.sensor);
     assert_encodes(&r, bytes);
@@ -330,6 +330,28 @@ static void a_singular_matrix_is_neither_encoded_nor_decoded(void)
     }
 }
 
+/* Verdicts have steps of 16, and are stored in steps of 1: 0 ... 5. */
+static void every_verdict_keeps_its_byte(void)
+{
+    for (unsigned k = 0; k < 256; k++) {
+        invcal_record r = golden_record();
+        uint8_t bytes[SIZE];
+        r.verdict = (uint8_t)k;
+        if (k < INVCAL_WEAK) {
+            r.weak = 0;
+        }
+        if (k % 16 == 0 && k <= INVCAL_WEAK) {
+            assert_encodes(&r, bytes);
+            TEST_ASSERT_EQUAL_UINT(k / 16, bytes[22]);
+            invcal_record back;
+            assert_decodes(bytes, SIZE, &back);
+            TEST_ASSERT_EQUAL_UINT(k, back.verdict);
+        } else {
+            assert_not_encoded(INVCAL_DAMAGED, &r);
+        }
+    }
+}
+
 /* A verdict that there is not (the fifth is weak), or that the weak parameters do not bear out; a
  * parameter that there is not, a temperature that is not known and yet stated. */
 static void a_record_that_contradicts_itself_is_neither_encoded_nor_decoded(void)
@@ -337,23 +359,23 @@ static void a_record_that_contradicts_itself_is_neither_encoded_nor_decoded(void
     for (unsigned k = 0; k < 3 * 16 * 16 * 8; k += SLOW(1, 7)) {
         const uint8_t verdict = (uint8_t)(k % 8);
         const unsigned weak = k / 8 % 16 ? 1u << (k / 8 % 16 - 1) : 0;
-        const unsigned from_prior = k / 128 % 16 ? 1u << (k / 128 % 16 - 1) : 0;
+        const unsigned held = k / 128 % 16 ? 1u << (k / 128 % 16 - 1) : 0;
         const uint8_t known = (uint8_t)(k / 2048);
-        const int others_are = weak < 512 && from_prior < 512 && known == 1;
+        const int others_are = weak < 512 && held < 512 && known == 1;
         const int is_good = verdict <= 5 && (verdict == 5) == (weak > 0) && others_are;
         invcal_record r = golden_record();
         uint8_t bytes[SIZE];
-        r.verdict = verdict;
+        r.verdict = (uint8_t)(16 * verdict);
         r.weak = (uint16_t)weak;
-        r.from_prior = (uint16_t)from_prior;
+        r.held = (uint16_t)held;
         r.temperature_known = known;
         TEST_ASSERT_EQUAL_INT(is_good ? INVCAL_OK : INVCAL_DAMAGED,
                               invcal_record_encode(&r, bytes));
         memcpy(bytes, golden, SIZE);
         bytes[18] = (uint8_t)(weak & 0xFF);
         bytes[19] = (uint8_t)(weak >> 8);
-        bytes[20] = (uint8_t)(from_prior & 0xFF);
-        bytes[21] = (uint8_t)(from_prior >> 8);
+        bytes[20] = (uint8_t)(held & 0xFF);
+        bytes[21] = (uint8_t)(held >> 8);
         bytes[22] = verdict;
         bytes[23] = known;
         seal_bytes(bytes, SIZE - 4);
@@ -613,6 +635,7 @@ static void what_is_saved_is_the_record_that_init_makes(void)
     q.rms = golden_one.rms;
     q.condition = golden_one.condition;
     q.weak = golden_one.weak;
+    q.held = golden_one.held;
     q.positions = golden_one.positions;
     q.verdict = INVCAL_WEAK;
     invcal_record_init(&r, &golden_one.calibration, &q);
@@ -662,6 +685,7 @@ int main(void)
     RUN_TEST(a_number_that_is_not_finite_is_neither_encoded_nor_decoded);
     RUN_TEST(a_number_beyond_float_is_not_encoded);
     RUN_TEST(a_singular_matrix_is_neither_encoded_nor_decoded);
+    RUN_TEST(every_verdict_keeps_its_byte);
     RUN_TEST(a_record_that_contradicts_itself_is_neither_encoded_nor_decoded);
     RUN_TEST(an_unknown_temperature_is_zero);
     RUN_TEST(any_wrong_bit_is_noticed);

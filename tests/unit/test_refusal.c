@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "solve.h"
 #include "support.h"
 #include "unity.h"
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "invcal/expert.h"
+#include "rests.h"
 #include "support.h"
 #include "unity.h"
 

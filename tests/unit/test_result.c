@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "expected.h"
+#include "invcal/background.h"
+#include "solve.h"
 #include "support.h"
 #include "unity.h"
 

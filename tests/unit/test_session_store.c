@@ -259,7 +259,7 @@ static invcal_session golden_session(void)
     invcal_session s = golden_begun();
 
     for (unsigned i = 0; i < 6; i++) {
-        s.mean[i / 3][i % 3] = (invcal_real)golden_mean[i / 3][i % 3];
+        s.mean[i / 3].v[i % 3] = (invcal_real)golden_mean[i / 3][i % 3];
     }
     s.count = 2;
     return s;
@@ -274,7 +274,7 @@ static void assert_golden_positions(const invcal_session *begun, const invcal_se
     TEST_ASSERT_EQUAL_MEMORY(&expected, session, HEAD);
     TEST_ASSERT_EQUAL_MEMORY(&expected.rests, &session->rests, sizeof expected.rests);
     for (unsigned i = 0; i < 6; i++) {
-        TEST_ASSERT_TRUE((double)session->mean[i / 3][i % 3] == golden_mean[i / 3][i % 3]);
+        TEST_ASSERT_TRUE((double)session->mean[i / 3].v[i % 3] == golden_mean[i / 3][i % 3]);
     }
 }
 

@@ -3,7 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "sums.h"
 #include "support.h"
+#include "system.h"
 #include "unity.h"
 
 void setUp(void)
@@ -214,6 +216,23 @@ static void sums_built_row_by_row_are_those_of_the_matrix(void)
     TEST_ASSERT_EQUAL_UINT(COUNT, n.count);
 }
 
+static void a_weight_that_is_not_positive_and_finite_is_refused(void)
+{
+    const double bad[] = {0, -0.0, -1, NOT_A_NUMBER, INFINITE, -INFINITE};
+    const invcal_calibration nominal = unit_nominal();
+    const invcal_real u[3] = {0, 0, 1};
+    invcal_sums sums;
+    invcal_sums before;
+
+    memset(&sums, 7, sizeof sums);
+    before = sums;
+    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE,
+                              invcal_sums_add(&sums, &nominal, u, (invcal_real)bad[i]));
+        TEST_ASSERT_EQUAL_MEMORY(&before, &sums, sizeof sums);
+    }
+}
+
 static void a_position_added_is_its_row_added(void)
 {
     const invcal_calibration nominal = {{INVCAL_REAL(0.5), 0, 0},
@@ -247,14 +266,17 @@ static void order_does_not_matter(void)
 
 static void a_weight_counts_like_a_repetition(void)
 {
+    const invcal_calibration nominal = unit_nominal();
+    const invcal_real u[3] = {INVCAL_REAL(0.6), INVCAL_REAL(-0.7), INVCAL_REAL(0.5)};
+
     make_rows();
     invcal_sums thrice = sum_of(0, 10);
     invcal_sums weighted = sum_of(0, 10);
 
     for (int i = 0; i < 3; i++) {
-        invcal_sums_add_row(&thrice, &rows[10], 1);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_sums_add(&thrice, &nominal, u, 1));
     }
-    invcal_sums_add_row(&weighted, &rows[10], 3);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_sums_add(&weighted, &nominal, u, 3));
     TEST_ASSERT_EQUAL_UINT(13, thrice.count);
     TEST_ASSERT_EQUAL_UINT(11, weighted.count); /* one position, however precise */
     weighted.count = thrice.count;
@@ -297,6 +319,7 @@ int main(void)
     RUN_TEST(readings_that_are_not_numbers_are_refused);
     RUN_TEST(readings_are_refused_whichever_number_of_the_nominal_is_invalid);
     RUN_TEST(sums_built_row_by_row_are_those_of_the_matrix);
+    RUN_TEST(a_weight_that_is_not_positive_and_finite_is_refused);
     RUN_TEST(a_position_added_is_its_row_added);
     RUN_TEST(order_does_not_matter);
     RUN_TEST(a_weight_counts_like_a_repetition);

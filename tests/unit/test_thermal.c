@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "expected.h"
+#include "invcal/result.h"
 #include "invcal/thermal.h"
 #include "support.h"
 #include "unity.h"
@@ -78,29 +79,31 @@ static const invcal_thermal_prior nothing_known;
 static invcal_thermal found;
 static invcal_quality quality;
 
-static invcal_thermal_positions positions(double noise)
+static const invcal_calibration unit = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+static invcal_positions positions(double noise)
 {
-    return (invcal_thermal_positions){all.raw, all.temperature, all.count, (invcal_real)noise};
+    return *POSITIONS_AT(all.raw, all.temperature, all.count, &unit, (invcal_real)noise);
 }
 
 static void calibrate_all(double noise)
 {
-    const invcal_calibration nominal = unit_nominal();
+    const invcal_positions p = positions(noise);
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_thermal_calibrate(POSITIONS_AT(all.raw, all.temperature, all.count,
-                                                                &nominal, (invcal_real)noise),
-                                                   INVCAL_THERMAL_DEGREE, &found, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_calibrate(&p, DEGREE, &found, &quality));
 }
 
+/* The unit at all temperatures. */
 static invcal_thermal base_at(double reference, double span)
 {
-    const invcal_calibration nominal = unit_nominal();
-    const invcal_real ends[2] = {(invcal_real)(reference - span), (invcal_real)(reference + span)};
     invcal_thermal base;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&nominal, ends, 2, &base));
-    TEST_ASSERT_TRUE(base.reference == (invcal_real)reference && base.span == (invcal_real)span);
+    memset(&base, 0, sizeof base);
+    base.nominal = unit;
+    base.reference = (invcal_real)reference;
+    base.span = (invcal_real)span;
+    base.min = base.reference - base.span;
+    base.max = base.reference + base.span;
     return base;
 }
 
@@ -108,33 +111,23 @@ static invcal_thermal base_at(double reference, double span)
 static void fit_all(double noise, double reference, double span, unsigned degree)
 {
     const invcal_thermal base = base_at(reference, span);
-    const invcal_thermal_positions p = positions(noise);
+    const invcal_positions p = positions(noise);
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_fit(&p, NULL, &base, degree, &found, &quality));
 }
 
-/* The middle of the temperatures, and half their range. */
-static invcal_thermal centred(void)
-{
-    const invcal_calibration nominal = unit_nominal();
-    invcal_thermal base;
-
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_thermal_start(&nominal, all.temperature, all.count, &base));
-    return base;
-}
-
+/* Without a base: the unit at all temperatures. */
 static void fit_with_prior(double noise, const invcal_thermal_prior *prior,
                            const invcal_thermal *base)
 {
-    const invcal_thermal_positions p = positions(noise);
+    const invcal_positions p = positions(noise);
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_fit(&p, prior, base, DEGREE, &found, &quality));
 }
 
 static invcal_quality judge(double noise, double temperature)
 {
-    const invcal_thermal_positions p = positions(noise);
+    const invcal_positions p = positions(noise);
     invcal_quality q;
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
@@ -189,7 +182,7 @@ static double square_error_of_range(const sensor *s, double low, double high,
 /* Nothing of a refused calibration is written. */
 static void assert_refused(invcal_status expected, double noise)
 {
-    const invcal_calibration nominal = unit_nominal();
+    const invcal_positions p = positions(noise);
     invcal_thermal out;
     invcal_quality q;
 
@@ -197,10 +190,7 @@ static void assert_refused(invcal_status expected, double noise)
     memset(&q, 0x5A, sizeof q);
     const invcal_thermal before = out;
     const invcal_quality q_before = q;
-    TEST_ASSERT_EQUAL_INT(expected,
-                          invcal_thermal_calibrate(POSITIONS_AT(all.raw, all.temperature, all.count,
-                                                                &nominal, (invcal_real)noise),
-                                                   INVCAL_THERMAL_DEGREE, &out, &q));
+    TEST_ASSERT_EQUAL_INT(expected, invcal_thermal_calibrate(&p, DEGREE, &out, &q));
     TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof before);
     TEST_ASSERT_EQUAL_MEMORY(&q_before, &q, sizeof q_before);
 }
@@ -208,14 +198,13 @@ static void assert_refused(invcal_status expected, double noise)
 static void assert_refused_with_prior(invcal_status expected, double noise,
                                       const invcal_thermal_prior *prior)
 {
-    const invcal_thermal base = centred();
-    const invcal_thermal_positions p = positions(noise);
+    const invcal_positions p = positions(noise);
     invcal_thermal out;
     invcal_quality q;
 
     memset(&out, 0x5A, sizeof out);
     const invcal_thermal before = out;
-    TEST_ASSERT_EQUAL_INT(expected, invcal_thermal_fit(&p, prior, &base, DEGREE, &out, &q));
+    TEST_ASSERT_EQUAL_INT(expected, invcal_thermal_fit(&p, prior, NULL, DEGREE, &out, &q));
     TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof before);
 }
 
@@ -283,6 +272,29 @@ static void two_solves_leave_as_little_of_steep_slopes_of_any_signs(void)
     }
     TEST_ASSERT_DOUBLE_WITHIN(0.05e-6, 0.51e-6, least);
     TEST_ASSERT_DOUBLE_WITHIN(0.05e-6, 1.96e-6, most);
+}
+
+/* The middle of the temperatures, and half their range. */
+static void no_base_is_the_nominal_calibration_at_all_temperatures(void)
+{
+    const sensor s = straight(0);
+    random_source random = random_start(31);
+
+    take_three(&s, 1e-4, &random);
+    fit_all(1e-4, 25, 45, DEGREE);
+    const invcal_thermal of_base = found;
+    const invcal_quality q = quality;
+    fit_with_prior(1e-4, NULL, NULL);
+    TEST_ASSERT_TRUE(found.reference == 25 && found.span == 45);
+    TEST_ASSERT_TRUE(found.min == -20 && found.max == 70);
+    TEST_ASSERT_EQUAL_MEMORY(of_base.x, found.x, sizeof found.x);
+    TEST_ASSERT_EQUAL_MEMORY(q.sigma, quality.sigma, sizeof q.sigma);
+    calibrate_all(1e-4);
+    TEST_ASSERT_EQUAL_MEMORY(of_base.x, found.x, sizeof found.x);
+    TEST_ASSERT_EQUAL_MEMORY(q.sigma, quality.sigma, sizeof q.sigma);
+    all.count = PLAN; /* at one temperature */
+    calibrate_all(1e-4);
+    TEST_ASSERT_TRUE(found.reference == -20 && found.span == 1);
 }
 
 /* Wherever in the span the temperatures are; with nominal errors of 18 %, too. */
@@ -557,6 +569,10 @@ static void outside_the_observed_range_the_edge_is_held_and_reported(void)
             INVCAL_OK, invcal_thermal_at(&found, (invcal_real)outside[i], &calibration, &place));
         TEST_ASSERT_EQUAL_INT(outside[i] < 0 ? INVCAL_THERMAL_BELOW : INVCAL_THERMAL_ABOVE, place);
         TEST_ASSERT_EQUAL_MEMORY(&edge, &calibration, sizeof edge);
+        memset(&calibration, 0x5A, sizeof calibration);
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_OK, invcal_thermal_at(&found, (invcal_real)outside[i], &calibration, NULL));
+        TEST_ASSERT_EQUAL_MEMORY(&edge, &calibration, sizeof edge);
     }
 }
 
@@ -576,6 +592,8 @@ static void what_is_not_a_temperature_is_refused_and_nothing_written(void)
     for (int i = 0; i < 3; i++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TEMPERATURE,
                               invcal_thermal_at(&found, (invcal_real)bad[i], &calibration, &place));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TEMPERATURE,
+                              invcal_thermal_at(&found, (invcal_real)bad[i], &calibration, NULL));
         TEST_ASSERT_EQUAL_MEMORY(&before, &calibration, sizeof before);
         TEST_ASSERT_EQUAL_INT(INVCAL_THERMAL_ABOVE, place);
         all.temperature[20] = (invcal_real)bad[i];
@@ -882,7 +900,7 @@ static void a_prior_on_slopes_holds_what_one_temperature_leaves_open(void)
     const triad_truth truth = triad_at(&still, 40);
     const invcal_calibration calibration = calibration_at(40);
     TEST_ASSERT_DOUBLE_WITHIN(3e-4, 0, sqrt(square_error(&calibration, &truth)));
-    const invcal_thermal_positions p = positions(1e-4);
+    const invcal_positions p = positions(1e-4);
     invcal_quality q;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_judge(&p, &prior, &found, 40, &q));
     TEST_ASSERT_TRUE(q.sigma[0] < (invcal_real)3e-4);
@@ -975,7 +993,7 @@ static void a_prior_shrinks_and_counts_by_the_closed_form(void)
     TEST_ASSERT_EQUAL_HEX16(7, from_prior(&prior)); /* delta only */
     for (int k = 0; k < 3; k++) {
         const double t = k - 1;
-        const invcal_thermal_positions p = positions(stated);
+        const invcal_positions p = positions(stated);
         invcal_quality q;
         TEST_ASSERT_EQUAL_INT(
             INVCAL_OK, invcal_thermal_judge(&p, &prior, &found, (invcal_real)(25 + 45 * t), &q));
@@ -999,9 +1017,6 @@ static void rounding_gives_no_degree_of_freedom(void)
         {-745.780396, -117.320419, 813.414551}, {761.540344, -434.993317, 567.18335},
         {-217.121719, 887.196228, 483.716675},  {-401.063751, -809.90387, 399.149994},
         {952.572937, 351.98111, 314.583313},    {-897.293152, 397.142639, 231.116653}};
-    const invcal_real mg = (invcal_real)0.001;
-    const invcal_calibration nominal = {{0, 0, 0}, {{mg, 0, 0}, {0, mg, 0}, {0, 0, mg}}};
-    const invcal_real ends[2] = {(invcal_real)-11.58203125, (invcal_real)81.07421875};
     invcal_thermal_prior prior = nothing_known;
 
     if (DEGREE < 1) {
@@ -1017,8 +1032,11 @@ static void rounding_gives_no_degree_of_freedom(void)
     for (int r = 0; r < INVCAL_PARAMETERS; r++) {
         prior.sigma[DEGREE > 0][r] = (invcal_real)(r < 4 ? 0.001 : 0.00115820323);
     }
-    const invcal_thermal_positions p = positions(1e-4);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&nominal, ends, 2, &found));
+    const invcal_positions p = positions(1e-4);
+    found = base_at(34.74609375, 46.328125); /* -11.6 ... 81.1 */
+    for (int i = 0; i < 3; i++) {
+        found.nominal.matrix[i][i] = INVCAL_REAL(0.001);
+    }
     for (unsigned degree = 0; degree < 2; degree++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                               invcal_thermal_fit(&p, &prior, &found, degree, &found, &quality));
@@ -1046,12 +1064,11 @@ static void a_prior_counts_for_more_where_the_data_are_noisier_than_stated(void)
     all.count = 0;
     take(&still, 25, PLAN, 1e-2, &random);
     take(&still, 25, PLAN, 1e-2, &random);
-    const invcal_thermal base = centred();
-    fit_with_prior(1e-6, &prior, &base);
+    fit_with_prior(1e-6, &prior, NULL);
     TEST_ASSERT_DOUBLE_WITHIN(4e-3, 1e-2, (double)quality.noise);
     TEST_ASSERT_TRUE(invcal_coverage(quality.dof) > 2);
     const invcal_thermal first = found;
-    fit_with_prior(1e-2, &prior, &base);
+    fit_with_prior(1e-2, &prior, NULL);
     for (int r = 0; r < INVCAL_PARAMETERS; r++) {
         const double sigma = (double)quality.sigma[r];
         TEST_ASSERT_DOUBLE_WITHIN(0.5 * sigma, (double)found.x[0][r], (double)first.x[0][r]);
@@ -1067,8 +1084,7 @@ static void noise_as_large_as_the_field_leaves_everything_to_the_prior(void)
 
     all.count = 0;
     take(&still, 25, PLAN, 0, &unused);
-    const invcal_thermal base = centred();
-    fit_with_prior(0.999, &prior, &base);
+    fit_with_prior(0.999, &prior, NULL);
     TEST_ASSERT_EQUAL_HEX16(0x1FF, from_prior(&prior));
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         /* H'H is 6 at most, beside (0.42 / 0.01)^2 */
@@ -1087,7 +1103,7 @@ static void an_invalid_prior_or_one_without_noise_is_refused(void)
     take_three(&s, 1e-4, &random);
     for (int i = 0; i < (DEGREE == 2 ? 12 : 8); i++) {
         invcal_thermal_prior prior = nothing_known;
-        const invcal_thermal_positions p = positions(1e-4);
+        const invcal_positions p = positions(1e-4);
         prior.sigma[i / 4 > DEGREE ? 0 : i / 4][i % 9] = (invcal_real)bad[i % 4];
         if (INVCAL_DOUBLE && i % 4 == 3) {
             continue; /* in double its inverse is a number */
@@ -1096,7 +1112,7 @@ static void an_invalid_prior_or_one_without_noise_is_refused(void)
                               invcal_thermal_fit(&p, &prior, &base, DEGREE, &found, &quality));
     }
     const invcal_thermal_prior prior = equal_prior(0.01);
-    const invcal_thermal_positions p = positions(0);
+    const invcal_positions p = positions(0);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE,
                           invcal_thermal_fit(&p, &prior, &base, DEGREE, &found, &quality));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_thermal_judge(&p, &prior, &base, 25, &quality));
@@ -1123,7 +1139,7 @@ static void renewing_at_one_temperature_keeps_the_slopes_and_the_range(void)
     const sensor aged = {moved, s.slope, NULL};
     all.count = 0;
     take(&aged, 34, PLAN, 1e-5, &random);
-    const invcal_thermal_positions p = positions(1e-4);
+    const invcal_positions p = positions(1e-4);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                           invcal_thermal_fit(&p, NULL, &found, DEGREE, &found, &quality));
     TEST_ASSERT_EQUAL_UINT(0, found.fitted);
@@ -1156,7 +1172,7 @@ static void renewing_beyond_the_range_widens_it(void)
     for (int i = 0; i < 2; i++) {
         all.count = 0;
         take(&s, at[i], PLAN, 1e-5, &random);
-        const invcal_thermal_positions p = positions(1e-4);
+        const invcal_positions p = positions(1e-4);
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_fit(&p, NULL, &found, 0, &found, &quality));
         TEST_ASSERT_EQUAL_UINT(DEGREE, found.degree);
         TEST_ASSERT_TRUE((double)found.min == -40 && (double)found.max == (i == 0 ? 70 : 95));
@@ -1173,7 +1189,7 @@ static void temperatures_beyond_two_spans_are_refused(void)
     for (int i = 0; i < 4; i++) {
         take_three(&s, 1e-4, &random);
         all.temperature[3] = (invcal_real)at[i];
-        const invcal_thermal_positions p = positions(1e-4);
+        const invcal_positions p = positions(1e-4);
         TEST_ASSERT_EQUAL_INT(i < 2 ? INVCAL_OK : INVCAL_BAD_TEMPERATURE,
                               invcal_thermal_fit(&p, NULL, &base, DEGREE, &found, &quality));
     }
@@ -1198,15 +1214,6 @@ static void the_range_is_that_of_the_temperatures_in_any_order(void)
         TEST_ASSERT_TRUE(found.max == (invcal_real)(from + 20));
         TEST_ASSERT_TRUE(found.reference == (invcal_real)(from + 10));
         TEST_ASSERT_TRUE(found.span == 10);
-        const invcal_calibration nominal = unit_nominal();
-        invcal_real temperature[3];
-        invcal_thermal start;
-        for (int i = 0; i < 3; i++) {
-            temperature[i] = (invcal_real)(from + 10 * order[k % 6][i]);
-        }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&nominal, temperature, 3, &start));
-        TEST_ASSERT_TRUE(start.min == (invcal_real)from);
-        TEST_ASSERT_TRUE(start.max == (invcal_real)(from + 20));
     }
 }
 
@@ -1247,21 +1254,21 @@ static void unusable_arguments_are_named(void)
     const double bad[] = {-1, NOT_A_NUMBER, INFINITE, 1};
     const sensor s = straight(0);
     random_source random = random_start(17);
-    invcal_calibration nominal = unit_nominal();
+    invcal_calibration nominal = unit;
     invcal_thermal out;
 
     take_three(&s, 1e-4, &random);
     for (int i = 0; i < 4; i++) {
-        const invcal_real ends[] = {25, (invcal_real)bad[i]};
         assert_refused(INVCAL_BAD_NOISE, bad[i]);
-        TEST_ASSERT_EQUAL_INT(i == 1 || i == 2 ? INVCAL_BAD_TEMPERATURE : INVCAL_OK,
-                              invcal_thermal_start(&nominal, ends, 2, &out));
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_thermal_start(&nominal, NULL, 0, &out));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_thermal_start(&nominal, all.temperature, 1, &out));
-    TEST_ASSERT_TRUE(out.reference == all.temperature[0] && out.span == 1); /* one place: 1 K */
+    for (int i = 1; i < 3; i++) {
+        const invcal_real there = all.temperature[3];
+        all.temperature[3] = (invcal_real)bad[i];
+        assert_refused(INVCAL_BAD_TEMPERATURE, 1e-4);
+        all.temperature[3] = there;
+    }
     const invcal_thermal base = base_at(25, 45);
-    invcal_thermal_positions p = positions(1e-4);
+    invcal_positions p = positions(1e-4);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
                           invcal_thermal_fit(&p, NULL, &base, DEGREE + 1, &found, &quality));
     for (uint8_t degree = 0; degree <= 4; degree++) { /* that of the base must be one to fit, too */
@@ -1273,13 +1280,39 @@ static void unusable_arguments_are_named(void)
     p.count = UINT16_MAX; /* which are not checked */
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
                           invcal_thermal_fit(&p, NULL, &base, DEGREE, &found, &quality));
+    p.count = all.count;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
+                          invcal_thermal_calibrate(&p, DEGREE + 1, &found, &quality));
     nominal.matrix[0][0] = 0;
+    p.nominal = &nominal;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
-                          invcal_thermal_start(&nominal, all.temperature, all.count, &out));
-    TEST_ASSERT_EQUAL_INT(
-        INVCAL_BAD_NOMINAL,
-        invcal_thermal_calibrate(POSITIONS_AT(all.raw, all.temperature, all.count, &nominal, 0),
-                                 INVCAL_THERMAL_DEGREE, &found, &quality));
+                          invcal_thermal_calibrate(&p, DEGREE, &found, &quality));
+    all.count = 0;
+    assert_refused(INVCAL_TOO_FEW, 1e-4);
+}
+
+/* Wherever they are needed. */
+static void positions_without_temperatures_are_refused(void)
+{
+    const sensor s = straight(0);
+    const invcal_thermal base = base_at(25, 45);
+    random_source random = random_start(17);
+
+    take_three(&s, 1e-4, &random);
+    invcal_positions p = positions(1e-4);
+    p.temperature = NULL;
+    memset(&found, 0x5A, sizeof found);
+    memset(&quality, 0x5A, sizeof quality);
+    const invcal_thermal before = found;
+    const invcal_quality q_before = quality;
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TEMPERATURE,
+                          invcal_thermal_calibrate(&p, DEGREE, &found, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TEMPERATURE,
+                          invcal_thermal_fit(&p, NULL, &base, DEGREE, &found, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TEMPERATURE,
+                          invcal_thermal_judge(&p, NULL, &base, 25, &quality));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &found, sizeof found);
+    TEST_ASSERT_EQUAL_MEMORY(&q_before, &quality, sizeof quality);
 }
 
 static void eight_positions_and_a_plane_are_refused_as_without_temperature(void)
@@ -1421,8 +1454,7 @@ static void an_angle_that_hardly_shows_is_refused_unless_a_prior_holds_it(void)
     assert_refused(INVCAL_UNDETERMINED, 1e-6);
     assert_refused_with_prior(INVCAL_UNDETERMINED, 1e-6, &prior); /* which has no information */
     hold(&prior, 0, INVCAL_GAMMA_XY, 1e-4);
-    const invcal_thermal base = centred();
-    fit_with_prior(1e-6, &prior, &base);
+    fit_with_prior(1e-6, &prior, NULL);
     TEST_ASSERT_EQUAL_HEX16(1u << INVCAL_GAMMA_XY, from_prior(&prior));
     const double share =
         (double)quality.sigma[INVCAL_GAMMA_XY] / 1e-4; /* that it left to the prior */
@@ -1438,8 +1470,7 @@ static void what_only_a_prior_determines_has_its_sigma(void)
 
     take_with_a_hidden_angle(0);
     hold(&prior, 0, INVCAL_GAMMA_XY, 0.01);
-    const invcal_thermal base = centred();
-    fit_with_prior(1e-6, &prior, &base);
+    fit_with_prior(1e-6, &prior, NULL);
     TEST_ASSERT_EQUAL_HEX16(1u << INVCAL_GAMMA_XY, from_prior(&prior));
     TEST_ASSERT_DOUBLE_WITHIN(2e-4, 0.01, (double)quality.sigma[INVCAL_GAMMA_XY]);
 }
@@ -1500,7 +1531,7 @@ static void semi_axes_beyond_their_limits_are_refused_together(void)
         base.x[0][INVCAL_DK_X] = 4;
         memset(&out, 0x5A, sizeof out);
         const invcal_thermal before = out;
-        const invcal_thermal_positions p = positions(1e-4);
+        const invcal_positions p = positions(1e-4);
         TEST_ASSERT_EQUAL_INT(i ? INVCAL_NOT_ELLIPSOID : INVCAL_OK,
                               invcal_thermal_fit(&p, NULL, &base, DEGREE, &out, &quality));
         if (i) {
@@ -1512,8 +1543,7 @@ static void semi_axes_beyond_their_limits_are_refused_together(void)
     }
 }
 
-static void assert_not_judged(invcal_status expected, const invcal_thermal_positions *p,
-                              double temperature)
+static void assert_not_judged(invcal_status expected, const invcal_positions *p, double temperature)
 {
     invcal_quality q;
     invcal_quality before;
@@ -1532,7 +1562,7 @@ static void what_cannot_be_judged_is_refused_and_the_quality_left_alone(void)
     random_source random = random_start(27);
 
     take_three(&s, 1e-4, &random);
-    invcal_thermal_positions p = positions(1e-4);
+    invcal_positions p = positions(1e-4);
     found = base_at(25, 45);
     assert_not_judged(INVCAL_NOT_ELLIPSOID, &p, 25); /* as they are read: a fifth too long */
     fit_all(1e-4, 25, 45, DEGREE);
@@ -1551,40 +1581,7 @@ static void what_cannot_be_judged_is_refused_and_the_quality_left_alone(void)
     assert_not_judged(INVCAL_BAD_COUNT, &p, 25);
 }
 
-/* ---- drift in a rest ---------------------------------------------------------------------- */
-
-static double drift_limit(double noise, double slope)
-{
-    return (double)invcal_thermal_drift_limit((invcal_real)noise, (invcal_real)slope);
-}
-
-static void the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position(void)
-{
-    TEST_ASSERT_DOUBLE_WITHIN(1e-7, 0.2, drift_limit(0, 0));
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1, drift_limit(5e-4, 0));
-    const double limit = drift_limit(5e-4, 2e-4);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-5, 5, limit);
-    /* The sensor warms steadily by the limit; the thermometer still shows where it began. */
-    double error = 0;
-    for (int i = 0; i < 1000; i++) {
-        error += 2e-4 * limit * (i + 0.5) / 1000 / 1000;
-    }
-    TEST_ASSERT_DOUBLE_WITHIN(1e-9, 5e-4, error);
-}
-
-/* 0.1.0 took an invalid noise or slope for an unknown one: 0.2 K. */
-static void no_drift_is_allowed_if_noise_or_slope_is_invalid(void)
-{
-    const double bad[] = {NOT_A_NUMBER, INFINITE, -INFINITE, -1};
-
-    for (int i = 0; i < 4; i++) {
-        TEST_ASSERT_TRUE(drift_limit(bad[i], 0) == 0);
-        TEST_ASSERT_TRUE(drift_limit(bad[i], 1e-3) == 0);
-        TEST_ASSERT_TRUE(drift_limit(0, bad[i]) == 0);
-        TEST_ASSERT_TRUE(drift_limit(1e-4, bad[i]) == 0);
-    }
-    TEST_ASSERT_TRUE(drift_limit(0.9, 1e-39) == 0 || INVCAL_DOUBLE);
-}
+/* ---- words ------------------------------------------------------------------------------------- */
 
 static void every_fallback_has_its_words(void)
 {
@@ -1596,7 +1593,7 @@ static void every_fallback_has_its_words(void)
     TEST_ASSERT_EQUAL_STRING("positions and temperatures leave slopes open",
                              invcal_thermal_fallback_text(INVCAL_THERMAL_OPEN));
     TEST_ASSERT_EQUAL_STRING("unknown reason",
-                             invcal_thermal_fallback_text((invcal_thermal_fallback)9));
+                             invcal_thermal_fallback_text(INVCAL_THERMAL_OPEN + 1));
 }
 
 int main(void)
@@ -1605,6 +1602,7 @@ int main(void)
     RUN_TEST(slopes_of_a_sensor_without_noise_come_out);
     RUN_SLOW_TEST(two_solves_leave_nothing_that_matters_of_steep_slopes);
     RUN_LONG_TEST(two_solves_leave_as_little_of_steep_slopes_of_any_signs);
+    RUN_TEST(no_base_is_the_nominal_calibration_at_all_temperatures);
     RUN_TEST(a_part_of_the_span_and_a_bad_nominal_are_as_good);
     RUN_LONG_TEST(the_error_is_the_cramer_rao_bound_and_that_of_nine_parameters_hundreds_of_it);
     RUN_LONG_TEST(a_bent_sensor_comes_to_the_bound_of_27_parameters);
@@ -1639,6 +1637,7 @@ int main(void)
     RUN_TEST(the_range_is_that_of_the_temperatures_in_any_order);
     RUN_TEST(the_order_of_the_positions_does_not_matter);
     RUN_TEST(unusable_arguments_are_named);
+    RUN_TEST(positions_without_temperatures_are_refused);
     RUN_TEST(eight_positions_and_a_plane_are_refused_as_without_temperature);
     RUN_TEST(an_invalid_reading_is_refused);
     RUN_TEST(a_reading_that_is_absurd_once_it_is_calibrated_is_refused);
@@ -1651,8 +1650,6 @@ int main(void)
     RUN_TEST(an_irreconcilable_prior_is_refused);
     RUN_TEST(semi_axes_beyond_their_limits_are_refused_together);
     RUN_TEST(what_cannot_be_judged_is_refused_and_the_quality_left_alone);
-    RUN_TEST(the_drift_limit_is_where_a_lag_makes_the_noise_of_a_position);
-    RUN_TEST(no_drift_is_allowed_if_noise_or_slope_is_invalid);
     RUN_TEST(every_fallback_has_its_words);
     return UNITY_END() != 0;
 }

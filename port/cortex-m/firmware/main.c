@@ -12,6 +12,7 @@
  * RAM: the session, 560 bytes. Stack: 988 bytes on a Cortex-M4F, most of them in solve.
  */
 #include "imu.h"
+#include "invcal/result.h"
 #include "storage.h"
 #include "report.h"
 #include "uart.h"
@@ -41,9 +42,12 @@ static invcal_status begin_session(void)
  * considered here, so it does not delay the end. */
 static int is_enough(void)
 {
-    static const invcal_real enough[3] = {0.0001f, 0.0001f, 0.0003f}; /* sigma: g, 1, rad */
+    invcal_calibration calibration;
+    invcal_quality quality;
 
-    return session.count == INVCAL_MAX_POSITIONS || invcal_session_reaches(&session, enough);
+    return session.count == INVCAL_MAX_POSITIONS ||
+           (invcal_session_solve(&session, &calibration, &quality) == INVCAL_OK &&
+            invcal_reaches(&quality, 0.0001f, 0.0001f, 0.0003f)); /* sigma: g, 1, rad */
 }
 
 /* Returns 1 when it is enough. */

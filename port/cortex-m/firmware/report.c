@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "invcal/expert.h"
+#include "invcal/result.h"
 #include "print.h"
 
 void report(const char *what, const char *text)
@@ -71,7 +71,7 @@ void report_calibration(const invcal_calibration *calibration, const invcal_cali
 
     invcal_sigma_offset(quality, nominal, sigma);
     invcal_deviation(calibration, nominal, x);
-    report("verdict", invcal_verdict_text((invcal_verdict)quality->verdict));
+    report("verdict", invcal_verdict_text(quality->verdict));
     for (unsigned k = INVCAL_DRIFT; k <= INVCAL_HYSTERESIS; k++) {
         if (quality->unchecked >> k & 1u) {
             report("not checked for", invcal_systematic_text((invcal_systematic)k));

@@ -7,7 +7,7 @@
 #define CALIBRATE_H
 
 #include "calibrate/request.h"
-#include "read/rests.h"
+#include "read/log_rests.h"
 #include "read/magnetometer_log.h"
 
 /* Reads positions; `log` describes the log that they were found in, `gyro` holds the readings of a

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "invcal/positions.h"
 #include "cli/command.h"
 #include "cli/input.h"
 #include "cli/files.h"

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "invcal/result.h"
 #include "calibrate/cross_check.h"
 #include "calibrate/gyro.h"
 #include "calibrate/nonlinear.h"
@@ -53,7 +54,7 @@ static void adopt_findings(calibrate_result *result)
     q->unchecked = found->unchecked;
     q->dof -= found->positions - INVCAL_PARAMETERS - found->dof; /* repeated directions */
     if (found->verdict > q->verdict) {
-        q->verdict = (invcal_verdict)found->verdict;
+        q->verdict = found->verdict;
     }
 }
 
@@ -155,10 +156,11 @@ static int probe_temperature(calibrate_result *result)
 /* Accuracy of lengths, 95 %, without the error of the field. */
 static double accuracy_of(const fit_quality *q)
 {
-    invcal_quality quality = {.sigma_dof = (uint16_t)fmin(UINT16_MAX, q->sigma_dof)};
+    invcal_quality quality = {.held = q->from_prior,
+                              .sigma_dof = (uint16_t)fmin(UINT16_MAX, q->sigma_dof)};
 
     memcpy(quality.sigma, q->sigma, sizeof quality.sigma);
-    return invcal_accuracy(&quality, 0) /*HELD q->from_prior*/;
+    return invcal_accuracy(&quality, 0);
 }
 
 /* An error of the field is a common error of all three scales. */

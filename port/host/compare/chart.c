@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "compare/compare.h"
+#include "invcal/result.h"
 #include "design/parameters.h"
 #include "draw/chart.h"
 #include "draw/page.h"

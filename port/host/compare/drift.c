@@ -16,6 +16,7 @@
 #include <math.h>
 
 #include "compare/compare.h"
+#include "invcal/result.h"
 #include "maths/f_tail.h"
 #include "text/number.h"
 

@@ -17,6 +17,7 @@
 #include <stdlib.h>
 
 #include "compare/compare.h"
+#include "invcal/result.h"
 #include "maths/f_tail.h"
 
 #define MAD_TO_SIGMA 1.4826 /* standard deviation over the median of |x - median|, if normal */

@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "compare/compare.h"
-#include "invcal/expert.h"
 #include "text/json_write.h"
 
 /* Values, unlike json_nine, which writes deviations. */

@@ -27,6 +27,7 @@
 #include <string.h>
 
 #include "compare/compare.h"
+#include "invcal/result.h"
 #include "maths/matrix.h"
 
 #define DOF_MAX 1000u /* more make no difference */

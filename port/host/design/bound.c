@@ -6,6 +6,7 @@
 
 #include "design/covariance.h"
 #include "maths/matrix.h"
+#include "system.h"
 
 enum { P = INVCAL_PARAMETERS };
 

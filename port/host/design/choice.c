@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "invcal/plan.h"
 #include "cli/command.h"
 #include "design/optimal.h"
 #include "design/order.h"

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "invcal/expert.h"
+#include "system.h"
 
 enum { P = INVCAL_PARAMETERS, SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
 

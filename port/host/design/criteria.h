@@ -10,6 +10,7 @@
 #define CRITERIA_H
 
 #include "invcal/expert.h"
+#include "system.h"
 
 /* Optimality criteria of a design. */
 typedef struct {

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "invcal/positions.h"
 #include "maths/angles.h"
 #include "read/angles_file.h"
 #include "cli/command.h"
@@ -17,6 +18,7 @@
 #include "design/parameters.h"
 #include "read/positions.h"
 #include "design/weights.h"
+#include "guidance.h"
 
 #define SAME 1e-9 /* directions that differ by less */
 
@@ -63,25 +65,27 @@ int design_has_groups(const design *d)
 static const invcal_calibration unit = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 /* The directions as readings of a perfect triad; until the next call. */
-static const double *readings(const design *d)
+static invcal_positions readings(const design *d)
 {
-    static double up[3 * DESIGN_MAX];
+    static invcal_vector up[DESIGN_MAX];
 
     for (unsigned n = 0; n < d->count; n++) {
-        memcpy(&up[3 * (size_t)n], d->position[n].vertical, sizeof d->position[n].vertical);
+        memcpy(up[n].v, d->position[n].vertical, sizeof up[n].v);
     }
-    return up;
+    return (invcal_positions){.mean = up, .count = d->count, .nominal = &unit};
 }
 
 void design_next(const design *d, double up[3])
 {
-    invcal_next(POSITIONS_OF(readings(d), d->count, &unit, 0), up);
+    const invcal_positions given = readings(d);
+
+    invcal_next(&given, up);
 }
 
 /* The same in threes. */
 static const double (*directions(const design *d))[3]
 {
-    return (const double(*)[3])readings(d);
+    return (const double(*)[3])readings(d).mean;
 }
 
 static const double *shares(const design *d)
@@ -152,8 +156,8 @@ static void evaluate(design *d)
     d->is_solvable = criteria_evaluate(&d->sums, &d->criteria);
     d->criteria.positions = d->count;
     d->drift_factor = order_drift_factor(directions(d), shares(d), d->count);
-    d->undetermined =
-        d->is_solvable ? 0 : invcal_undetermined(POSITIONS_OF(readings(d), d->count, &unit, 0));
+    const invcal_positions given = readings(d);
+    d->undetermined = d->is_solvable ? 0 : invcal_undetermined(&given);
     if (!d->is_solvable) {
         refuse(d);
     }

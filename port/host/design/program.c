@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "invcal/plan.h"
 #include "maths/angles.h"
 
 #define DEGREES 57.295779513082321

@@ -26,8 +26,8 @@
 #ifndef SERIES_H
 #define SERIES_H
 
-#include "invcal/expert.h"
 #include "invcal/plan.h"
+#include "system.h"
 
 #define SERIES_TERMS 5u /* 1, cos, sin, cos 2, sin 2 */
 

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "invcal/plan.h"
+
 #define ANGLE_MAX 24
 #define AXES_MAX 16
 #define NEAR 1e-3 /* of a component, or of degrees */

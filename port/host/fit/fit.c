@@ -4,10 +4,23 @@
 #include <math.h>
 #include <string.h>
 
+#include "invcal/expert.h"
+#include "invcal/result.h"
 #include "maths/eigen.h"
 #include "maths/matrix.h"
+#include "solve.h"
+#include "sums.h"
 
 #define ANGLES (7u << INVCAL_GAMMA_XY)
+
+invcal_positions fit_positions(const double *raw, unsigned count, const invcal_calibration *nominal,
+                               double noise)
+{
+    return (invcal_positions){.mean = (const invcal_vector *)raw, /* three numbers each, too */
+                              .count = count,
+                              .nominal = nominal,
+                              .noise = noise};
+}
 
 int fit_has_prior(const fit_settings *settings)
 {
@@ -137,8 +150,9 @@ fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings
                        .max = q->max,
                        .worst = q->worst,
                        .weak = q->weak,
+                       .from_prior = q->held,
                        .unchecked = q->unchecked,
-                       .verdict = (invcal_verdict)q->verdict};
+                       .verdict = q->verdict};
 
     memcpy(out.sigma, q->sigma, sizeof out.sigma);
     invcal_sigma_offset(q, &settings->nominal, out.sigma_offset);
@@ -150,8 +164,8 @@ fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings
 invcal_status fit_explain(const double *raw, unsigned count, const fit_settings *settings,
                           invcal_status status, fit_reason *reason)
 {
-    fit_reason why = {invcal_bad_reading(POSITIONS_OF(raw, count, &settings->nominal, 0)),
-                      invcal_undetermined(POSITIONS_OF(raw, count, &settings->nominal, 0))};
+    const invcal_positions given = fit_positions(raw, count, &settings->nominal, settings->noise);
+    fit_reason why = {invcal_bad_reading(&given), invcal_undetermined(&given)};
 
     if (settings->is_six_faces) {
         why.undetermined = (uint16_t)(why.undetermined & ~ANGLES);
@@ -166,18 +180,15 @@ invcal_status fit_explain(const double *raw, unsigned count, const fit_settings 
 }
 
 static invcal_status solve(const double *raw, unsigned count, const fit_settings *settings,
-                           invcal_calibration *c, invcal_quality *q, uint16_t *from_prior)
+                           invcal_calibration *c, invcal_quality *q)
 {
-    const invcal_calibration *nominal = &settings->nominal;
+    const invcal_positions given = fit_positions(raw, count, &settings->nominal, settings->noise);
 
     if (settings->is_six_faces) {
-        return invcal_calibrate_faces(POSITIONS_OF(raw, count, nominal, settings->noise),
-                                      settings->prior[INVCAL_GAMMA_XY], c, q) /*HELD from_prior*/;
+        return invcal_calibrate_faces(&given, settings->prior[INVCAL_GAMMA_XY], c, q);
     }
-    return fit_has_prior(settings)
-               ? invcal_calibrate_prior(POSITIONS_OF(raw, count, nominal, settings->noise),
-                                        settings->prior, c, q) /*HELD from_prior*/
-               : invcal_calibrate_plain(POSITIONS_OF(raw, count, nominal, settings->noise), c, q);
+    return fit_has_prior(settings) ? invcal_calibrate_prior(&given, settings->prior, c, q)
+                                   : invcal_calibrate_plain(&given, c, q);
 }
 
 invcal_status fit_make(const double *raw, unsigned count, const fit_settings *settings,
@@ -186,15 +197,13 @@ invcal_status fit_make(const double *raw, unsigned count, const fit_settings *se
     double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     invcal_calibration c;
     invcal_quality q;
-    uint16_t from_prior = 0;
 
-    const invcal_status status = solve(raw, count, settings, &c, &q, &from_prior);
+    const invcal_status status = solve(raw, count, settings, &c, &q);
     if (status != INVCAL_OK) {
         return fit_explain(raw, count, settings, status, reason);
     }
     *solution = fit_solution_of(&c, settings);
     *quality = fit_quality_of(&q, settings, solution);
-    quality->from_prior = from_prior;
     fit_information(raw, count, settings, solution, quality->noise, information);
     quality->condition = eigen_condition(information, INVCAL_PARAMETERS);
     return INVCAL_OK;

@@ -8,7 +8,8 @@
 #ifndef FIT_H
 #define FIT_H
 
-#include "invcal/expert.h"
+#include "invcal/positions.h"
+#include "system.h"
 
 /* What a calibration is based on. */
 typedef struct {
@@ -53,6 +54,10 @@ typedef struct {
     uint16_t undetermined; /* bit r: the positions do not determine parameter r */
 } fit_reason;
 
+/* Positions as the library takes them. `raw`: 3 * count numbers, x y z, ... */
+invcal_positions fit_positions(const double *raw, unsigned count, const invcal_calibration *nominal,
+                               double noise);
+
 /* Calibrates.
  *
  * raw     3 * count numbers, input units.
@@ -71,7 +76,7 @@ invcal_status fit_explain(const double *raw, unsigned count, const fit_settings 
 /* The solution that belongs to a calibration in the symmetric frame. */
 fit_solution fit_solution_of(const invcal_calibration *symmetric, const fit_settings *settings);
 
-/* The quality that the library reports of a solution, without `condition` and `from_prior`. */
+/* The quality that the library reports of a solution, without `condition`. */
 fit_quality fit_quality_of(const invcal_quality *q, const fit_settings *settings,
                            const fit_solution *solution);
 

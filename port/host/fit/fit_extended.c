@@ -5,7 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "invcal/result.h"
 #include "maths/matrix.h"
+#include "judge.h"
+#include "sums.h"
+#include "system.h"
 
 enum { NINE = INVCAL_PARAMETERS, UNKNOWNS_MAX = NINE + 3 * FIT_EXTENDED_KINDS, PASSES = 8 };
 
@@ -101,10 +105,10 @@ static double reweigh_noise(double stated, double sensitivity, unsigned extra, f
     const double before = q->noise / sensitivity;
     const double squares_before = before * before * q->sigma_dof;
     const double squares = fmax(squares_before - stated * stated * (q->sigma_dof - q->dof), 0);
-    invcal_quality reduced = {.verdict = (uint8_t)q->verdict, .dof = (uint16_t)(q->dof - extra)};
+    invcal_quality reduced = {.verdict = q->verdict, .dof = (uint16_t)(q->dof - extra)};
 
     invcal_weigh_noise(stated, squares, &reduced);
-    q->verdict = (invcal_verdict)reduced.verdict;
+    q->verdict = reduced.verdict;
     q->noise = sensitivity * reduced.noise;
     q->dof = reduced.dof;
     q->sigma_dof = reduced.sigma_dof;

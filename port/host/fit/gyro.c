@@ -5,10 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "invcal/result.h"
 #include "cli/command.h"
 #include "maths/matrix.h"
 #include "maths/median.h"
 #include "text/number.h"
+#include "rests.h"
 
 #define COUNT_BITS 24      /* of the largest reading found; others may be 128 times as large */
 #define RAIL_RUN_MIN 5u    /* equal readings in a row at the end of the range */

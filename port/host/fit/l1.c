@@ -4,6 +4,10 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "invcal/expert.h"
+#include "invcal/result.h"
+#include "sums.h"
+
 #define ITERATIONS 200u
 #define RESIDUAL_MIN 1e-3 /* over the mean absolute residual: smaller ones are weighted like this */
 #define NOISE_MIN 1e-15   /* over the field, for readings without any noise */

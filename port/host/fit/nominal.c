@@ -5,8 +5,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "invcal/positions.h"
 #include "maths/eigen.h"
 #include "maths/matrix.h"
+#include "system.h"
 
 #define VARIANCE_MIN 0.02 /* in any direction, over the square of the radius */
 

@@ -5,11 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "invcal/positions.h"
 #include "cli/command.h"
 #include "cli/message.h"
 #include "maths/f_tail.h"
 #include "maths/median.h"
 #include "text/random.h"
+#include "sums.h"
 
 #define FALSE_ALARM 0.007 /* chance that any good position is left out */
 #define POSITIONS_MIN 11u /* positions needed to identify an outlier */
@@ -139,8 +141,9 @@ static void judge_subset(rejection *r, const positions *p, const fit_settings *s
     invcal_quality q;
 
     gather(r, p, s, before, &c);
-    if (invcal_calibrate(POSITIONS_OF(c.mean[0], c.count, &settings->nominal, settings->noise),
-                         &calibration, &q) != INVCAL_OK) {
+    const invcal_positions given =
+        fit_positions(c.mean[0], c.count, &settings->nominal, settings->noise);
+    if (invcal_calibrate(&given, &calibration, &q) != INVCAL_OK) {
         return;
     }
     const invcal_mask rejected = s.count > 1 ? q.left_out | q.suspected : q.left_out;
@@ -224,8 +227,8 @@ static int reconsider(rejection *r, const positions *p, const fit_settings *sett
     unsigned rejected_again = 0; /* of the old list */
 
     rejection_finish(r, p);
-    if (invcal_calibrate_plain(POSITIONS_OF(r->kept, r->kept_count, &settings->nominal, 0), &c,
-                               &q) != INVCAL_OK) {
+    const invcal_positions kept = fit_positions(r->kept, r->kept_count, &settings->nominal, 0);
+    if (invcal_calibrate_plain(&kept, &c, &q) != INVCAL_OK) {
         return 0;
     }
     const double noise =

@@ -10,6 +10,10 @@
 #include "maths/matrix.h"
 #include "text/number.h"
 #include "fit/thermal_rejection.h"
+#include "system.h"
+
+#define USUAL_NOISE 1e-4 /* of a position mean, over field */
+#define USUAL_SLOPE 1e-3 /* of an offset, 1/K */
 
 /* The prior was weighted with the noise of the residuals. It determines a parameter more than the
  * positions do if more than half of its variance remains. */
@@ -113,6 +117,14 @@ static invcal_status explain(const thermal_fit *fit, const rejection *kept, invc
     return why;
 }
 
+/* The max drift of temperature in a rest, K: 2 noise / slope. The error of a thermometer that lags
+ * behind the sensor is at most half the drift, and its effect then at most the noise of a position.
+ * (The drift itself does no harm: the mean reading belongs to the mean temperature.) 0: not known. */
+static double drift_limit(double noise, double slope)
+{
+    return 2 * (noise > 0 ? noise : USUAL_NOISE) / (slope > 0 ? slope : USUAL_SLOPE);
+}
+
 int thermal_fit_make(thermal_fit *fit, const positions *p, const fit_settings *settings,
                      const thermal_options *options, rejection *rejected, invcal_status *status,
                      fit_reason *reason)
@@ -121,7 +133,7 @@ int thermal_fit_make(thermal_fit *fit, const positions *p, const fit_settings *s
     invcal_quality q;
 
     *fit = (thermal_fit){.options = *options, .settings = *settings};
-    fit->drift_limit = invcal_thermal_drift_limit(settings->noise, steepest);
+    fit->drift_limit = drift_limit(settings->noise, steepest);
     int failure = rejection_begin(rejected, p, settings, options->keep_all);
     if (failure) {
         return failure;
@@ -164,7 +176,7 @@ void thermal_fit_to_reference(const thermal_fit *fit, const double raw[3], doubl
 void thermal_fit_judge(const thermal_fit *fit, const rejection *kept, double temperature,
                        fit_solution *solution, fit_quality *quality)
 {
-    const invcal_thermal_positions given = thermal_positions(kept, &fit->settings);
+    const invcal_positions given = thermal_positions(kept, &fit->settings);
     invcal_quality q;
 
     *solution = solution_at(fit, temperature);

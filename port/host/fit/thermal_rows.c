@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "maths/matrix.h"
+#include "sums.h"
 
 enum { N = INVCAL_PARAMETERS };
 

@@ -8,8 +8,9 @@
 
 #include "invcal/thermal.h"
 #include "fit/rejection.h"
+#include "system.h"
 
-#define THERMAL_COEFFICIENTS (INVCAL_THERMAL_ROWS * INVCAL_PARAMETERS)
+#define THERMAL_COEFFICIENTS (3 * INVCAL_PARAMETERS) /* of a parabola */
 #define THERMAL_PACKED INVCAL_PACKED_SIZE(THERMAL_COEFFICIENTS)
 
 /* The row of a reading. */

@@ -17,26 +17,23 @@ int thermal_prior(const fit_settings *settings, const thermal_options *options,
     return is_known;
 }
 
-invcal_thermal_positions thermal_positions(const rejection *kept, const fit_settings *settings)
+invcal_positions thermal_positions(const rejection *kept, const fit_settings *settings)
 {
-    return (invcal_thermal_positions){.raw = kept->kept,
-                                      .temperature = kept->temperature,
-                                      .count = kept->kept_count,
-                                      .noise = settings->noise};
+    invcal_positions given =
+        fit_positions(kept->kept, kept->kept_count, &settings->nominal, settings->noise);
+
+    given.temperature = kept->temperature;
+    return given;
 }
 
 invcal_status thermal_solve(const rejection *kept, const fit_settings *settings,
                             const thermal_options *options, invcal_thermal *out,
                             invcal_quality *quality)
 {
-    const invcal_thermal_positions given = thermal_positions(kept, settings);
+    const invcal_positions given = thermal_positions(kept, settings);
     invcal_thermal_prior prior;
 
-    const invcal_status status =
-        invcal_thermal_start(&settings->nominal, kept->temperature, kept->kept_count, out);
-    if (status != INVCAL_OK) {
-        return status;
-    }
-    const invcal_thermal_prior *known = thermal_prior(settings, options, &prior) ? &prior : NULL;
-    return invcal_thermal_fit(&given, known, out, options->degree, out, quality);
+    const int is_known = thermal_prior(settings, options, &prior);
+    return invcal_thermal_fit(&given, is_known ? &prior : NULL, NULL, options->degree, out,
+                              quality);
 }

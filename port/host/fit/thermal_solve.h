@@ -21,9 +21,9 @@ int thermal_prior(const fit_settings *settings, const thermal_options *options,
                   invcal_thermal_prior *prior);
 
 /* The kept positions, as the library needs them. */
-invcal_thermal_positions thermal_positions(const rejection *kept, const fit_settings *settings);
+invcal_positions thermal_positions(const rejection *kept, const fit_settings *settings);
 
-/* The reference is the mean temperature. Returns as invcal_thermal_start and invcal_thermal_fit. */
+/* The reference is the mean temperature. Returns as invcal_thermal_fit. */
 invcal_status thermal_solve(const rejection *kept, const fit_settings *settings,
                             const thermal_options *options, invcal_thermal *out,
                             invcal_quality *quality);

@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "invcal/expert.h"
+#include "system.h"
 
 enum { SWEEPS = 12 }; /* more than any such matrix needs: convergence is quadratic */
 

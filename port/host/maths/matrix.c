@@ -4,6 +4,8 @@
 #include <float.h>
 #include <math.h>
 
+#include "system.h"
+
 static void cross(const double a[3], const double b[3], double out[3])
 {
     out[0] = a[1] * b[2] - a[2] * b[1];

@@ -5,7 +5,7 @@
 #ifndef MATRIX_H
 #define MATRIX_H
 
-#include "invcal/expert.h"
+#include "invcal/invcal.h"
 
 /* The inverse of a calibration's matrix. Returns 1; 0, with `inverse` undefined, if the matrix is
  * singular to rounding or the inverse is not finite. */

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "invcal/plan.h"
 #include "cli/command.h"
 #include "design/optimal.h"
 #include "plan/results.h"

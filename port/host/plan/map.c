@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "invcal/plan.h"
+
 /* Too large for the stack. */
 static sphere map;
 static sphere_mark marks[DESIGN_MAX];

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "invcal/plan.h"
 #include "cli/command.h"
 #include "cli/files.h"
 #include "cli/message.h"

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "invcal/plan.h"
 #include "design/parameters.h"
 #include "plan/facts.h"
 #include "plan/labour.h"

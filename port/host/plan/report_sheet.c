@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "draw/box.h"
+#include "invcal/plan.h"
 #include "draw/svg.h"
 #include "maths/angles.h"
 #include "plan/facts.h"

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "plan/results.h"
+#include "invcal/plan.h"
 #include "plan/map.h"
 #include "text/utf8.h"
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "draw/chart.h"
+#include "invcal/plan.h"
 #include "plan/programs.h"
 #include "plan/words.h"
 #include "draw/svg.h"

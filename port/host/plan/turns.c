@@ -10,7 +10,6 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
-#include "invcal/expert.h"
 #include "maths/eigen.h"
 
 #define RANK_TOLERANCE 1e-9 /* of the largest eigenvalue */

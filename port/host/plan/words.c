@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "invcal/plan.h"
 #include "text/figure.h"
 
 #define NO_BREAK_SPACE "\302\240" /* U+00A0, between a number and its unit */

@@ -23,7 +23,7 @@ typedef struct {
     double beta;
 } position_origin;
 
-struct rests_summary; /* read/rests.h */
+struct rests_summary; /* read/log_rests.h */
 
 typedef struct {
     const char *name;        /* of the file, for messages */

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
  * read/recording.h: what is kept of a log besides its rests, in fixed memory: line and time at
- * which each block of invcal_private_rests began (they cannot be computed if samples were lost or lines
+ * which each block of the detector began (they cannot be computed if samples were lost or lines
  * skipped), and the outline.
  */
 #ifndef RECORDING_H
 #define RECORDING_H
 
-#include "invcal/expert.h"
 #include "read/samples.h"
 #include "read/timeline.h"
+#include "rests.h"
 
 #define RECORDING_BLOCKS 16384u /* the last ones, half an hour */
 

@@ -5,9 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "invcal/plan.h"
+#include "invcal/positions.h"
 #include "cli/command.h"
 #include "result/need.h"
 #include "text/number.h"
+#include "guidance.h"
 
 static double length(const double v[3])
 {
@@ -65,7 +68,8 @@ static int find_next(report_facts *f)
     for (unsigned n = 0; n < kept; n++) {
         calibrate_reference_reading(f->result, n, &raw[3 * (size_t)n]);
     }
-    invcal_next(POSITIONS_OF(raw, kept, &f->result->solution.symmetric, 0), f->next);
+    const invcal_positions given = fit_positions(raw, kept, &f->result->solution.symmetric, 0);
+    invcal_next(&given, f->next);
     (void)invcal_direction_text(f->next, f->next_words);
     free(raw);
     return 1;

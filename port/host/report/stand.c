@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "design/parameters.h"
+#include "invcal/plan.h"
 #include "report/facts.h"
 #include "stand/output.h"
 

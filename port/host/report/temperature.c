@@ -365,7 +365,7 @@ static void write_fitted(page *p, const report_facts *f)
 
     if (c->fitted == 0) {
         page_say(p, "The positions were at %.2f ... %.2f °C. No slopes: %s.", c->min, c->max,
-                 invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
+                 invcal_thermal_fallback_text(c->fallback));
         return;
     }
     page_say(p,
@@ -375,7 +375,7 @@ static void write_fitted(page *p, const report_facts *f)
              c->min, c->max, c->fitted > 1 ? "parabolas" : "straight lines", c->reference);
     if (c->fallback != INVCAL_THERMAL_AS_ASKED) {
         page_say(p, "Parabolas were requested, but could not be fitted: %s.",
-                 invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
+                 invcal_thermal_fallback_text(c->fallback));
     }
 }
 

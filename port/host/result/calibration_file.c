@@ -11,6 +11,7 @@
 #include "maths/matrix.h"
 #include "cli/message.h"
 #include "text/number.h"
+#include "solve.h"
 
 typedef int (*number_reader)(json_reader *r, double *out);
 typedef int (*member_reader)(json_reader *r, const char *name, void *into);
@@ -166,7 +167,7 @@ static int read_coefficients(json_reader *r, thermal_reading *t)
     int failure = json_enter(r, '[');
 
     for (t->rows = 0; !failure && (more = json_element(r, t->rows)) == 1; t->rows++) {
-        if (t->rows == INVCAL_THERMAL_ROWS) {
+        if (t->rows == sizeof t->file->thermal.x / sizeof t->file->thermal.x[0]) {
             return json_error(r, "the degree of \"coefficients\" is 2 at most");
         }
         double *row = t->file->thermal.x[t->rows];

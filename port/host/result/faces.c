@@ -3,8 +3,10 @@
 
 #include <math.h>
 
+#include "invcal/positions.h"
 #include "design/parameters.h"
 #include "text/figure.h"
+#include "system.h"
 
 #define POSITIONS_MIN 6u /* positions */
 #define ANGLE_BITS (7u << INVCAL_GAMMA_XY)

@@ -24,7 +24,7 @@
 
 const char *gyro_verdict(const gyro_fit *g)
 {
-    return invcal_verdict_text((invcal_verdict)g->imu.verdict);
+    return invcal_verdict_text(g->imu.verdict);
 }
 
 const char *gyro_fault(const gyro_fit *g, char text[GYRO_TEXT_MAX])

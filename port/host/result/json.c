@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "result/result.h"
+#include "invcal/result.h"
 #include "result/faces.h"
 #include "result/gyro.h"
 #include "text/json_write.h"
@@ -192,7 +193,7 @@ static void write_thermal(json_writer *w, const calibrate_result *result)
     }
     json_list_end(w);
     json_number(w, "asked", fit->options.degree);
-    json_text(w, "fallback", invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
+    json_text(w, "fallback", invcal_thermal_fallback_text(c->fallback));
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         slope[0][r] = calibrate_slope_scale(result, r) * fit->slope[r];
         slope[1][r] = calibrate_slope_scale(result, r) * fit->slope_sigma[r];

@@ -272,8 +272,7 @@ const char *calibrate_temperature_advice(const calibrate_result *r, char text[CA
     if (fit->calibration.fitted == 0) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "Dependence on temperature cannot be tested: %s (%.1f K, %u positions).",
-                 invcal_thermal_fallback_text((invcal_thermal_fallback)fit->calibration.fallback),
-                 range, r->data->count);
+                 invcal_thermal_fallback_text(fit->calibration.fallback), range, r->data->count);
     } else if (!depends_on_temperature(r)) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "The residuals do not depend on temperature over %.1f K (p = %.2g): --thermal "

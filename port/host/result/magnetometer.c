@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "design/parameters.h"
+#include "invcal/plan.h"
 #include "result/result.h"
 #include "text/figure.h"
 #include "text/paint.h"

@@ -5,7 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "invcal/plan.h"
+#include "invcal/positions.h"
 #include "result/gyro.h"
+#include "guidance.h"
 
 #define POSITIONS_GOOD 12u /* minimum with redundancy */
 #define SIGMA_MAX 4.0 /* of a parameter that counts as determined, over that of a position mean */
@@ -113,10 +116,11 @@ typedef struct {
 
 static int determines_nine(const directions *d)
 {
+    const invcal_positions given = fit_positions(d->up[0], d->count, &identity, 0);
     double root[INVCAL_PARAMETERS];
     int is_determined = d->count >= POSITIONS_GOOD;
 
-    invcal_prospect(POSITIONS_OF(d->up[0], d->count, &identity, 0), NULL, root);
+    invcal_prospect(&given, NULL, root);
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
         is_determined = is_determined && root[p] <= SIGMA_MAX;
     }
@@ -160,10 +164,12 @@ static void find_gap(const directions *d, double out[3])
 
 static void find_direction(const directions *d, unsigned degree, double out[3])
 {
+    const invcal_positions given = fit_positions(d->up[0], d->count, &identity, 0);
+
     if (degree > 0) {
         find_gap(d, out);
     } else {
-        invcal_next(POSITIONS_OF(d->up[0], d->count, &identity, 0), out);
+        invcal_next(&given, out);
     }
 }
 

@@ -17,7 +17,7 @@
 #include "fit/nonlinearity.h"
 #include "read/positions.h"
 #include "fit/rejection.h"
-#include "read/rests.h"
+#include "read/log_rests.h"
 #include "read/magnetometer_log.h"
 #include "stand/stand.h"
 #include "fit/thermal_fit.h"

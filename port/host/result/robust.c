@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "result/result.h"
+#include "invcal/result.h"
 #include "text/wrapped.h"
 
 #define LABEL 14u          /* columns of the label of a line */

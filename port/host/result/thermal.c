@@ -43,7 +43,7 @@ static void print_fitted(FILE *file, const thermal_fit *fit)
     if (c->fallback != INVCAL_THERMAL_AS_ASKED) {
         snprintf(text, sizeof text, "%s instead of %s: %s.",
                  c->fitted > 0 ? "Straight lines" : "No slopes", words[fit->options.degree],
-                 invcal_thermal_fallback_text((invcal_thermal_fallback)c->fallback));
+                 invcal_thermal_fallback_text(c->fallback));
         wrapped_line(file, 0, 0, text);
     }
 }

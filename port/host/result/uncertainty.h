@@ -9,8 +9,8 @@
 #ifndef UNCERTAINTY_H
 #define UNCERTAINTY_H
 
-#include "invcal/expert.h"
 #include "draw/sphere.h"
+#include "system.h"
 
 typedef struct {
     double covariance[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* K, over the squared noise */

@@ -20,6 +20,7 @@
 #ifndef GROUP_SERIES_H
 #define GROUP_SERIES_H
 
+#include "invcal/plan.h"
 #include "stand/mounting.h"
 #include "design/series.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "text/figure.h"
+#include "invcal/plan.h"
 #include "stand/output.h"
 #include "text/number.h"
 

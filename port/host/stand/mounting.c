@@ -6,6 +6,7 @@
 
 #include "maths/matrix.h"
 #include "maths/rotation.h"
+#include "stand/full_vector.h"
 #include "text/number.h"
 
 enum { UNKNOWNS = 4 }; /* of each axis */
@@ -92,19 +93,18 @@ static void find_sigma(mounting *out)
 invcal_status mounting_fit(const mounting_position *p, unsigned count,
                            const invcal_calibration *nominal, mounting *out)
 {
-    invcal_full_vector full;
+    full_vector full;
     double x[INVCAL_PARAMETERS];
 
-    invcal_full_vector_init(&full);
+    full_vector_init(&full);
     for (unsigned i = 0; i < count; i++) {
         if (!p[i].is_left_out) {
-            (void)invcal_full_vector_add(&full, nominal, p[i].raw,
-                                         p[i].eta); /* cannot fail: it was in the fit of lengths */
+            (void)full_vector_add(&full, nominal, p[i].raw,
+                                  p[i].eta); /* cannot fail: it was in the fit of lengths */
         }
     }
     memcpy(out->k, full.sum, sizeof out->k);
-    const invcal_status status =
-        invcal_full_vector_solve(&full, nominal, &out->stand, x, out->turn);
+    const invcal_status status = full_vector_solve(&full, nominal, &out->stand, x, out->turn);
     if (status != INVCAL_OK) {
         return status;
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * stand/mounting.h: the rotation of a unit on a stand, from readings in known directions, by the
- * full vector (invcal/expert.h, "Known directions").
+ * full vector (stand/full_vector.h).
  *
  * Lengths never show this rotation. The full vector depends on the angles of the stand in first
  * order, so its residuals also show errors of the stand: see misset.h.
@@ -9,7 +9,7 @@
 #ifndef MOUNTING_H
 #define MOUNTING_H
 
-#include "invcal/expert.h"
+#include "system.h"
 
 /* A position with a known direction. */
 typedef struct {
@@ -37,7 +37,7 @@ typedef struct {
  *
  * sigma has a relative error of the size of the sensor's errors: 2 % if these are 2 %.
  *
- * Returns as invcal_full_vector_solve. */
+ * Returns as full_vector_solve. */
 invcal_status mounting_fit(const mounting_position *p, unsigned count,
                            const invcal_calibration *nominal, mounting *out);
 

@@ -2,6 +2,8 @@
 #include <math.h>
 
 #include "stand/output.h"
+#include "invcal/plan.h"
+#include "invcal/result.h"
 #include "text/figure.h"
 #include "text/tabular.h"
 #include "text/wrapped.h"

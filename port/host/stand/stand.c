@@ -6,11 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "invcal/expert.h"
+#include "invcal/plan.h"
 #include "maths/angles.h"
 #include "cli/command.h"
 #include "maths/matrix.h"
 #include "cli/message.h"
 #include "text/number.h"
+#include "sums.h"
+#include "system.h"
 
 #define SCATTERED 0.01     /* rad: more than a stand with a scale has, unless */
 #define SCATTERED_NOISE 10 /* it is within this multiple of the noise of a mean */

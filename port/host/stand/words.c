@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "text/figure.h"
+#include "invcal/result.h"
 #include "stand/output.h"
 
 double stand_coverage(double dof)

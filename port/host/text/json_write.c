@@ -4,9 +4,10 @@
 #include <float.h>
 #include <math.h>
 
-#include "invcal/expert.h"
+#include "invcal/result.h"
 #include "text/number.h"
 #include "text/utf8.h"
+#include "system.h"
 
 static const char *line_about; /* null: objects are indented over several lines */
 

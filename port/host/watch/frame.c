@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "invcal/magnetometer.h"
+#include "invcal/plan.h"
 #include "text/figure.h"
 #include "watch/map.h"
 
@@ -288,29 +289,39 @@ static void draw_panel(canvas *c, const watch_state *now)
 
 static const char *verdict_words(invcal_verdict verdict)
 {
-    static const char *const words[] = {
-        [INVCAL_GOOD] = "Good so far; take a few more positions to confirm it",
-        [INVCAL_NO_REDUNDANCY] = "No redundancy: nothing checks the result yet; go on",
-        [INVCAL_ROUGH] = "Rough: positions disagree by more than noise; go on",
-        [INVCAL_DRIFTING] = "Drifting: let the sensor warm up, or work faster",
-        [INVCAL_BENT] = "Bent: an axis is nonlinear or has hysteresis",
-        [INVCAL_WEAK] = "Weak: a parameter is still poorly determined; go on",
-    };
-    return verdict <= INVCAL_WEAK ? words[verdict] : invcal_verdict_text(verdict);
+    switch (verdict) {
+    case INVCAL_GOOD:
+        return "Good so far; take a few more positions to confirm it";
+    case INVCAL_NO_REDUNDANCY:
+        return "No redundancy: nothing checks the result yet; go on";
+    case INVCAL_ROUGH:
+        return "Rough: positions disagree by more than noise; go on";
+    case INVCAL_DRIFTING:
+        return "Drifting: let the sensor warm up, or work faster";
+    case INVCAL_BENT:
+        return "Bent: an axis is nonlinear or has hysteresis";
+    case INVCAL_WEAK:
+        return "Weak: a parameter is still poorly determined; go on";
+    default:
+        return invcal_verdict_text(verdict);
+    }
 }
 
 /* The same for a magnetometer. */
-static const char *waving_words(const watch_state *now)
+static const char *waving_words(invcal_verdict verdict)
 {
-    static const char *const words[] = {
-        [INVCAL_GOOD] = "Good so far; turn it to the remaining sides",
-        [INVCAL_NO_REDUNDANCY] = "No redundancy: too few samples; go on",
-        [INVCAL_ROUGH] = "Rough: disturbed; start again elsewhere",
-        [INVCAL_WEAK] = "Weak: whole sides are missing; go on",
-    };
-    const unsigned verdict = now->quality.verdict;
-
-    return verdict <= INVCAL_WEAK && words[verdict] ? words[verdict] : "Go on";
+    switch (verdict) {
+    case INVCAL_GOOD:
+        return "Good so far; turn it to the remaining sides";
+    case INVCAL_NO_REDUNDANCY:
+        return "No redundancy: too few samples; go on";
+    case INVCAL_ROUGH:
+        return "Rough: disturbed; start again elsewhere";
+    case INVCAL_WEAK:
+        return "Weak: whole sides are missing; go on";
+    default:
+        return "Go on";
+    }
 }
 
 /* If there is no solution yet. */
@@ -349,7 +360,7 @@ static const char *result_words(const watch_state *now, char text[TEXT_MAX])
     }
     return now->quality.verdict == INVCAL_GOOD && watch_has_goal(now)
                ? "Good, but the target is not reached yet; go on"
-           : now->is_magnetometer ? waving_words(now)
+           : now->is_magnetometer ? waving_words(now->quality.verdict)
                                   : verdict_words(now->quality.verdict);
 }
 

@@ -6,6 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "invcal/plan.h"
+#include "invcal/result.h"
 #include "cli/command.h"
 #include "cli/message.h"
 #include "read/samples.h"
@@ -14,6 +16,7 @@
 #include "watch/live_program.h"
 #include "watch/screen.h"
 #include "watch/zero.h"
+#include "rests.h"
 
 #define HOLD_MAX 60      /* seconds: limit of the time from the noise of the first rest */
 #define HOLD_LIMIT 3600  /* seconds: limit of the time from an Allan deviation */
@@ -207,7 +210,7 @@ static int reaches_target(const live_options *options)
     if (options->need > 0 && !(invcal_session_is_good(&session) && now.accuracy <= options->need)) {
         return 0;
     }
-    return !is_wanted || invcal_session_reaches(&session, target);
+    return !is_wanted || invcal_reaches(&now.quality, target[0], target[1], target[2]);
 }
 
 /* Solves the positions so far. */
@@ -222,7 +225,7 @@ static void solve(state *s)
         now.status == INVCAL_OK ? invcal_accuracy(&now.quality, s->options->field_sigma) : 0;
     now.covered = 0;
     for (unsigned n = 0; n < session.count; n++) {
-        now.covered += (unsigned)find_up(&s->known, session.mean[n], now.direction[now.covered]);
+        now.covered += (unsigned)find_up(&s->known, session.mean[n].v, now.direction[now.covered]);
     }
     now.is_guess = zero_is_guess(&s->zero);
 }

@@ -5,7 +5,7 @@
 #ifndef LIVE_H
 #define LIVE_H
 
-#include "read/rests.h"
+#include "read/log_rests.h"
 #include "watch/live_options.h"
 
 /* Reads a stream to its end, or until it is interrupted (Ctrl-C), gives instructions, and collects

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "rests.h"
+
 #define FAR_ZERO 0.3 /* over the field */
 
 void live_program_begin(live_program *l, const design *set, const invcal_session *session,

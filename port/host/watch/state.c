@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "invcal/result.h"
 #include "text/figure.h"
 
 #define NORMAL 1.959964 /* coverage factor for 95 % with known noise, as in session.c */

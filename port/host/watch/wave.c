@@ -6,6 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "invcal/plan.h"
+#include "invcal/result.h"
 #include "cli/command.h"
 #include "watch/interrupt.h"
 #include "watch/lines.h"

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "invcal/positions.h"
 #include "fit/fit.h"
 #include "fit/nominal.h"
 
@@ -112,8 +113,10 @@ static int find_by_program(const zero_finder *z, double zero[3], double lsb[3])
 /* 1 if, with this nominal, all positions so far are possible readings of the field. */
 static int fits_all(const invcal_session *session, const invcal_calibration *nominal)
 {
-    return invcal_bad_reading(POSITIONS_OF(session->mean[0], session->count, nominal, 0)) ==
-           session->count;
+    const invcal_positions given = {
+        .mean = session->mean, .count = session->count, .nominal = nominal};
+
+    return invcal_bad_reading(&given) == session->count;
 }
 
 static int find(const zero_finder *z, int is_determined, double zero[3], double lsb[3])

@@ -9,7 +9,7 @@
  * and its texts are in flash.
  */
 #include <invcal.h>
-#include <invcal/expert.h>
+#include <invcal/positions.h>
 
 #include "sensor.h"
 #include "storage.h"
@@ -69,15 +69,15 @@ static const __FlashStringHelper *refusal_text()
 {
     switch (invcal_session_reason(&session)) {
     case INVCAL_REST_SHORT:
-        return F("too short: hold it still longer");
+        return F("too short: hold still longer");
     case INVCAL_REST_DRIFT:
-        return F("drifts: turned slowly or not settled");
+        return F("drifts: turning or settling");
     case INVCAL_REST_CLIPPED:
         return F("at the end of the range");
     case INVCAL_REST_FROZEN:
-        return F("readings never change: is the sensor read?");
+        return F("readings never change: sensor not read?");
     case INVCAL_REST_GAP:
-        return F("too short: samples were lost");
+        return F("too short: samples lost");
     case INVCAL_REST_SAME:
         return F("nothing new: same place");
     default:
@@ -98,9 +98,14 @@ static NOINLINE void save(const invcal_quality &quality)
  * space.) */
 static NOINLINE void solve()
 {
+    invcal_positions positions = {};
     invcal_quality quality;
 
-    if (invcal_calibrate_robust(POSITIONS_OF(session.mean[0], session.count, &session.nominal, session.noise), &calibration, &quality) != INVCAL_OK ||
+    positions.mean = session.mean;
+    positions.count = session.count;
+    positions.nominal = &session.nominal;
+    positions.noise = session.noise;
+    if (invcal_calibrate_robust(&positions, &calibration, &quality) != INVCAL_OK ||
         quality.verdict != INVCAL_GOOD || quality.dof < 3) {
         return;
     }

@@ -6,7 +6,8 @@
 
 #include "board.h"
 #include "imu.h"
-#include "invcal/expert.h"
+#include "invcal/positions.h"
+#include "invcal/result.h"
 #include "print.h"
 #include "sim.h"
 

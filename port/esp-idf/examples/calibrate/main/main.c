@@ -9,7 +9,7 @@
 #include "nvs.h"
 #include "nvs_flash.h"
 
-#include "invcal/expert.h"
+#include "invcal/result.h"
 #include "invcal/store.h"
 #include "sensor.h"
 
@@ -164,7 +164,7 @@ static int solve(invcal_calibration *calibration)
     }
     invcal_sigma_offset(&quality, &session.nominal, sigma);
     invcal_deviation(calibration, &session.nominal, x);
-    printf("verdict: %s\n", invcal_verdict_text((invcal_verdict)quality.verdict));
+    printf("verdict: %s\n", invcal_verdict_text(quality.verdict));
     print_vector("offset, counts:", calibration->offset);
     print_vector("sigma:", sigma);
     print_vector("scale errors:", &x[INVCAL_DK_X]);

@@ -16,7 +16,7 @@
 #include <zephyr/settings/settings.h>
 #include <zephyr/sys/printk.h>
 
-#include "invcal/expert.h"
+#include "invcal/result.h"
 #include "invcal/store.h"
 
 #define RATE 100u    /* samples per second */
@@ -186,7 +186,7 @@ static int solve(invcal_calibration *calibration)
     }
     invcal_sigma_offset(&quality, &session.nominal, sigma);
     invcal_deviation(calibration, &session.nominal, x);
-    printk("verdict: %s\n", invcal_verdict_text((invcal_verdict)quality.verdict));
+    printk("verdict: %s\n", invcal_verdict_text(quality.verdict));
     print_vector("offset, 10 um/s^2:", calibration->offset);
     print_vector("sigma:", sigma);
     print_vector("scale errors:", &x[INVCAL_DK_X]);

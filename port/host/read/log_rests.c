@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "read/rests.h"
+#include "read/log_rests.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -42,13 +42,13 @@ const char *rests_reason_text(invcal_status reason)
 {
     switch (reason) {
     case INVCAL_REST_SHORT:
-        return "too short: hold it still longer";
+        return "too short: hold still longer";
     case INVCAL_REST_CLIPPED:
         return "at the end of the range";
     case INVCAL_REST_FROZEN:
         return "readings, or those of an axis, never change: is the sensor read?";
     case INVCAL_REST_GAP:
-        return "too short: samples were lost";
+        return "too short: samples lost";
     case INVCAL_REST_SAME:
         return "the same place as before";
     case INVCAL_OUT_OF_RANGE:

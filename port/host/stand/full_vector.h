@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: the mounting of a unit on a stand.
+ * stand/full_vector.h: all three readings of a position against its known direction.
  */
-#ifndef INVCAL_FULL_VECTOR_H
-#define INVCAL_FULL_VECTOR_H
+#ifndef FULL_VECTOR_H
+#define FULL_VECTOR_H
 
 #include "system.h"
 
@@ -14,26 +14,26 @@
  *
  * with R the mounting: a direction eta of the stand's frame is R eta in the frame of the unit. That
  * is linear in the twelve elements of M and delta, and the three axes share one 4x4 system; I + S
- * and R are the polar decomposition of M. An angle error d counts to first order here (see the
- * table above): so take the parameters from the lengths, and only the mounting from here. */
+ * and R are the polar decomposition of M. An angle error d counts to first order here (expert.h,
+ * "known directions"): so take the parameters from the lengths, and only the mounting from here. */
 typedef struct {
     /* The triangle of (eta 1 u)'(eta 1 u) over all positions. */
-    invcal_real sum[INVCAL_PACKED_SIZE(7)];
+    double sum[INVCAL_PACKED_SIZE(7)];
     unsigned count; /* positions in the sums; at most UINT_MAX */
-} invcal_full_vector;
+} full_vector;
 
 /* Empties the sums. All bytes zero is the same state. */
-void invcal_full_vector_init(invcal_full_vector *full);
+void full_vector_init(full_vector *full);
 
 /* Adds a position of known direction.
  *
  * nominal  the same for all positions.
- * raw      a position mean, raw counts.
+ * raw      a position mean, input units.
  * eta      the up direction in the frame of the stand, unit length within 1e-4.
  *
- * Returns as invcal_linear_add_vertical. Cost: 340 instructions. Stack: about 110 bytes. */
-invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_calibration *nominal,
-                                     const invcal_real raw[3], const invcal_real eta[3]);
+ * Returns as invcal_directions_add. */
+invcal_status full_vector_add(full_vector *full, const invcal_calibration *nominal,
+                              const double raw[3], const double eta[3]);
 
 /* Solves the sums, for errors of any size.
  *
@@ -51,10 +51,9 @@ invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_cali
  *   INVCAL_UNDETERMINED   the ends of the directions lie in a plane, as those of a circle do;
  *   INVCAL_NOT_ELLIPSOID  a semi-axis of I + S is outside about 0.1 ... 10, or delta beyond 10; or
  *                         the directions are mirrored: an angle has the wrong sign;
- *   INVCAL_BAD_NOMINAL    the result is beyond the limits of invcal_nominal.
- * Cost: 3,300 instructions. Stack: about 290 bytes. */
-invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_calibration *nominal,
-                                       invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS],
-                                       invcal_real mounting[3][3]);
+ *   INVCAL_BAD_NOMINAL    the result is beyond the limits of invcal_nominal. */
+invcal_status full_vector_solve(full_vector *full, const invcal_calibration *nominal,
+                                invcal_calibration *out, double x[INVCAL_PARAMETERS],
+                                double mounting[3][3]);
 
 #endif

@@ -5,31 +5,30 @@
  * with one right side for each. The polar decomposition of M then separates the sensor, I + S, from
  * its mounting, R.
  */
+#include "stand/full_vector.h"
+
 #include <limits.h>
 #include <string.h>
 
-#include "full_vector.h"
 #include "solve.h"
 #include "sums.h"
 #include "vector.h"
 
 enum { OF_AXIS = 4, OF_ROW = OF_AXIS + 3 }; /* unknowns of an axis: a row of M, and delta */
 
-#define LEAST_DET INVCAL_REAL(1e-3) /* of det M: invcal_triad wants as much of det (I + S) */
+#define LEAST_DET 1e-3 /* of det M: invcal_triad wants as much of det (I + S) */
 
-void invcal_full_vector_init(invcal_full_vector *full)
+void full_vector_init(full_vector *full)
 {
-    INVCAL_ASSERT(full);
-    invcal_zero(full, sizeof *full);
+    *full = (full_vector){{0}, 0};
 }
 
-invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_calibration *nominal,
-                                     const invcal_real raw[3], const invcal_real eta[3])
+invcal_status full_vector_add(full_vector *full, const invcal_calibration *nominal,
+                              const double raw[3], const double eta[3])
 {
-    invcal_real row[OF_ROW];
+    double row[OF_ROW];
     invcal_row observed;
 
-    INVCAL_ASSERT(full && nominal && raw && eta);
     const invcal_status status = invcal_observe(nominal, raw, &observed);
     if (status != INVCAL_OK) {
         return status;
@@ -49,9 +48,9 @@ invcal_status invcal_full_vector_add(invcal_full_vector *full, const invcal_cali
 
 /* M and delta, one axis at a time, as the row after the system, where invcal_back_substitute
  * expects it. It solves A p = -b, hence the signs. */
-static void solve_axes(invcal_real *a, invcal_real m[3][3], invcal_real delta[3])
+static void solve_axes(double *a, double m[3][3], double delta[3])
 {
-    invcal_real *p = &a[INVCAL_PACKED(OF_AXIS, 0)];
+    double *p = &a[INVCAL_PACKED(OF_AXIS, 0)];
 
     for (unsigned axis = 0; axis < 3; axis++) {
         if (axis > 0) {
@@ -66,8 +65,7 @@ static void solve_axes(invcal_real *a, invcal_real m[3][3], invcal_real delta[3]
 }
 
 /* I + S = p; the mean with p' removes rounding. */
-static void parameters_of(const invcal_real p[3][3], const invcal_real delta[3],
-                          invcal_real x[INVCAL_PARAMETERS])
+static void parameters_of(const double p[3][3], const double delta[3], double x[INVCAL_PARAMETERS])
 {
     memcpy(&x[INVCAL_DELTA_X], delta, 3 * sizeof *delta);
     for (unsigned i = 0; i < 3; i++) {
@@ -80,16 +78,15 @@ static void parameters_of(const invcal_real p[3][3], const invcal_real delta[3],
 
 /* M = (I + S) R; the calibrated R'A u is M^-1 u. X is found first, and passes the same limits as
  * that of lengths (invcal_triad). `full` is overwritten as work space. */
-invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_calibration *nominal,
-                                       invcal_calibration *out, invcal_real x[INVCAL_PARAMETERS],
-                                       invcal_real mounting[3][3])
+invcal_status full_vector_solve(full_vector *full, const invcal_calibration *nominal,
+                                invcal_calibration *out, double x[INVCAL_PARAMETERS],
+                                double mounting[3][3])
 {
-    invcal_real m[3][3];
-    invcal_real found[INVCAL_PARAMETERS];
+    double m[3][3];
+    double found[INVCAL_PARAMETERS];
     invcal_calibration c;
 
-    INVCAL_ASSERT(full && nominal && out && x && mounting);
-    invcal_real *work = full->sum;
+    double *work = full->sum;
     if (full->count < OF_AXIS) {
         return INVCAL_TOO_FEW;
     }
@@ -98,15 +95,15 @@ invcal_status invcal_full_vector_solve(invcal_full_vector *full, const invcal_ca
         return status;
     }
     solve_axes(work, m, c.offset);
-    if (!(invcal_cofactors((const invcal_real(*)[3])m, (invcal_real(*)[3])work) > LEAST_DET)) {
+    if (!(invcal_cofactors((const double(*)[3])m, (double(*)[3])work) > LEAST_DET)) {
         return INVCAL_NOT_ELLIPSOID;
     }
     memcpy(c.matrix, m, sizeof m);
     invcal_make_symmetric(c.matrix, work);
-    parameters_of((const invcal_real(*)[3])c.matrix, c.offset, found);
+    parameters_of((const double(*)[3])c.matrix, c.offset, found);
     status = invcal_triad(found, &c);
     if (status == INVCAL_OK) {
-        invcal_inverse3((const invcal_real(*)[3])m, c.matrix);
+        invcal_inverse3((const double(*)[3])m, c.matrix);
         status = invcal_compose(nominal, &c);
     }
     if (status == INVCAL_OK) {

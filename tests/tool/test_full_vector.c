@@ -2,12 +2,16 @@
  *
  * Known directions: the full vector, and the rotation that lengths cannot show.
  */
+#include "stand/full_vector.h"
+
 #include <limits.h>
 #include <math.h>
 #include <string.h>
 
 #include "expected.h"
+#include "full_vector.h"
 #include "support.h"
+#include "system.h"
 #include "unity.h"
 
 void setUp(void)
@@ -25,30 +29,30 @@ static void turned(const double r[3][3], const double eta[3], double out[3])
     }
 }
 
-static void to_real(const double v[3], invcal_real out[3])
+static void to_real(const double v[3], double out[3])
 {
     for (int i = 0; i < 3; i++) {
-        out[i] = (invcal_real)v[i];
+        out[i] = v[i];
     }
 }
 
-static invcal_status add(invcal_full_vector *full, const double u[3], const double eta[3])
+static invcal_status add(full_vector *full, const double u[3], const double eta[3])
 {
     const invcal_calibration nominal = unit_nominal();
-    invcal_real raw[3];
-    invcal_real up[3];
+    double raw[3];
+    double up[3];
 
     to_real(u, raw);
     to_real(eta, up);
-    return invcal_full_vector_add(full, &nominal, raw, up);
+    return full_vector_add(full, &nominal, raw, up);
 }
 
 /* The first `count` positions of the paper's program, for a unit with the mounting R. */
-static invcal_full_vector mounted(const triad_truth *truth, const double r[3][3], int count)
+static full_vector mounted(const triad_truth *truth, const double r[3][3], int count)
 {
-    invcal_full_vector full;
+    full_vector full;
 
-    invcal_full_vector_init(&full);
+    full_vector_init(&full);
     for (int k = 0; k < count; k++) {
         double up[3];
         double u[3];
@@ -66,17 +70,17 @@ static void parameters_and_mounting_come_out_for_errors_of_any_size(void)
     for (int i = 0; i < SOME(200); i++) {
         const triad_truth truth = triad_random(&random, 0.2);
         const invcal_calibration nominal = unit_nominal();
-        const double tolerance = FLOAT_OR_DOUBLE(3e-6, 1e-14);
+        const double tolerance = 1e-14;
         double r[3][3];
-        invcal_real x[9];
-        invcal_real found[3][3];
+        double x[9];
+        double found[3][3];
         invcal_calibration c;
         random_rotation(&random, r);
-        invcal_full_vector full = mounted(&truth, (const double(*)[3])r, 18);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_full_vector_solve(&full, &nominal, &c, x, found));
+        full_vector full = mounted(&truth, (const double(*)[3])r, 18);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, full_vector_solve(&full, &nominal, &c, x, found));
         for (int p = 0; p < 9; p++) {
-            TEST_ASSERT_DOUBLE_WITHIN(tolerance, truth.x[p], (double)x[p]);
-            TEST_ASSERT_DOUBLE_WITHIN(tolerance, r[p / 3][p % 3], (double)found[p / 3][p % 3]);
+            TEST_ASSERT_DOUBLE_WITHIN(tolerance, truth.x[p], x[p]);
+            TEST_ASSERT_DOUBLE_WITHIN(tolerance, r[p / 3][p % 3], found[p / 3][p % 3]);
         }
     }
 }
@@ -90,22 +94,22 @@ static void calibrated_readings_are_directions_of_the_stand(void)
     double e[3];
     double up[3];
     double u[3];
-    invcal_real x[9];
-    invcal_real found[3][3];
-    invcal_real out[3];
+    double x[9];
+    double found[3][3];
+    double out[3];
     invcal_calibration c;
 
     random_rotation(&random, r);
-    invcal_full_vector full = mounted(&truth, (const double(*)[3])r, 18);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_full_vector_solve(&full, &nominal, &c, x, found));
+    full_vector full = mounted(&truth, (const double(*)[3])r, 18);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, full_vector_solve(&full, &nominal, &c, x, found));
     for (int i = 0; i < SOME(50); i++) {
         random_direction(&random, e);
         turned((const double(*)[3])r, e, up);
         triad_read(&truth, up, u);
-        const invcal_real raw[3] = {(invcal_real)u[0], (invcal_real)u[1], (invcal_real)u[2]};
+        const double raw[3] = {u[0], u[1], u[2]};
         invcal_apply(&c, raw[0], raw[1], raw[2], out);
         for (int a = 0; a < 3; a++) {
-            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(3e-6, 1e-13), e[a], (double)out[a]);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-13, e[a], out[a]);
         }
     }
 }
@@ -116,21 +120,21 @@ static void any_regular_matrix_may_be_nominal_and_be_replaced(void)
     static const double t[3][3] = {{80, 30, -20}, {-35, 60, 50}, {20, -40, 120}};
     random_source random = random_start(4);
     const triad_truth truth = triad_random(&random, 0.1);
-    const double tolerance = FLOAT_OR_DOUBLE(6e-6, 1e-13);
+    const double tolerance = 1e-13;
     double inverse[3][3];
     double r[3][3];
     invcal_calibration c;
-    invcal_full_vector full;
-    invcal_real raw[18][3];
-    invcal_real x[9];
-    invcal_real found[3][3];
-    invcal_real up[3];
+    full_vector full;
+    double raw[18][3];
+    double x[9];
+    double found[3][3];
+    double up[3];
 
     inverse3(t, inverse);
     random_rotation(&random, r);
-    invcal_full_vector_init(&full);
+    full_vector_init(&full);
     for (int k = 0; k < 3; k++) {
-        c.offset[k] = (invcal_real)(100 * k);
+        c.offset[k] = (100 * k);
         to_real(inverse[k], c.matrix[k]);
     }
     for (int i = 0; i < 18; i++) {
@@ -139,20 +143,20 @@ static void any_regular_matrix_may_be_nominal_and_be_replaced(void)
         turned((const double(*)[3])r, expected_plan18[i], turn);
         triad_read(&truth, turn, u);
         for (int k = 0; k < 3; k++) {
-            raw[i][k] = (invcal_real)(100 * k + t[k][0] * u[0] + t[k][1] * u[1] + t[k][2] * u[2]);
+            raw[i][k] = (100 * k + t[k][0] * u[0] + t[k][1] * u[1] + t[k][2] * u[2]);
         }
         to_real(expected_plan18[i], up);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_full_vector_add(&full, &c, raw[i], up));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, full_vector_add(&full, &c, raw[i], up));
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_full_vector_solve(&full, &c, &c, x, found));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, full_vector_solve(&full, &c, &c, x, found));
     for (int p = 0; p < 9; p++) {
-        TEST_ASSERT_DOUBLE_WITHIN(tolerance, truth.x[p], (double)x[p]);
-        TEST_ASSERT_DOUBLE_WITHIN(tolerance, r[p / 3][p % 3], (double)found[p / 3][p % 3]);
+        TEST_ASSERT_DOUBLE_WITHIN(tolerance, truth.x[p], x[p]);
+        TEST_ASSERT_DOUBLE_WITHIN(tolerance, r[p / 3][p % 3], found[p / 3][p % 3]);
     }
     for (int i = 0; i < 18; i++) {
         invcal_apply(&c, raw[i][0], raw[i][1], raw[i][2], up);
         for (int k = 0; k < 3; k++) {
-            TEST_ASSERT_DOUBLE_WITHIN(tolerance, expected_plan18[i][k], (double)up[k]);
+            TEST_ASSERT_DOUBLE_WITHIN(tolerance, expected_plan18[i][k], up[k]);
         }
     }
 }
@@ -161,12 +165,12 @@ static void any_regular_matrix_may_be_nominal_and_be_replaced(void)
 static void angles_of_mounting(int moved, double error, double angle[3])
 {
     const invcal_calibration nominal = unit_nominal();
-    invcal_full_vector full;
+    full_vector full;
     invcal_calibration c;
-    invcal_real x[9];
-    invcal_real r[3][3];
+    double x[9];
+    double r[3][3];
 
-    invcal_full_vector_init(&full);
+    full_vector_init(&full);
     for (int k = 0; k < 18; k++) {
         double u[3] = {expected_plan18[k][0], expected_plan18[k][1], expected_plan18[k][2]};
         if (moved / 3 == k) {
@@ -174,9 +178,9 @@ static void angles_of_mounting(int moved, double error, double angle[3])
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&full, u, expected_plan18[k]));
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_full_vector_solve(&full, &nominal, &c, x, r));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, full_vector_solve(&full, &nominal, &c, x, r));
     for (int i = 0; i < 3; i++) {
-        angle[i] = (double)(r[i][(i + 1) % 3] - r[(i + 1) % 3][i]) / 2;
+        angle[i] = (r[i][(i + 1) % 3] - r[(i + 1) % 3][i]) / 2;
     }
 }
 
@@ -198,15 +202,14 @@ static void the_angles_of_the_mounting_have_the_sigma_that_the_header_states(voi
     }
 }
 
-static void assert_solved(invcal_status status, invcal_full_vector full,
-                          const invcal_calibration *nominal)
+static void assert_solved(invcal_status status, full_vector full, const invcal_calibration *nominal)
 {
     invcal_calibration c = {{7, 7, 7}, {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
     const invcal_calibration was = c;
-    invcal_real x[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7};
-    invcal_real r[4][3] = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}, {7, 7, 7}}; /* and a row after it */
+    double x[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7};
+    double r[4][3] = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}, {7, 7, 7}}; /* and a row after it */
 
-    TEST_ASSERT_EQUAL_INT(status, invcal_full_vector_solve(&full, nominal, &c, x, r));
+    TEST_ASSERT_EQUAL_INT(status, full_vector_solve(&full, nominal, &c, x, r));
     TEST_ASSERT_EQUAL_INT(status != INVCAL_OK, memcmp(&was, &c, sizeof c) == 0);
     for (int p = 0; p < 9; p++) {
         TEST_ASSERT_EQUAL_INT(status != INVCAL_OK, x[p] == 7);
@@ -224,12 +227,12 @@ static void too_few_flat_and_mirrored_directions_are_refused(void)
     const invcal_calibration nominal = unit_nominal();
     const double s = sqrt(1.0 / 3);
     const double corner[4][3] = {{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}};
-    invcal_full_vector four;
+    full_vector four;
 
     assert_solved(INVCAL_TOO_FEW, mounted(&truth, straight, 3), &nominal);
     assert_solved(INVCAL_UNDETERMINED, mounted(&truth, straight, 6), &nominal); /* group 1 */
     assert_solved(INVCAL_NOT_ELLIPSOID, mounted(&truth, mirror, 18), &nominal);
-    invcal_full_vector_init(&four);
+    full_vector_init(&four);
     for (int i = 0; i < 4; i++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&four, corner[i], corner[i]));
     }
@@ -266,9 +269,9 @@ static void semi_axes_and_offsets_beyond_their_limits_are_not_triads(void)
     random_rotation(&random, rotation);
     for (unsigned i = 0; i < sizeof limits / sizeof limits[0]; i++) {
         triad_truth truth = {{0}};
-        invcal_full_vector full;
+        full_vector full;
         truth.x[limits[i].r] = limits[i].error;
-        invcal_full_vector_init(&full);
+        full_vector_init(&full);
         while (full.count < 40) {
             double eta[3];
             double up[3];
@@ -291,12 +294,12 @@ static void sums_that_are_not_numbers_are_refused(void)
 
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned k = 0; k < INVCAL_PACKED(4, 4); k++) {
-            invcal_full_vector full = mounted(&none, straight, 18);
+            full_vector full = mounted(&none, straight, 18);
             invcal_calibration c = nominal;
-            invcal_real x[9];
-            invcal_real r[3][3];
-            full.sum[k] = (invcal_real)bad[i];
-            TEST_ASSERT_TRUE(invcal_full_vector_solve(&full, &nominal, &c, x, r) != INVCAL_OK);
+            double x[9];
+            double r[3][3];
+            full.sum[k] = bad[i];
+            TEST_ASSERT_TRUE(full_vector_solve(&full, &nominal, &c, x, r) != INVCAL_OK);
             TEST_ASSERT_EQUAL_MEMORY(&nominal, &c, sizeof c);
         }
     }
@@ -304,8 +307,8 @@ static void sums_that_are_not_numbers_are_refused(void)
 
 static void assert_not_added(const double u[3], const double eta[3], invcal_status expected)
 {
-    invcal_full_vector full;
-    invcal_full_vector before;
+    full_vector full;
+    full_vector before;
 
     memset(&full, 7, sizeof full);
     before = full;
@@ -334,9 +337,9 @@ static void what_is_not_a_reading_or_a_direction_is_not_added(void)
 static void the_count_ends_at_the_largest_number(void)
 {
     const double z[3] = {0, 0, 1};
-    invcal_full_vector full;
+    full_vector full;
 
-    invcal_full_vector_init(&full);
+    full_vector_init(&full);
     full.count = UINT_MAX - 1;
     for (int i = 0; i < 2; i++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&full, z, z));

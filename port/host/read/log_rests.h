@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * read/rests.h: finds the positions in a log of samples.
+ * read/log_rests.h: finds the positions in a log of samples.
  */
-#ifndef RESTS_H
-#define RESTS_H
+#ifndef LOG_RESTS_H
+#define LOG_RESTS_H
 
-#include "invcal/expert.h"
 #include "read/positions.h"
 #include "read/recording.h"
 #include "read/gyro_log.h"
+#include "rests.h"
 
 /* INVCAL_REST_SHORT ... INVCAL_REST_SAME: why a rest was refused. */
 enum { RESTS_REASONS = INVCAL_REST_SAME - INVCAL_REST_SHORT + 1 };
