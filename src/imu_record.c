@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Encodes and decodes the result of both sensors: the table is in gyro_store.h. The record of
+ * Encodes and decodes the result of both sensors: the table is in frozen.md. The record of
  * the accelerometer is inside, complete with its own CRC, and record.c reads it. Reals are the first
  * members of the structure, in the order of the bytes, so that they are copied as two runs: sigma of
  * the accelerometer is between them.

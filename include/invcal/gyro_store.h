@@ -39,28 +39,9 @@ invcal_status invcal_imu_load(invcal_imu *imu, const invcal_store *store);
 
 /* ---- the result --------------------------------------------------------------------------------
  *
- * Both calibrations and their quality as 344 bytes, for a memory, a file or a radio. Numbers as in
- * a record of store.h:
- *
- *     at    size  what
- *       0   1     kind, 0xCC
- *       1   1     version, 1
- *       2   2     length, 344
- *       4   136   the record of the accelerometer (store.h)
- *     140   2     weak: bit r is set if parameter r of the gyroscope is
- *     142   2     dof
- *     144   1     verdict, of both
- *     145   1     moves
- *     146   1     1: the moves were corrected for g-sensitivity
- *     147   1     0
- *     148   12    move_noise, move_rms, move_max
- *     160   48    gyroscope: offset x, y, z, matrix by rows
- *     208   36    sigma of its nine parameters
- *     244   48    g-sensitivity and drift, by rows: x, y, z, drift
- *     292   48    sigma of these
- *     340   4     CRC-32 of all before it
- *
- * A device without gyroscope support finds a record at byte 4. */
+ * Both calibrations and their quality as 344 bytes, for a memory, a file or a radio; the same on
+ * every machine. frozen.md has their table. A device without gyroscope support finds a record of
+ * store.h at byte 4. */
 #define INVCAL_IMU_RECORD_SIZE 344u /* bytes */
 
 /* Encodes a result.

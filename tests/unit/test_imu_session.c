@@ -287,6 +287,7 @@ static size_t reference(const invcal_imu *imu_of, uint8_t *bytes)
         at = put(at, m->segment[i].kappa, 6);
         at = put(at, &m->segment[i].time, 2);
     }
+    at = bytes + offsetof(invcal_imu, nominal) - FROM; /* aligned */
     at = put(at, imu_of->nominal.offset, MEAN);
     at = put(at, imu_of->nominal.matrix, 3 * MEAN);
     at = put(at, &imu_of->rests, 1);
