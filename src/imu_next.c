@@ -123,33 +123,32 @@ static unsigned next_face(const path *p)
     return next;
 }
 
-static invcal_status turn_to_face(const path *p, invcal_turn *turn)
+/* Leaves the turn as it is if there is none. */
+static void turn_to_face(const path *p, invcal_turn *turn)
 {
     const unsigned face = next_face(p);
     invcal_real up[3] = {0, 0, 0};
 
-    if (face >= NO_FACE) { /* uncovered: a turn was not made */
-        return INVCAL_TOO_FEW;
+    if (face < NO_FACE) { /* a turn was not made */
+        up[face / 2] = face % 2 == 0 ? 1 : -1;
+        (void)invcal_turn_to(p->up, up, turn);
     }
-    up[face / 2] = face % 2 == 0 ? 1 : -1;
-    return invcal_turn_to(p->up, up, turn);
 }
 
-/* The most informative turn. A turn to the rest that is READY counts as the shortest. */
-static invcal_status find_informative(const path *p, invcal_turn *turn)
+/* The most informative turn, unless the rests are not readings. A turn to the rest that is READY
+ * counts as the shortest. */
+static void find_informative(const path *p, invcal_turn *turn)
 {
     const invcal_positions positions = invcal_imu_positions(p->imu);
     invcal_turns turns;
 
-    const invcal_status status = invcal_turns_after(&turns, p->imu, &positions, NULL);
-    if (status == INVCAL_OK) {
+    if (invcal_turns_after(&turns, p->imu, &positions, NULL) == INVCAL_OK) {
         if (p->is_held && invcal_turn_to(turns.up, p->up, turn) == INVCAL_OK) {
             (void)invcal_turns_add(&turns, turn);
         }
         memcpy(turns.up, p->up, sizeof turns.up);
         invcal_turns_next(&turns, turn);
     }
-    return status;
 }
 
 void invcal_imu_next(const invcal_imu *imu, invcal_turn *turn)
@@ -157,20 +156,19 @@ void invcal_imu_next(const invcal_imu *imu, invcal_turn *turn)
     path p;
 
     INVCAL_ASSERT(imu && turn);
+    invcal_zero(turn, sizeof *turn);
+    turn->up[2] = 1;
     invcal_zero(&p, sizeof p);
     p.imu = imu;
     p.face = NO_FACE;
-    if (invcal_imu_is_begun(imu) && follow_path(&p)) {
-        if (p.made == TOUR_MADE) {
-            if (find_informative(&p, turn) == INVCAL_OK) {
-                return;
-            }
-        } else if (turn_to_face(&p, turn) == INVCAL_OK) {
-            return;
-        } /* cppcheck-suppress misra-c2012-15.7 ; nothing is known */
+    if (!invcal_imu_is_begun(imu) || !follow_path(&p)) {
+        return;
     }
-    invcal_zero(turn, sizeof *turn);
-    turn->up[2] = 1;
+    if (p.made == TOUR_MADE) {
+        find_informative(&p, turn);
+    } else {
+        turn_to_face(&p, turn);
+    }
 }
 
 const char *invcal_imu_next_text(const invcal_imu *imu, char text[INVCAL_TEXT_SIZE])

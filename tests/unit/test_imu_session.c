@@ -274,6 +274,7 @@ static size_t reference(const invcal_imu *imu_of, uint8_t *bytes)
     at = put(at, &m->between, 4);
     at = put(at, &m->blocks, 2);
     at = put(at, &m->first, 2);
+    at = bytes + offsetof(invcal_imu, own.rate) - FROM; /* aligned */
     at = put(at, &m->rate, sizeof m->rate);
     at = put(at, m->bias, MEAN);
     for (unsigned i = 0; i < INVCAL_MAX_MOVES; i++) {
@@ -287,7 +288,7 @@ static size_t reference(const invcal_imu *imu_of, uint8_t *bytes)
         at = put(at, m->segment[i].kappa, 6);
         at = put(at, &m->segment[i].time, 2);
     }
-    at = bytes + offsetof(invcal_imu, nominal) - FROM; /* aligned */
+    at = bytes + offsetof(invcal_imu, nominal) - FROM; /* the same */
     at = put(at, imu_of->nominal.offset, MEAN);
     at = put(at, imu_of->nominal.matrix, 3 * MEAN);
     at = put(at, &imu_of->rests, 1);
