@@ -151,10 +151,9 @@ done
 # ---- other pages --------------------------------------------------------------------------------------------
 
 page=port/manual/gyroscope_firmware.md
-says $page "| session and moves in RAM | {$(figure m4f sizeof.invcal_imu_session)} |"
-says $page "| the result in RAM, its record in RAM, in a slot | {$(figure m4f sizeof.invcal_imu)}, \
-{$(figure m4f sizeof.invcal_imu_record)}, "
-says $page "| {$(figure m4f invcal_imu_solve)}, {$(figure m4f invcal_imu_save)} |"
+says $page "| session and moves in RAM | {$(figure m4f sizeof.invcal_imu)} |"
+says $page "| the result in RAM, in a slot | {$(figure m4f sizeof.invcal_imu_result)}, "
+says $page "| {$(figure m4f invcal_imu_solve)}, {$(figure m4f invcal_imu_save_result)} |"
 says $page "gyroscope costs {$(about m4f gyro_feed)} instructions on a Cortex-M4F"
 says $page "a solution of 23 moves {$(over m4f imu_solve 1000000)} million"
 says $page "it takes {$(over atmega1284p imu_solve 16000000)} s"
@@ -201,12 +200,10 @@ invcal_save save
 invcal_load load
 invcal_frame_add frame_add
 invcal_frame_solve frame_solve
-invcal_moves_feed gyro_feed
-invcal_moves_follow gyro_follow
+invcal_imu_feed_gyro gyro_feed
 invcal_imu_solve imu_pass
-invcal_turns_add turns_add
-invcal_turns_next turns_next
-invcal_turns_sigma turns_sigma
+invcal_imu_next imu_next
+invcal_imu_apply imu_apply
 invcal_magnetometer_feed magnetometer_sample magnetometer_look magnetometer_with_looks
 invcal_magnetometer_next magnetometer_next
 invcal_magnetometer_solve magnetometer_solve

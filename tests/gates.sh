@@ -234,7 +234,7 @@ plant walk src/core/circle.c 's/^enum { TERMS/typedef struct {\n    int32_t x[3]
     'm4f separate -Os gcc: a NULL memory access in invcal_walk .circle\.c' builds 'm4f separate -Os gcc'
 plant firmware port/cortex-m/firmware/main.c '/^static int handle_event/,/^}/s/event != INVCAL_TAKEN/event != INVCAL_READY/' \
     'FAIL' make firmware
-plant both_sensors port/cortex-m/firmware_imu/main.c 's/invcal_moves_gap(&both\.moves)/(void)0/' \
+plant both_sensors port/cortex-m/firmware_imu/main.c 's/invcal_imu_gap(&both)/(void)0/' \
     'both sensors: those moves are refused, .*: FAIL' make firmware
 plant page port/host/draw/page.c 's/max-width/min-width/' 'FAIL' make pages PAGES=xsens
 plant skipped port/web/lines.js 's/sample.columns !== this.layout/false/' \

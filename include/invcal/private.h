@@ -89,4 +89,45 @@ typedef struct {
 /* A row of invcal_dip: the nine products of a and m, and 1. */
 #define INVCAL_PRIVATE_DIP 10u
 
+/* At most 20 degrees of a move. For an ideal gyroscope its rotation vector is v + kappa; for
+ * another matrix M it is M v + cof(M) kappa. */
+typedef struct {
+    int16_t v[3];     /* integral of the nominal rate, 2^-15 rad */
+    int16_t kappa[3]; /* coning, 2^-18 rad */
+    uint16_t time;    /* twice the samples, plus 1 if a block of rests ends with it */
+} invcal_private_segment;
+
+/* A rest of gyro.h, and the move that led to it. */
+typedef struct {
+    int16_t bias[3]; /* minus that of the moves, 2^-18 rad/s */
+    uint16_t when;   /* time at which it was taken, in blocks */
+    int8_t move;     /* number of segments; or -status */
+} invcal_private_still;
+
+/* Rests and moves of gyro.h. */
+typedef struct {
+    /* lost in a reset; of the same size in every build */
+    invcal_real rho[3];     /* rotation vector of the current segment */
+    invcal_real v[3];       /* and its integral */
+    invcal_real still[3];   /* integral since the rest began */
+    uint32_t still_samples; /* and its samples */
+    uint32_t samples;       /* samples of the move so far */
+    uint16_t missing;       /* samples of the current segment */
+    uint16_t cut, fixed;    /* first segment of the rest, first that is not merged */
+    uint16_t used;          /* number of segments */
+    uint8_t marks;          /* blocks among those not merged */
+    uint8_t fault;          /* status of the move; if not begun, why */
+    uint8_t spoilt;         /* status of the current segment */
+    /* kept over a reset */
+    uint32_t layout;                             /* identifies this build */
+    int32_t low;                                 /* lower limit */
+    uint32_t between;                            /* readings between the limits */
+    uint16_t blocks;                             /* since the first READY, up to 2 h */
+    uint16_t first;                              /* segments of complete moves; then the next */
+    invcal_real rate;                            /* samples per second */
+    invcal_real bias[3];                         /* subtracted from v, rad/s: of the first rest */
+    invcal_private_still rest[INVCAL_MAX_MOVES]; /* with the moves that led to them */
+    invcal_private_segment segment[INVCAL_MAX_SEGMENTS]; /* of all moves, in their order */
+} invcal_private_moves;
+
 #endif

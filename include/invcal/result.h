@@ -16,7 +16,8 @@
 extern "C" {
 #endif
 
-/* The name of a parameter: "delta_x" ... "gamma_zy". Outside 0 ... 8: "?". */
+/* The name of a parameter: "delta_x" ... "gamma_zy"; from 9 on of a gyroscope (gyro.h), "gyro_xx"
+ * ... "gyro_zz". Outside 0 ... 17: "?". */
 const char *invcal_parameter_text(unsigned parameter);
 
 /* A phrase for a systematic error: "drift", "nonlinearity x^2", "nonlinearity x^3", "hysteresis";

@@ -7,6 +7,7 @@
 #include <limits.h>
 
 #include "bytes.h"
+#include "invcal/gyro.h"
 #include "invcal/result.h"
 #include "texts.h"
 
@@ -93,9 +94,12 @@ const char *invcal_parameter_text(unsigned parameter)
     static const char names[] = "delta_x\0delta_y\0delta_z\0"
                                 "dk_x\0dk_y\0dk_z\0"
                                 "gamma_xy\0gamma_xz\0gamma_zy\0"
+                                "gyro_xx\0gyro_xy\0gyro_xz\0"
+                                "gyro_yx\0gyro_yy\0gyro_yz\0"
+                                "gyro_zx\0gyro_zy\0gyro_zz\0"
                                 "?";
 
-    return invcal_text(names, parameter, INVCAL_PARAMETERS);
+    return invcal_text(names, parameter, INVCAL_IMU_PARAMETERS);
 }
 
 const char *invcal_verdict_text(invcal_verdict verdict)

@@ -16,6 +16,7 @@
 
 #include "../calibrate/judge.h"
 #include "rotation.h"
+#include "../session/session.h"
 #include "../core/solve.h"
 #include "../core/sums.h"
 
@@ -29,7 +30,6 @@
 #define WEAK_SQUARE INVCAL_REAL(6.25)    /* of 2.5 */
 #define OPEN_SQUARE INVCAL_REAL(1e6)     /* of 1000 */
 #define BEYOND_4_SIGMA INVCAL_REAL(16.0) /* 4 sigma, squared */
-#define NOISE_OF_MEAN INVCAL_REAL(3e-4)  /* of a mean, if nothing is known */
 #define IMU_RIDGE INVCAL_REAL(6e-6)      /* of the trace */
 #define HELD_BY_RIDGE INVCAL_REAL(0.1)   /* open: the ridge gives more than this share */
 #define STATED_ROWS INVCAL_REAL(4.0)     /* residuals that a stated noise counts as */
@@ -92,10 +92,11 @@ static void turn_segment(invcal_replay *r, const invcal_real v[3], const invcal_
 
 /* The bias of the move is the mean of two rests. That of a segment differs by G times (up at its
  * middle less the mean of up in both rests). */
-void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment, unsigned count,
-                        const invcal_real bias[3], const invcal_real up[2][3], invcal_replay *r)
+void invcal_replay_move(const invcal_imu_work *w, const invcal_private_segment *segment,
+                        unsigned count, const invcal_real bias[3], const invcal_real up[2][3],
+                        invcal_replay *r)
 {
-    const invcal_real(*m)[3] = (const invcal_real(*)[3])w->out->parameter;
+    const invcal_real(*m)[3] = (const invcal_real(*)[3])w->parameter;
     invcal_real cofactors[3][3];
     invcal_real v[3];
     invcal_real f[3];
@@ -108,7 +109,7 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
     (void)invcal_cofactors(m, cofactors);
     for (unsigned n = 0; n < count; n++) {
         //@ assert \valid_read(segment); // of this move
-        const invcal_real time = invcal_number(segment->time / 2u) / w->moves->rate;
+        const invcal_real time = invcal_number(segment->time / 2u) / w->imu->own.rate;
         invcal_zero(v, sizeof v);
         invcal_unpack(segment->v, INVCAL_V_UNIT, v);
         turn_back(r->c, up[0], f);
@@ -139,10 +140,10 @@ void invcal_replay_move(const invcal_imu_work *w, const invcal_segment *segment,
 static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
                         invcal_real h[BIAS + 1])
 {
-    const invcal_moves *m = w->moves;
-    const invcal_still *at = &m->rest[rest];
+    const invcal_private_moves *m = &w->imu->own;
+    const invcal_private_still *at = &m->rest[rest];
     const unsigned start = m->rest[w->begin].when;
-    const unsigned end = m->rest[m->count - 1u].when;
+    const unsigned end = m->rest[w->imu->rests - 1u].when;
 
     invcal_correct(&w->out->accelerometer, w->mean[rest - w->begin].v, h);
     h[3] = invcal_number(at->when - start) / invcal_number(end - start);
@@ -152,7 +153,8 @@ static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
 }
 
 /* Sets the slopes of an axis from L^-1 and p; square: mean square of a residual. */
-static void set_slopes(invcal_imu *out, unsigned axis, const invcal_real *a, invcal_real square)
+static void set_slopes(invcal_imu_result *out, unsigned axis, const invcal_real *a,
+                       invcal_real square)
 {
     const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
 
@@ -173,7 +175,7 @@ static void set_slopes(invcal_imu *out, unsigned axis, const invcal_real *a, inv
  * from the bias, which is the best linear estimate for the move between two rests. */
 static void fit_bias(invcal_imu_work *w, unsigned axis)
 {
-    const unsigned end = w->moves->count;
+    const unsigned end = w->imu->rests;
     unsigned count = 0;
     invcal_real changes = 0;
     invcal_real last = 0;
@@ -288,13 +290,12 @@ static void add_angles(invcal_imu_work *w, invcal_replay *r, const invcal_real a
 /* Adds a move. Its residual is the rotation from a to up0: 3 / (2 + cos) times the sine is the
  * angle up to its fifth power. Its variance is 2 sigma_a^2 + N^2 T + (N^2 / (2 s) + (1.5 B)^2) T^2:
  * the directions of up in both rests, the random walk of the angle, the bias of rests of 1 s. */
-static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *segment,
+static void add_move(invcal_imu_work *w, unsigned rest, const invcal_private_segment *segment,
                      const invcal_real up[2][3])
 {
-    const invcal_imu_settings *s = w->settings;
-    const invcal_still *at = &w->moves->rest[rest];
-    const invcal_real density = s->rate_noise * s->rate_noise;
-    const invcal_real wander = INVCAL_REAL(2.25) * s->instability * s->instability;
+    const invcal_private_still *at = &w->imu->own.rest[rest];
+    const invcal_real density = w->rate_noise * w->rate_noise;
+    const invcal_real wander = INVCAL_REAL(2.25) * w->instability * w->instability;
     invcal_replay r;
     invcal_real bias[3];
     invcal_real a[3];
@@ -305,7 +306,7 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
     }
     invcal_replay_move(w, segment, (unsigned)at->move, bias, up, &r);
     if (r.angle < NO_ANGLE && invcal_dot3(up[0], up[1]) > SAME_UP) {
-        w->out->idle |= (uint32_t)1 << rest;
+        w->idle |= (uint32_t)1 << rest;
         return;
     }
     for (unsigned i = 0; i < 3; i++) {
@@ -332,16 +333,16 @@ static void add_move(invcal_imu_work *w, unsigned rest, const invcal_segment *se
 /* Adds a row per parameter: its nominal value, with the standard deviation of the prior. */
 static void add_prior(invcal_imu_work *w)
 {
-    const invcal_real *prior = w->settings->prior;
     invcal_real h[IMU_ALL + 1];
 
-    for (unsigned i = 0; prior && i < w->n; i++) {
-        const invcal_real weight = prior[i] > 0 ? 1 / (prior[i] * prior[i]) : 0;
+    for (unsigned i = 0; w->prior && i < w->n; i++) {
+        const invcal_real sigma = w->prior[invcal_imu_parameter(i)];
+        const invcal_real weight = sigma > 0 ? 1 / (sigma * sigma) : 0;
         if (weight > 0) { /* not if infinite, either */
             const invcal_real ideal = i < IMU_GYRO && i % 4 == 0 ? 1 : 0;
             invcal_zero(h, sizeof h);
             h[i] = 1;
-            add_row(w, h, ideal - w->out->parameter[i], weight);
+            add_row(w, h, ideal - w->parameter[i], weight);
             w->pass.rows++;
         }
     }
@@ -349,15 +350,15 @@ static void add_prior(invcal_imu_work *w)
 
 invcal_status invcal_imu_sum(invcal_imu_work *w)
 {
-    const invcal_moves *m = w->moves;
+    const invcal_private_moves *m = &w->imu->own;
     const invcal_vector *mean = w->mean;
     unsigned first = 0;
     invcal_real up[2][3];
 
     invcal_zero(&w->pass, sizeof w->pass);
-    w->out->idle = 0;
+    w->idle = 0;
     //@ loop unroll INVCAL_MAX_MOVES;
-    for (unsigned i = 0; i < m->count; i++) {
+    for (unsigned i = 0; i < w->imu->rests; i++) {
         const unsigned segments = m->rest[i].move > 0 ? (unsigned)m->rest[i].move : 0;
         if (i >= w->begin) {
             invcal_correct(&w->out->accelerometer, mean->v, up[1]);
@@ -369,7 +370,7 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
             if (w->n == IMU_ALL) {
                 add_rest(w, up[1], length - 1);
             }
-            if (i > w->begin && segments > 0 && (w->out->left_out >> i & 1u) == 0) {
+            if (i > w->begin && segments > 0 && (w->left_out >> i & 1u) == 0) {
                 /* the segments of all moves are in the table */
                 //@ assert first < INVCAL_MAX_SEGMENTS;
                 add_move(w, i, &m->segment[first], (const invcal_real(*)[3])up);
@@ -386,10 +387,10 @@ invcal_status invcal_imu_sum(invcal_imu_work *w)
 
 /* ---- solution -------------------------------------------------------------------------------- */
 
-invcal_status invcal_imu_settings_check(const invcal_imu_settings *s)
+invcal_status invcal_imu_settings_check(const invcal_imu_settings *s, invcal_real noise)
 {
-    if (!(s->noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
-          s->noise + s->rate_noise + s->instability < 1)) {
+    if (!(noise >= 0 && s->rate_noise >= 0 && s->instability >= 0 &&
+          noise + s->rate_noise + s->instability < 1)) {
         return INVCAL_BAD_NOISE;
     }
     for (unsigned i = 0; s->prior && i < IMU_ALL; i++) {
@@ -400,38 +401,48 @@ invcal_status invcal_imu_settings_check(const invcal_imu_settings *s)
     return INVCAL_OK;
 }
 
-invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_vector *mean, unsigned count,
-                               const invcal_calibration *accelerometer, const invcal_moves *moves,
-                               const invcal_imu_settings *settings, invcal_imu *out)
+invcal_positions invcal_imu_positions(const invcal_imu *imu)
 {
-    static const invcal_imu_settings usual = INVCAL_IMU_USUAL;
-    const invcal_imu_settings *s = settings ? settings : &usual;
-    const unsigned both = count < moves->count ? count : moves->count;
+    const invcal_session *s = &imu->session;
+    const invcal_positions positions = {s->mean, s->count, &s->nominal, s->noise, NULL};
+
+    return positions;
+}
+
+invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_imu *imu,
+                               const invcal_positions *positions,
+                               const invcal_imu_settings *settings, invcal_imu_result *out)
+{
+    static const invcal_imu_settings unknown = {0, 0, 0, NULL};
+    const invcal_imu_settings *s = settings ? settings : &unknown;
+    const unsigned count = positions->count;
+    const unsigned both = count < imu->rests ? count : imu->rests;
+    const invcal_real noise = positions->noise > 0 ? positions->noise : INVCAL_IMU_MEAN_NOISE;
 
     invcal_zero(w, sizeof *w);
     invcal_zero(out, sizeof *out);
-    w->moves = moves;
+    w->imu = imu;
     w->out = out;
-    w->settings = s;
+    w->prior = s->prior;
     w->is_stated = settings != NULL;
-    out->accelerometer = *accelerometer;
+    w->has_noise = positions->noise > 0;
+    w->noise_square = noise * noise;
+    w->rate_noise = s->rate_noise > 0 ? s->rate_noise : INVCAL_IMU_RATE_NOISE;
+    w->instability = s->instability > 0 ? s->instability : INVCAL_IMU_INSTABILITY;
+    invcal_copy(&out->accelerometer, positions->nominal, sizeof out->accelerometer);
     for (unsigned i = 0; i < IMU_GYRO; i += 4) {
-        out->parameter[i] = 1;
+        w->parameter[i] = 1;
     }
-    w->noise_square = s->noise > 0 ? s->noise * s->noise : NOISE_OF_MEAN * NOISE_OF_MEAN;
     w->n = s->held ? IMU_GYRO : IMU_ALL;
-    w->begin = moves->count - both;
-    w->mean = mean;
-    if (count > moves->count) { /* else mean may be null, to which nothing is added */
-        w->mean += count - moves->count;
-    }
+    w->begin = imu->rests - both;
+    w->mean = &positions->mean[count - both];
     w->variance[INVCAL_OF_RESTS] = 1;
     w->variance[INVCAL_OF_MOVES] = 1;
-    for (unsigned i = 0; i < moves->count; i++) {
-        invcal_unpack(moves->rest[i].bias, INVCAL_KAPPA_UNIT, w->bias[i]);
+    for (unsigned i = 0; i < imu->rests; i++) {
+        invcal_unpack(imu->own.rest[i].bias, INVCAL_KAPPA_UNIT, w->bias[i]);
     }
-    const invcal_status status = invcal_imu_settings_check(s);
-    return status == INVCAL_OK ? invcal_nominal_check(accelerometer) : status;
+    const invcal_status status = invcal_imu_settings_check(s, positions->noise);
+    return status == INVCAL_OK ? invcal_nominal_check(positions->nominal) : status;
 }
 
 /* The unknowns of the accelerometer refer to the readings as calibrated so far, so A = (I + S)^-1
@@ -442,7 +453,7 @@ static invcal_status take_step(invcal_imu_work *w, invcal_real *size)
     invcal_calibration before;
 
     for (unsigned i = 0; i < w->n; i++) {
-        w->out->parameter[i] += p[i];
+        w->parameter[i] += p[i];
     }
     *size = invcal_dot(p, p, w->n);
     if (w->n == IMU_GYRO) {
@@ -466,7 +477,7 @@ static void weigh_kinds(invcal_imu_work *w)
 {
     for (unsigned k = 0; k < INVCAL_KINDS; k++) {
         const invcal_real stated =
-            k == INVCAL_OF_MOVES || w->settings->noise > 0 ? STATED_ROWS : UNSTATED_ROWS;
+            k == INVCAL_OF_MOVES || w->has_noise ? STATED_ROWS : UNSTATED_ROWS;
         const invcal_real dof =
             invcal_number(w->pass.kind[k] * (w->pass.rows - w->n)) / invcal_number(w->pass.rows);
         if (dof + stated >= 1) {
@@ -483,14 +494,13 @@ static int adapt(invcal_imu_work *w)
     const unsigned moves = w->pass.kind[INVCAL_OF_MOVES] / 2;
     const invcal_real others = w->pass.squares[INVCAL_OF_MOVES] - w->pass.worst_square;
 
-    w->is_adapted =
-        !w->is_adapted && w->out->passes >= SETTLED && w->out->passes < PASSES - 3 + 2 * w->apart;
+    w->is_adapted = !w->is_adapted && w->passes >= SETTLED && w->passes < PASSES - 3 + 2 * w->apart;
     if (!w->is_adapted) {
         return 0;
     }
     if (moves > LEAST_MOVES && w->apart < MOST_APART &&
         w->pass.worst_square * invcal_number(moves - 1) > FAR_APART * others) {
-        w->out->left_out |= (uint32_t)1 << w->out->worst;
+        w->left_out |= (uint32_t)1 << w->out->worst;
         w->apart++;
     } else {
         weigh_kinds(w);
@@ -502,7 +512,7 @@ static int adapt(invcal_imu_work *w)
  * Biases are fitted after the first step: their rows need up, and so a calibrated accelerometer. */
 static invcal_status make_pass(invcal_imu_work *w, invcal_real *size)
 {
-    if (w->out->passes == 1) {
+    if (w->passes == 1) {
         find_bias(w);
     }
     invcal_status status = invcal_imu_sum(w);
@@ -527,15 +537,15 @@ static invcal_status iterate(invcal_imu_work *w)
     unsigned most = PASSES;
     invcal_real size = 1;
 
-    while (w->out->passes < most + 2 * w->apart) { /* at most 16 */
+    while (w->passes < most + 2 * w->apart) { /* at most 16 */
         const invcal_status status = make_pass(w, &size);
         if (status != INVCAL_OK) { /* after the first pass it means divergence */
-            return w->out->passes > 0 ? INVCAL_MOUNTING : status;
+            return w->passes > 0 ? INVCAL_MOUNTING : status;
         }
         if (size < STEP) {
             most = LEAST_PASSES;
         }
-        w->out->passes++;
+        w->passes++;
     }
     w->pass.residuals /= invcal_number(w->pass.kind[INVCAL_OF_MOVES]);
     if (!(w->pass.residuals < ABSURD_TURN)) {
@@ -553,9 +563,10 @@ static invcal_real judge_imu(invcal_imu_work *w, invcal_real most)
     invcal_invert(w->pass.sum, w->n);
     for (unsigned i = 0; i < w->n; i++) {
         const invcal_real k = invcal_variance(w->pass.sum, w->n, i);
-        w->out->sigma[i] = INVCAL_SQRT(k);
+        const unsigned parameter = invcal_imu_parameter(i);
+        w->out->sigma[parameter] = INVCAL_SQRT(k);
         if (!(k <= most)) {
-            w->out->open |= (uint32_t)1 << i;
+            w->out->weak |= (uint32_t)1 << parameter;
         }
         largest = k <= largest ? largest : k;
     }
@@ -578,55 +589,73 @@ static void name_open(invcal_imu_work *w)
  * corrected. */
 static void deliver(invcal_imu_work *w)
 {
-    invcal_imu *out = w->out;
-    const invcal_moves *m = w->moves;
-    const invcal_real *last = w->bias[m->count - 1u];
+    invcal_imu_result *out = w->out;
+    const invcal_private_moves *m = &w->imu->own;
+    const invcal_real *last = w->bias[w->imu->rests - 1u];
 
     for (unsigned i = 0; i < 3; i++) {
         out->gyro.offset[i] = m->bias[i] + last[i] - (out->g_is_used ? w->g_bias[i] : 0);
     }
-    memcpy(out->gyro.matrix, w->out->parameter, sizeof out->gyro.matrix);
-    (void)invcal_compose(&m->nominal, &out->gyro);
+    memcpy(out->gyro.matrix, w->parameter, sizeof out->gyro.matrix);
+    (void)invcal_compose(&w->imu->nominal, &out->gyro);
     out->move_rms = INVCAL_SQRT(w->pass.residuals);
     out->move_max = INVCAL_SQRT(w->pass.worst_residual);
     out->moves = (uint8_t)(w->pass.kind[INVCAL_OF_MOVES] / 2);
     out->dof = (uint16_t)(w->pass.rows - w->n);
-    if (out->open != 0) {
+    if (out->weak != 0) {
         out->verdict = INVCAL_WEAK;
-    } else if (w->is_stated &&
-               (w->variance[INVCAL_OF_MOVES] > ROUGH_VARIANCE ||
-                (w->settings->noise > 0 && w->variance[INVCAL_OF_RESTS] > ROUGH_VARIANCE))) {
+    } else if (w->is_stated && (w->variance[INVCAL_OF_MOVES] > ROUGH_VARIANCE ||
+                                (w->has_noise && w->variance[INVCAL_OF_RESTS] > ROUGH_VARIANCE))) {
         out->verdict = INVCAL_ROUGH;
     } else if (out->dof == 0) {
         out->verdict = INVCAL_NO_REDUNDANCY;
     } /* cppcheck-suppress misra-c2012-15.7 ; good */
 }
 
-invcal_status invcal_imu_solve(const invcal_vector *mean, unsigned count,
-                               const invcal_calibration *accelerometer, const invcal_moves *moves,
-                               const invcal_imu_settings *settings, invcal_imu *out)
+static invcal_status finish(invcal_imu_work *w)
+{
+    invcal_imu_result *out = w->out;
+    const invcal_real of_moves = w->variance[INVCAL_OF_MOVES] * w->pass.variances /
+                                 invcal_number(w->pass.kind[INVCAL_OF_MOVES]);
+    const invcal_real of_rests = w->variance[INVCAL_OF_RESTS] * w->noise_square;
+    /* a parameter may be known from rests, from moves, or from both */
+    const invcal_real of_either = of_moves > of_rests ? of_moves : of_rests;
+
+    if (!(judge_imu(w, WEAK_SQUARE * of_either) <= OPEN_SQUARE * of_either)) {
+        return INVCAL_UNDETERMINED;
+    }
+    out->noise = INVCAL_SQRT(of_rests);
+    out->move_noise = INVCAL_SQRT(of_moves);
+    deliver(w);
+    return INVCAL_OK;
+}
+
+invcal_status invcal_imu_solve_of(const invcal_imu *imu, const invcal_positions *positions,
+                                  const invcal_imu_settings *settings, invcal_imu_result *out)
 {
     invcal_imu_work w;
 
-    INVCAL_ASSERT((mean || count == 0) && accelerometer && moves && out);
-    invcal_status status = invcal_imu_begin(&w, mean, count, accelerometer, moves, settings, out);
+    invcal_status status = invcal_imu_begin(&w, imu, positions, settings, out);
     if (status == INVCAL_OK) {
         status = iterate(&w);
+        if (status == INVCAL_UNDETERMINED) {
+            name_open(&w);
+        } else if (status == INVCAL_OK) {
+            status = finish(&w);
+        } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to add */
     }
-    if (status == INVCAL_UNDETERMINED) {
-        name_open(&w);
-    } else if (status == INVCAL_OK) {
-        const invcal_real of_moves = w.variance[INVCAL_OF_MOVES] * w.pass.variances /
-                                     invcal_number(w.pass.kind[INVCAL_OF_MOVES]);
-        const invcal_real of_rests = w.variance[INVCAL_OF_RESTS] * w.noise_square;
-        /* a parameter may be known from rests, from moves, or from both */
-        const invcal_real of_either = of_moves > of_rests ? of_moves : of_rests;
-        if (!(judge_imu(&w, WEAK_SQUARE * of_either) <= OPEN_SQUARE * of_either)) {
-            return INVCAL_UNDETERMINED;
-        }
-        out->noise = INVCAL_SQRT(of_rests);
-        out->move_noise = INVCAL_SQRT(of_moves);
-        deliver(&w);
-    } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to add */
+    out->left_out = w.left_out;
+    out->idle = w.idle;
     return status;
+}
+
+invcal_status invcal_imu_solve(const invcal_imu *imu, const invcal_imu_settings *settings,
+                               invcal_imu_result *out)
+{
+    INVCAL_ASSERT(imu && out);
+    if (imu->own.layout != INVCAL_MOVES_LAYOUT) { /* so was the session, then */
+        return INVCAL_NOT_BEGUN;
+    }
+    const invcal_positions positions = invcal_imu_positions(imu);
+    return invcal_imu_solve_of(imu, &positions, settings, out);
 }

@@ -5,7 +5,6 @@
  * the equations, without an unknown and without a sample.
  */
 #include "imu.h"
-#include "invcal/result.h"
 #include "rotation.h"
 #include "../core/vector.h"
 
@@ -29,13 +28,13 @@ static void set_mounting(invcal_imu_work *w, unsigned k, invcal_real unit, int8_
         axes[i] = (int8_t)(is_negative ? -(int)of[i] - 1 : (int)of[i] + 1);
         for (unsigned j = 0; j < 3; j++) {
             const invcal_real element = j == of[i] ? unit : 0;
-            w->out->parameter[3 * i + j] = is_negative ? -element : element;
+            w->parameter[3 * i + j] = is_negative ? -element : element;
         }
     }
 }
 
 /* Sets axes that never turn to 0, the others to themselves. Returns whether one never turns. */
-static int find_stuck(const invcal_moves *m, int8_t axes[3])
+static int find_stuck(const invcal_private_moves *m, int8_t axes[3])
 {
     invcal_real square[3] = {0, 0, 0};
     int is_stuck = 0;
@@ -91,20 +90,18 @@ static invcal_status try_all(invcal_imu_work *w, best_mounting *best)
     return best->next > CLEAR * best->squares ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
-invcal_status invcal_imu_mounting(const invcal_vector *mean, unsigned count,
-                                  const invcal_calibration *accelerometer,
-                                  const invcal_moves *moves, int8_t axes[3], invcal_real *unit)
+invcal_status invcal_imu_mounting_of(const invcal_imu *imu, const invcal_positions *positions,
+                                     int8_t axes[3], invcal_real *unit)
 {
     invcal_imu_work w;
-    invcal_imu out;
+    invcal_imu_result out;
     best_mounting best;
 
-    INVCAL_ASSERT((mean || count == 0) && accelerometer && moves && axes && unit);
-    invcal_status status = invcal_imu_begin(&w, mean, count, accelerometer, moves, NULL, &out);
+    invcal_status status = invcal_imu_begin(&w, imu, positions, NULL, &out);
     best.squares = INVCAL_REAL_MAX;
     best.next = INVCAL_REAL_MAX;
     best.unit = 1;
-    if (status == INVCAL_OK && !find_stuck(moves, best.axes)) {
+    if (status == INVCAL_OK && !find_stuck(&imu->own, best.axes)) {
         w.n = 0;
         status = try_all(&w, &best);
     }
@@ -115,14 +112,12 @@ invcal_status invcal_imu_mounting(const invcal_vector *mean, unsigned count,
     return status;
 }
 
-const char *invcal_imu_parameter_text(unsigned parameter)
+invcal_status invcal_imu_mounting(const invcal_imu *imu, int8_t axes[3], invcal_real *unit)
 {
-    enum { LENGTH = 8 };
-    static const char names[] = "gyro_xx\0gyro_xy\0gyro_xz\0"
-                                "gyro_yx\0gyro_yy\0gyro_yz\0"
-                                "gyro_zx\0gyro_zy\0gyro_zz";
-
-    return parameter < INVCAL_GYRO_PARAMETERS
-               ? &names[(size_t)LENGTH * parameter]
-               : invcal_parameter_text(parameter - INVCAL_GYRO_PARAMETERS);
+    INVCAL_ASSERT(imu && axes && unit);
+    if (!invcal_imu_is_begun(imu)) {
+        return INVCAL_NOT_BEGUN;
+    }
+    const invcal_positions positions = invcal_imu_positions(imu);
+    return invcal_imu_mounting_of(imu, &positions, axes, unit);
 }

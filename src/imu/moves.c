@@ -10,7 +10,9 @@
  */
 #include <stddef.h>
 
+#include "imu.h"
 #include "rotation.h"
+#include "../session/session.h"
 #include "../core/solve.h"
 
 /* mathematics_imu.md, "Segments". */
@@ -70,7 +72,8 @@ static int pack(invcal_real x, int16_t *out)
 /* Packs v and the coning kappa = rho - v: from these two the segment can be integrated again with
  * another M.
  * Returns 0 if either is too large. */
-static int pack_segment(const invcal_real rho[3], const invcal_real v[3], invcal_segment *out)
+static int pack_segment(const invcal_real rho[3], const invcal_real v[3],
+                        invcal_private_segment *out)
 {
     int fits = 1;
 
@@ -89,11 +92,11 @@ INVCAL_NOINLINE void invcal_unpack(const int16_t packed[3], invcal_real unit, in
 }
 
 /* Merges b into a, which precedes it, if that gives at most 20 degrees. */
-static int merge(invcal_segment *a, const invcal_segment *b)
+static int merge(invcal_private_segment *a, const invcal_private_segment *b)
 {
     const unsigned samples = (a->time / 2u) + (b->time / 2u);
     invcal_real of[3][3]; /* rotations of a and of b; v of both */
-    invcal_segment both;
+    invcal_private_segment both;
 
     invcal_zero(of, sizeof of);
     invcal_unpack(a->v, INVCAL_V_UNIT, of[0]);
@@ -115,7 +118,7 @@ static int merge(invcal_segment *a, const invcal_segment *b)
 }
 
 /* Removes segments from..to - 1. */
-static void remove_segments(invcal_moves *m, unsigned from, unsigned to)
+static void remove_segments(invcal_private_moves *m, unsigned from, unsigned to)
 {
     /* at most INVCAL_MAX_SEGMENTS steps */
     while (to < m->used && to < INVCAL_MAX_SEGMENTS && /* uncovered: a guard for the proof */
@@ -131,7 +134,7 @@ static void remove_segments(invcal_moves *m, unsigned from, unsigned to)
     m->used = (uint16_t)from;
 }
 
-static void set_fault(invcal_moves *m, unsigned status)
+static void set_fault(invcal_private_moves *m, unsigned status)
 {
     if (m->fault == INVCAL_OK) {
         m->fault = (uint8_t)status;
@@ -141,7 +144,7 @@ static void set_fault(invcal_moves *m, unsigned status)
 /* Closes the current segment. Its rounding error is carried to the next. If the table is full, the
  * oldest segment that is not merged is lost, and with it the moves to which that one and this one
  * belong. */
-INVCAL_NOINLINE static void close_segment(invcal_moves *m, unsigned mark)
+INVCAL_NOINLINE static void close_segment(invcal_private_moves *m, unsigned mark)
 {
     if (m->used >= INVCAL_MAX_SEGMENTS && m->fixed < INVCAL_MAX_SEGMENTS) {
         m->marks = (uint8_t)(m->marks - (m->segment[m->fixed].time & 1u));
@@ -152,7 +155,7 @@ INVCAL_NOINLINE static void close_segment(invcal_moves *m, unsigned mark)
     if (m->used >= INVCAL_MAX_SEGMENTS) { /* resumed from stored bytes */
         return;
     }
-    invcal_segment *s = &m->segment[m->used];
+    invcal_private_segment *s = &m->segment[m->used];
     m->used++;
     s->time = (uint16_t)(2u * m->missing + mark);
     if (!pack_segment(m->rho, m->v, s) && m->spoilt == INVCAL_OK) {
@@ -177,7 +180,7 @@ INVCAL_NOINLINE static void close_segment(invcal_moves *m, unsigned mark)
 /* ---- rests and moves ------------------------------------------------------------------------- */
 
 /* The device is not at rest. */
-INVCAL_NOINLINE static void forget_rest(invcal_moves *m)
+INVCAL_NOINLINE static void forget_rest(invcal_private_moves *m)
 {
     m->cut = NOWHERE;
     m->still_samples = 0;
@@ -185,9 +188,9 @@ INVCAL_NOINLINE static void forget_rest(invcal_moves *m)
 }
 
 /* Why a move cannot use the oldest segment that is not merged. */
-static unsigned find_reason(const invcal_moves *m)
+static unsigned find_reason(const invcal_private_moves *m)
 {
-    const invcal_segment *s = &m->segment[m->fixed];
+    const invcal_private_segment *s = &m->segment[m->fixed];
 
     return s->v[0] == SPOILT                                  ? (unsigned)s->kappa[0]
            : (invcal_real)m->samples > LONGEST_MOVE * m->rate ? INVCAL_MOVE_LONG
@@ -196,7 +199,7 @@ static unsigned find_reason(const invcal_moves *m)
 }
 
 /* Adds a segment of a rest. */
-static void add_still(invcal_moves *m, const invcal_segment *s)
+static void add_still(invcal_private_moves *m, const invcal_private_segment *s)
 {
     if (m->cut == NOWHERE) {
         m->cut = m->fixed;
@@ -209,9 +212,9 @@ static void add_still(invcal_moves *m, const invcal_segment *s)
 
 /* Decides about the oldest segment that is not merged. It is kept even if it belongs to a rest,
  * since the rest may yet be refused. */
-static void settle(invcal_moves *m, int is_rest)
+static void settle(invcal_private_moves *m, int is_rest)
 {
-    invcal_segment *s = &m->segment[m->fixed];
+    invcal_private_segment *s = &m->segment[m->fixed];
 
     m->marks = (uint8_t)(m->marks - (s->time & 1u));
     m->samples += s->time / 2u;
@@ -232,7 +235,7 @@ static void settle(invcal_moves *m, int is_rest)
 }
 
 /* Settles all but the newest blocks. A rest, if any, began `resting` blocks ago. */
-static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
+static void settle_until(invcal_private_moves *m, uint32_t newest, uint32_t resting)
 {
     /* a segment each: at most INVCAL_MAX_SEGMENTS steps */
     while (m->marks > newest && m->fixed < m->used) { /* uncovered: a mark has its segment */
@@ -242,7 +245,7 @@ static void settle_until(invcal_moves *m, uint32_t newest, uint32_t resting)
 
 /* From now on the bias of the first rest is subtracted from v. The newest blocks still contain it.
  * They are at rest, so they can be dropped. Time begins. */
-static void subtract_bias(invcal_moves *m)
+static void subtract_bias(invcal_private_moves *m)
 {
     const invcal_real pace = m->rate / (invcal_real)m->still_samples;
 
@@ -256,15 +259,16 @@ static void subtract_bias(invcal_moves *m)
 }
 
 /* The oldest rest goes, and with it the move that begins there, to the next one. */
-static void drop_oldest(invcal_moves *m)
+static void drop_oldest(invcal_imu *imu)
 {
+    invcal_private_moves *m = &imu->own;
     const unsigned segments = m->rest[1].move > 0 ? (unsigned)m->rest[1].move : 0;
 
     remove_segments(m, 0, segments);
     m->fixed = (uint16_t)(m->fixed - segments);
     m->first = m->fixed;
-    m->count--;
-    for (unsigned i = 0; i < m->count; i++) {
+    imu->rests--;
+    for (unsigned i = 0; i < imu->rests; i++) {
         memcpy(&m->rest[i], &m->rest[i + 1], sizeof m->rest[i]);
     }
     m->rest[0].move = -INVCAL_TOO_FEW;
@@ -272,10 +276,11 @@ static void drop_oldest(invcal_moves *m)
 
 /* Measures the bias of a rest. Returns whether it is far from that of the rest before, too large or
  * unknown: without a sample it is 0 / 0. */
-static int measure_bias(const invcal_moves *m, int16_t bias[3])
+static int measure_bias(const invcal_imu *imu, int16_t bias[3])
 {
+    const invcal_private_moves *m = &imu->own;
     const invcal_real pace = m->rate / INVCAL_KAPPA_UNIT / (invcal_real)m->still_samples;
-    const invcal_still *last = &m->rest[m->count > 0 ? m->count - 1 : 0];
+    const invcal_private_still *last = &m->rest[imu->rests > 0 ? imu->rests - 1 : 0];
     int is_far = 0;
 
     for (unsigned i = 0; i < 3; i++) {
@@ -287,13 +292,14 @@ static int measure_bias(const invcal_moves *m, int16_t bias[3])
 }
 
 /* Keeps the move, which ended where the rest began. */
-static void keep_move(invcal_moves *m)
+static void keep_move(invcal_imu *imu)
 {
+    invcal_private_moves *m = &imu->own;
     const unsigned end = m->cut != NOWHERE ? m->cut : m->fixed;
     const unsigned segments = end - m->first;
     int16_t bias[3];
 
-    const int has_turned = measure_bias(m, bias);
+    const int has_turned = measure_bias(imu, bias);
     set_fault(m, segments == 0              ? INVCAL_MOVE_GAP
                  : segments > MOST_SEGMENTS ? INVCAL_MOUNTING
                  : has_turned               ? INVCAL_REST_DRIFT
@@ -303,11 +309,11 @@ static void keep_move(invcal_moves *m)
     m->first = (uint16_t)(m->first + kept);
     m->fixed = m->first;
     const int move = m->fault == INVCAL_OK ? (int)segments : -(int)m->fault;
-    if (m->count == INVCAL_MAX_MOVES) {
-        drop_oldest(m);
+    if (imu->rests == INVCAL_MAX_MOVES) {
+        drop_oldest(imu);
     }
-    invcal_still *rest = &m->rest[m->count];
-    m->count++;
+    invcal_private_still *rest = &m->rest[imu->rests];
+    imu->rests++;
     memcpy(rest->bias, bias, sizeof bias);
     rest->when = m->blocks;
     rest->move = (int8_t)move;
@@ -316,122 +322,205 @@ static void keep_move(invcal_moves *m)
     forget_rest(m);
 }
 
-void invcal_moves_restart(invcal_moves *m)
+void invcal_moves_restart(invcal_imu *imu)
 {
-    invcal_zero(m, offsetof(invcal_moves, layout));
+    invcal_private_moves *m = &imu->own;
+
+    invcal_zero(m, offsetof(invcal_private_moves, layout));
     m->fixed = m->first;
     m->used = m->first;
     /* no move leads to the first rest, so nothing before it is kept */
-    m->fault = m->count > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
+    m->fault = imu->rests > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
 }
 
-/* ---- public functions ------------------------------------------------------------------------ */
-
-/* Else nothing is fed: they may be shorter than here. */
-static int are_begun(const invcal_moves *moves)
+void invcal_moves_empty(invcal_imu *imu, const invcal_calibration *nominal, invcal_real rate)
 {
-    return moves->layout != 0;
+    invcal_copy(&imu->nominal, nominal, sizeof *nominal);
+    invcal_zero(&imu->own, sizeof imu->own);
+    imu->rests = 0;
+    imu->own.layout = INVCAL_MOVES_LAYOUT;
+    imu->own.rate = rate;
+    invcal_moves_restart(imu);
 }
 
-void invcal_moves_empty(invcal_moves *m, const invcal_calibration *nominal, invcal_real rate)
+/* ---- settings -------------------------------------------------------------------------------- */
+
+/* For its alignment. */
+typedef struct {
+    uint8_t byte;
+    invcal_session session;
+} aligned_session;
+
+static void set_limits(invcal_private_moves *m, int32_t low, int32_t high)
 {
-    invcal_zero(m, sizeof *m);
-    m->layout = INVCAL_MOVES_LAYOUT;
-    m->nominal = *nominal;
-    m->rate = rate;
-    invcal_moves_restart(m);
+    m->low = low;
+    m->between = (uint32_t)high - (uint32_t)low - 1;
 }
 
-invcal_status invcal_moves_init(invcal_moves *moves, size_t size, const invcal_calibration *nominal,
-                                invcal_real rate)
+/* In another build the session is elsewhere: at the end of the program's structure. Where its layout
+ * and its reason are in it is the same in every build. */
+static void refuse_session(invcal_imu *imu, size_t size)
 {
-    INVCAL_ASSERT(moves && nominal);
-    moves->layout = 0; /* not begun; at the same place in every build */
-    if (size != sizeof *moves) {
-        return INVCAL_OTHER_BUILD;
+    const size_t alignment = offsetof(aligned_session, session);
+
+    if (size > offsetof(invcal_imu, own.rate) + sizeof imu->session && size % alignment == 0) {
+        invcal_session *session = (invcal_session *)(void *)((uint8_t *)imu + size) - 1;
+        if (invcal_session_is_begun(session)) {
+            session->layout = 0;
+            session->reason = INVCAL_OTHER_BUILD;
+        }
     }
-    const invcal_status status = invcal_nominal_check(nominal);
-    if (status != INVCAL_OK) {
-        return status;
+}
+
+static invcal_status check_begin(const invcal_imu *imu, const invcal_calibration *nominal,
+                                 invcal_real rate)
+{
+    if (!invcal_session_is_begun(&imu->session)) {
+        return INVCAL_NOT_BEGUN;
     }
     if (!(rate >= INVCAL_LEAST_RATE && rate <= INVCAL_MOST_RATE)) {
         return INVCAL_BAD_RATE;
     }
-    invcal_moves_empty(moves, nominal, rate);
-    return invcal_moves_set_limits(moves, INT32_MIN, INT32_MAX);
+    return invcal_nominal_check(nominal);
 }
 
-invcal_status invcal_moves_set_limits(invcal_moves *moves, int32_t low, int32_t high)
+/* What it writes of another build is at the same place in every build. */
+invcal_status invcal_imu_init_nominal(invcal_imu *imu, size_t size,
+                                      const invcal_calibration *nominal, invcal_real rate)
 {
-    INVCAL_ASSERT(moves);
+    INVCAL_ASSERT(imu && nominal);
+    imu->own.layout = 0;
+    imu->own.fault = INVCAL_OTHER_BUILD;
+    if (size != sizeof *imu) {
+        refuse_session(imu, size);
+        return INVCAL_OTHER_BUILD;
+    }
+    const invcal_status status = check_begin(imu, nominal, rate);
+    if (status == INVCAL_OK) {
+        invcal_moves_empty(imu, nominal, rate);
+        set_limits(&imu->own, INT32_MIN, INT32_MAX);
+    } else {
+        imu->own.fault = INVCAL_OK;
+    }
+    if (status != INVCAL_NOT_BEGUN) { /* else it knows better */
+        imu->session.reason = (uint8_t)status;
+    }
+    return status;
+}
+
+invcal_status invcal_imu_init(invcal_imu *imu, size_t size, invcal_real counts, invcal_real rate)
+{
+    const invcal_real k = 1 / counts;
+    invcal_calibration nominal;
+
+    invcal_zero(&nominal, sizeof nominal);
+    nominal.matrix[0][0] = k;
+    nominal.matrix[1][1] = k;
+    nominal.matrix[2][2] = k;
+
+    return invcal_imu_init_nominal(imu, size, &nominal, rate);
+}
+
+/* Else nothing is fed: the structure may be shorter than here. */
+static int is_begun(const invcal_imu *imu)
+{
+    return imu->own.layout != 0;
+}
+
+invcal_status invcal_imu_set_limits(invcal_imu *imu, int32_t low, int32_t high)
+{
+    INVCAL_ASSERT(imu);
     if (low >= high) {
         return INVCAL_BAD_LIMITS;
     }
-    moves->low = low;
-    moves->between = (uint32_t)high - (uint32_t)low - 1;
+    set_limits(&imu->own, low, high);
     return INVCAL_OK;
 }
 
+/* ---- samples --------------------------------------------------------------------------------- */
+
 /* A sample is the rate since the sample before: right end point rule. */
-void invcal_moves_feed(invcal_moves *moves, int32_t x, int32_t y, int32_t z)
+void invcal_imu_feed_gyro(invcal_imu *imu, int32_t x, int32_t y, int32_t z)
 {
-    const uint32_t first = (uint32_t)moves->low + 1u;
+    invcal_private_moves *m = &imu->own;
     invcal_real th[3];
 
-    INVCAL_ASSERT(moves);
-    if (!are_begun(moves)) {
+    INVCAL_ASSERT(imu);
+    const uint32_t first = (uint32_t)m->low + 1u;
+    if (!is_begun(imu)) {
         return;
     }
-    if ((uint32_t)x - first >= moves->between || (uint32_t)y - first >= moves->between ||
-        (uint32_t)z - first >= moves->between) {
-        moves->spoilt = INVCAL_REST_CLIPPED;
+    if ((uint32_t)x - first >= m->between || (uint32_t)y - first >= m->between ||
+        (uint32_t)z - first >= m->between) {
+        m->spoilt = INVCAL_REST_CLIPPED;
     }
-    invcal_apply(&moves->nominal, (invcal_real)x, (invcal_real)y, (invcal_real)z, th);
+    invcal_apply(&imu->nominal, (invcal_real)x, (invcal_real)y, (invcal_real)z, th);
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        th[i] = (th[i] - moves->bias[i]) / moves->rate;
-        moves->v[i] += th[i];
+        th[i] = (th[i] - m->bias[i]) / m->rate;
+        m->v[i] += th[i];
     }
-    turn(moves->rho, th);
-    moves->missing++;
-    if (!(invcal_dot3(moves->v, moves->v) < UNMERGED_LIMIT) || moves->missing == MOST_SAMPLES) {
-        close_segment(moves, 0);
+    turn(m->rho, th);
+    m->missing++;
+    if (!(invcal_dot3(m->v, m->v) < UNMERGED_LIMIT) || m->missing == MOST_SAMPLES) {
+        close_segment(m, 0);
     }
 }
 
-void invcal_moves_gap(invcal_moves *moves)
+void invcal_imu_follow(invcal_imu *imu, invcal_event event)
 {
-    INVCAL_ASSERT(moves);
-    if (!are_begun(moves)) {
-        return;
-    }
-    moves->spoilt = INVCAL_MOVE_GAP;
-    close_segment(moves, 0);
-}
+    invcal_private_moves *m = &imu->own;
+    const invcal_private_rests *rests = &imu->session.rests;
 
-void invcal_moves_follow(invcal_moves *moves, const invcal_private_rests *rests, invcal_event event)
-{
-    INVCAL_ASSERT(moves && rests);
-    if (event == INVCAL_NOTHING || !are_begun(moves)) {
-        return;
-    }
-    close_segment(moves, 1);
-    moves->blocks = (uint16_t)(moves->blocks + (moves->blocks < UINT16_MAX));
+    close_segment(m, 1);
+    m->blocks = (uint16_t)(m->blocks + (m->blocks < UINT16_MAX));
     const unsigned bits = rests->bits;
     /* A refused rest counts as rest until eight blocks of motion have passed. */
     const uint32_t resting = (rests->time - rests->begin) >> bits;
     const int has_rest = event == INVCAL_READY || event == INVCAL_TAKEN;
-    settle_until(moves, has_rest ? ((rests->time - rests->end) >> bits) + CUT_OFF : LATE, resting);
-    if (event == INVCAL_READY && moves->count == 0 && moves->still_samples > 0) {
-        subtract_bias(moves);
+    settle_until(m, has_rest ? ((rests->time - rests->end) >> bits) + CUT_OFF : LATE, resting);
+    if (event == INVCAL_READY && imu->rests == 0 && m->still_samples > 0) {
+        subtract_bias(m);
     }
     if (event == INVCAL_TAKEN) {
-        keep_move(moves);
+        keep_move(imu);
     }
 }
 
-invcal_status invcal_moves_reason(const invcal_moves *moves, unsigned rest)
+/* The reason is why it was not begun. */
+static invcal_event refuse(invcal_imu *imu)
 {
-    INVCAL_ASSERT(moves && rest < moves->count);
-    return moves->rest[rest].move < 0 ? (invcal_status)-moves->rest[rest].move : INVCAL_OK;
+    if (imu->own.fault != INVCAL_OTHER_BUILD && imu->session.reason == INVCAL_OK) {
+        imu->session.reason = INVCAL_NOT_BEGUN;
+    }
+    return INVCAL_REFUSED;
+}
+
+invcal_event invcal_imu_feed(invcal_imu *imu, int32_t x, int32_t y, int32_t z)
+{
+    INVCAL_ASSERT(imu);
+    if (imu->own.layout != INVCAL_MOVES_LAYOUT) {
+        return refuse(imu);
+    }
+    const invcal_event event = invcal_session_feed(&imu->session, x, y, z);
+    if (event != INVCAL_NOTHING) {
+        invcal_imu_follow(imu, event);
+    }
+    return event;
+}
+
+void invcal_imu_gap(invcal_imu *imu)
+{
+    INVCAL_ASSERT(imu);
+    if (is_begun(imu)) {
+        invcal_session_gap(&imu->session);
+        imu->own.spoilt = INVCAL_MOVE_GAP;
+        close_segment(&imu->own, 0);
+    }
+}
+
+invcal_status invcal_imu_move_reason(const invcal_imu *imu, unsigned rest)
+{
+    INVCAL_ASSERT(imu && rest < imu->rests);
+    return imu->own.rest[rest].move < 0 ? (invcal_status)-imu->own.rest[rest].move : INVCAL_OK;
 }

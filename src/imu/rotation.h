@@ -18,14 +18,14 @@
 /* Distinguishes kept bytes of another layout, number type or byte order: version, moves, type,
  * segments. */
 #define INVCAL_MOVES_LAYOUT                                                                        \
-    (UINT32_C(0x61000000) + INVCAL_MAX_MOVES * UINT32_C(0x40000) +                                 \
+    (UINT32_C(0x62000000) + INVCAL_MAX_MOVES * UINT32_C(0x40000) +                                 \
      (uint32_t)sizeof(invcal_real) * 0x1000u + INVCAL_MAX_SEGMENTS)
 
 /* No rest and no move, with these settings. */
-void invcal_moves_empty(invcal_moves *m, const invcal_calibration *nominal, invcal_real rate);
+void invcal_moves_empty(invcal_imu *imu, const invcal_calibration *nominal, invcal_real rate);
 
 /* Begins a stream; rests and moves so far are kept. */
-void invcal_moves_restart(invcal_moves *m);
+void invcal_moves_restart(invcal_imu *imu);
 
 /* out += unit packed */
 void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3]);

@@ -10,15 +10,14 @@
 
 #include "../core/circle.h"
 #include "../plan/guidance.h"
-#include "imu.h"
 #include "../core/sums.h"
+#include "turns.h"
 #include "../core/vector.h"
 
 #define RADIANS INVCAL_REAL(0.017453292519943296) /* in a degree */
-#define MOST_DEGREES INVCAL_REAL(720.0)
-#define QUARTER INVCAL_REAL(90.0)
-#define USUAL_MEAN_NOISE INVCAL_REAL(3e-4) /* of a mean, as of invcal_imu_solve */
-#define USUAL_SECONDS INVCAL_REAL(1.5)     /* of a turn */
+#define MOST_ANGLE INVCAL_REAL(12.57)             /* 720 degrees */
+#define QUARTER INVCAL_REAL(1.5707963267948966)
+#define USUAL_SECONDS INVCAL_REAL(1.5) /* of a turn */
 #define VAGUE INVCAL_REAL(0.01) /* information of a parameter that is known to 10 times the noise */
 #define HELD_BY_VAGUE INVCAL_REAL(0.1) /* open: VAGUE gives more than this share */
 #define CLEARLY INVCAL_REAL(1.001)     /* if merits differ by less, the first turn wins */
@@ -53,9 +52,9 @@ static void scale(invcal_real v[3], invcal_real times)
 /* The angle, 0 to 180 degrees, by two corrections of a guess. The error of the guess has a small
  * sine x, and x + x^3/6 is the angle up to its fifth power: 19 degrees become 0.02, and these
  * become 0. */
-static invcal_real angle_of(invcal_real cosine, invcal_real sine)
+static invcal_real degrees_of(invcal_real cosine, invcal_real sine)
 {
-    invcal_real degrees = QUARTER * (1 - cosine);
+    invcal_real degrees = 90 * (1 - cosine);
 
     for (unsigned pass = 0; pass < 2; pass++) {
         invcal_real c;
@@ -76,7 +75,7 @@ static invcal_real turn_to(const invcal_real from[3], const invcal_real up[3], i
     if (square >= NO_SINE) {
         const invcal_real sine = INVCAL_SQRT(square);
         scale(out->axis, 1 / sine);
-        out->degrees = angle_of(invcal_dot3(from, up), sine);
+        out->angle = degrees_of(invcal_dot3(from, up), sine) * RADIANS;
         memcpy(out->up, up, sizeof out->up);
     }
     return square;
@@ -111,12 +110,12 @@ invcal_status invcal_tour(unsigned i, invcal_turn *out)
     invcal_zero(out, sizeof *out);
     from[was / 2] = was % 2 == 0 ? 1 : -1;
     out->up[is / 2] = is % 2 == 0 ? 1 : -1;
-    out->degrees = QUARTER;
+    out->angle = QUARTER;
     if (was != is) {
         invcal_cross(out->up, from, out->axis);
     } else {
         out->axis[(i + 1) / 2 % 3] = 1; /* 12: x; 13: y; 15: z */
-        out->degrees = 4 * QUARTER;
+        out->angle = 4 * QUARTER;
     }
     return INVCAL_OK;
 }
@@ -125,9 +124,9 @@ invcal_status invcal_tour(unsigned i, invcal_turn *out)
 
 /* The variance of each of the two angles of a turn, over that of a position mean: as in add_move of
  * imu.c, with a time in proportion to the angle, but at least that of a quarter turn. */
-static invcal_real variance_of(const invcal_turns *turns, invcal_real degrees)
+static invcal_real variance_of(const invcal_turns *turns, invcal_real angle)
 {
-    const invcal_real quarters = INVCAL_FABS(degrees) / QUARTER;
+    const invcal_real quarters = INVCAL_FABS(angle) / QUARTER;
     const invcal_real time = quarters > 1 ? quarters * turns->seconds : turns->seconds;
 
     return 2 + time * (turns->linear + time * turns->square);
@@ -174,14 +173,14 @@ INVCAL_NOINLINE static void make_turn_rows(const invcal_turns *turns, const invc
                                            turn_rows *out)
 {
     const invcal_real *n = turn->axis;
-    const invcal_real angle = turn->degrees * RADIANS;
-    const invcal_real root = 1 / INVCAL_SQRT(variance_of(turns, turn->degrees));
+    const invcal_real angle = turn->angle;
+    const invcal_real root = 1 / INVCAL_SQRT(variance_of(turns, angle));
     invcal_real cosine;
     invcal_real sine;
     invcal_real across[2][3];
     invcal_real g[INVCAL_PARAMETERS];
 
-    invcal_circle(turn->degrees, &cosine, &sine);
+    invcal_circle(angle / RADIANS, &cosine, &sine);
     rotate_back(n, cosine, sine, turns->up, out->up);
     find_across(turns->up, across);
     for (unsigned k = 0; k < 2; k++) {
@@ -213,7 +212,7 @@ static invcal_status check(const invcal_turn *turn)
     if (!invcal_is_unit(turn->axis)) {
         return INVCAL_BAD_DIRECTION;
     }
-    return INVCAL_FABS(turn->degrees) <= MOST_DEGREES ? INVCAL_OK : INVCAL_BAD_ANGLE;
+    return INVCAL_FABS(turn->angle) <= MOST_ANGLE ? INVCAL_OK : INVCAL_BAD_ANGLE;
 }
 
 static void add_rows(invcal_real *sum, unsigned n, const turn_rows *rows)
@@ -240,31 +239,34 @@ invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
 
 /* ---- beginnings ------------------------------------------------------------------------------ */
 
-static void begin_turns(invcal_turns *turns, const invcal_imu_settings *s)
+static void begin_turns(invcal_turns *turns, unsigned n, invcal_real noise, invcal_real rate_noise,
+                        invcal_real instability)
 {
     invcal_zero(turns, sizeof *turns);
-    turns->n = s->held ? TURNS_GYRO : TURNS_ALL;
-    turns->noise = s->noise > 0 ? s->noise : USUAL_MEAN_NOISE;
+    turns->n = (uint8_t)n;
+    turns->noise = noise;
     turns->seconds = USUAL_SECONDS;
-    const invcal_real density = s->rate_noise / turns->noise;
-    const invcal_real instability = INVCAL_REAL(1.5) * s->instability / turns->noise;
+    const invcal_real density = rate_noise / noise;
+    const invcal_real wander = INVCAL_REAL(1.5) * instability / noise;
     turns->linear = density * density;
-    turns->square = turns->linear / 2 + instability * instability; /* the bias of rests of 1 s */
+    turns->square = turns->linear / 2 + wander * wander; /* the bias of rests of 1 s */
 }
 
 invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
-                                 const invcal_imu_settings *settings)
+                                 const invcal_imu_settings *settings, invcal_real noise)
 {
-    static const invcal_imu_settings usual = INVCAL_IMU_USUAL;
-    const invcal_imu_settings *s = settings ? settings : &usual;
+    static const invcal_imu_settings unknown = {0, 0, 0, NULL};
+    const invcal_imu_settings *s = settings ? settings : &unknown;
 
     INVCAL_ASSERT(turns && up);
     const invcal_status status =
-        invcal_is_unit(up) ? invcal_imu_settings_check(s) : INVCAL_BAD_DIRECTION;
+        invcal_is_unit(up) ? invcal_imu_settings_check(s, noise) : INVCAL_BAD_DIRECTION;
     if (status != INVCAL_OK) {
         return status;
     }
-    begin_turns(turns, s);
+    begin_turns(turns, s->held ? TURNS_GYRO : TURNS_ALL, noise > 0 ? noise : INVCAL_IMU_MEAN_NOISE,
+                s->rate_noise > 0 ? s->rate_noise : INVCAL_IMU_RATE_NOISE,
+                s->instability > 0 ? s->instability : INVCAL_IMU_INSTABILITY);
     memcpy(turns->up, up, sizeof turns->up);
     if (turns->n == TURNS_ALL) {
         invcal_real h[TURNS_ALL];
@@ -272,24 +274,25 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
         invcal_rank_one(turns->sum, h, TURNS_ALL, 1);
     }
     for (unsigned i = 0; s->prior && i < turns->n; i++) {
-        if (s->prior[i] > 0) {
-            const invcal_real known = turns->noise / s->prior[i];
+        const invcal_real sigma = s->prior[invcal_imu_parameter(i)];
+        if (sigma > 0) {
+            const invcal_real known = turns->noise / sigma;
             turns->sum[INVCAL_PACKED(i, i)] += known * known;
         }
     }
     return INVCAL_OK;
 }
 
-invcal_status invcal_turns_after(invcal_turns *turns, const invcal_vector *mean, unsigned count,
-                                 const invcal_calibration *accelerometer, const invcal_moves *moves,
+invcal_status invcal_turns_after(invcal_turns *turns, const invcal_imu *imu,
+                                 const invcal_positions *positions,
                                  const invcal_imu_settings *settings)
 {
     invcal_imu_work w;
-    invcal_imu imu;
+    invcal_imu_result out;
 
-    INVCAL_ASSERT(turns && (mean || count == 0) && accelerometer && moves);
-    invcal_status status = invcal_imu_begin(&w, mean, count, accelerometer, moves, settings, &imu);
-    const unsigned last = moves->count - w.begin - 1u; /* of the rests; or too large */
+    INVCAL_ASSERT(turns && imu && positions);
+    invcal_status status = invcal_imu_begin(&w, imu, positions, settings, &out);
+    const unsigned last = imu->rests - w.begin - 1u; /* of the rests; or too large */
     if (status == INVCAL_OK && last >= INVCAL_MAX_MOVES) {
         status = INVCAL_TOO_FEW;
     }
@@ -297,11 +300,11 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_vector *mean,
         status = invcal_imu_sum(&w);
     }
     if (status == INVCAL_OK) {
-        begin_turns(turns, w.settings);
+        begin_turns(turns, w.n, INVCAL_SQRT(w.noise_square), w.rate_noise, w.instability);
         for (unsigned i = 0; i < SIZE; i++) { /* with 9 unknowns the surplus is never read */
             turns->sum[i] = w.noise_square * w.pass.sum[i];
         }
-        invcal_correct(accelerometer, w.mean[last].v, turns->up);
+        invcal_correct(positions->nominal, w.mean[last].v, turns->up);
         scale(turns->up, 1 / INVCAL_SQRT(invcal_dot3(turns->up, turns->up)));
     }
     return status;
@@ -382,9 +385,10 @@ static invcal_real find_sigma(const invcal_real *inverse, unsigned n, invcal_rea
     *open = 0;
     for (unsigned i = 0; i < n; i++) {
         const invcal_real k = invcal_variance(inverse, n, i);
-        sigma[i] = INVCAL_SQRT(k);
+        const unsigned parameter = invcal_imu_parameter(i);
+        sigma[parameter] = INVCAL_SQRT(k);
         if (!(k <= most)) {
-            *open |= (uint32_t)1 << i;
+            *open |= (uint32_t)1 << parameter;
         }
         largest = k <= largest ? largest : k;
     }

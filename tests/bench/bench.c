@@ -13,8 +13,8 @@
 #include "invcal/background.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
-#include "invcal/gyro.h"
 #include "invcal/magnetometer.h"
+#include "imu/turns.h"
 #include "invcal/plan.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
@@ -514,7 +514,7 @@ static void bench_thermal(void)
     report("thermal_at", end());
 }
 
-static invcal_moves moves;
+static invcal_imu both;
 
 /* Quarter turns about x, z and y, five each, of five segments. */
 static void make_moves(void)
@@ -526,60 +526,74 @@ static void make_moves(void)
         const unsigned next = (axis + 1) % 3;
         const unsigned last = (axis + 2) % 3;
         for (unsigned a = 0; a < 3; a++) {
-            session.mean[i].v[a] = up[a] * INVCAL_REAL(8192.0);
+            both.session.mean[i].v[a] = up[a] * INVCAL_REAL(8192.0);
         }
         const invcal_real was = up[next];
         up[next] = up[last];
         up[last] = -was;
-        moves.rest[i].when = (uint16_t)(20 * i);
-        moves.rest[i].move = i > 0 ? 5 : -INVCAL_TOO_FEW;
+        both.own.rest[i].when = (uint16_t)(20 * i);
+        both.own.rest[i].move = i > 0 ? 5 : -INVCAL_TOO_FEW;
         for (unsigned k = 0; k < 5 && i + 1 < INVCAL_MAX_POSITIONS; k++) {
-            invcal_segment *s = &moves.segment[moves.first++];
+            invcal_private_segment *s = &both.own.segment[both.own.first++];
             s->v[axis] = 10294;
             s->time = 2 * 100;
         }
     }
-    moves.used = moves.fixed = moves.first;
-    moves.count = INVCAL_MAX_POSITIONS;
+    both.own.used = both.own.fixed = both.own.first;
+    both.rests = INVCAL_MAX_POSITIONS;
 }
 
 static void bench_gyro(void)
 {
     enum { BLOCK = 64 };
     const int32_t at[3] = {20, -10, 5};
-    static invcal_imu imu;
+    static invcal_imu_result imu;
     invcal_calibration gyro = nominal;
 
-    require(invcal_moves_init(&moves, sizeof moves, &gyro, 400));
+    both.session = session;
+    require(invcal_imu_init_nominal(&both, sizeof both, &gyro, 400));
     uint32_t count = 0;
     for (unsigned i = 0; i < BLOCK; i++) {
         begin();
-        invcal_moves_feed(&moves, at[0], at[1], at[2]);
+        invcal_imu_feed_gyro(&both, at[0], at[1], at[2]);
         count += end();
     }
     report("gyro_feed", count / BLOCK);
-    invcal_private_rests rests = session.rests;
-    rests.pended = 0;
+    both.session.rests.pended = 0;
     count = 0;
     for (unsigned i = 0; i < BLOCK; i++) {
-        invcal_moves_feed(&moves, at[0], at[1], at[2]);
+        invcal_imu_feed_gyro(&both, at[0], at[1], at[2]);
         begin();
-        invcal_moves_follow(&moves, &rests, INVCAL_MOVING);
+        invcal_imu_follow(&both, INVCAL_MOVING);
         const uint32_t one = end();
         count = one > count ? one : count;
     }
     report("gyro_follow", count);
-    require(invcal_moves_init(&moves, sizeof moves, &gyro, 400));
+    require(invcal_imu_init_nominal(&both, sizeof both, &gyro, 400));
     make_moves();
     begin();
-    const invcal_status status =
-        invcal_imu_solve(session.mean, INVCAL_MAX_POSITIONS, &nominal, &moves, NULL, &imu);
+    const invcal_status status = invcal_imu_solve(&both, NULL, &imu);
     count = end();
     if (status != INVCAL_OK) {
         board_exit(1);
     }
-    report("imu_pass", count / imu.passes);
     report("imu_solve", count);
+    invcal_turn turn;
+    begin();
+    invcal_imu_next(&both, &turn);
+    report("imu_next", end());
+    const invcal_positions positions = invcal_imu_positions(&both);
+    static invcal_imu_work work;
+    require(invcal_imu_begin(&work, &both, &positions, NULL, &imu));
+    begin();
+    require(invcal_imu_sum(&work));
+    report("imu_pass", end());
+    const invcal_real a[3] = {0, 0, 1};
+    invcal_real rate[3];
+    imu.g_is_used = 1;
+    begin();
+    invcal_imu_apply(&imu, 20, -10, 5, a, rate);
+    report("imu_apply", end());
 }
 
 /* Halfway through the tour. */
@@ -590,7 +604,7 @@ static void bench_turns(void)
     const invcal_real up[3] = {0, 0, 1};
     invcal_turn turn;
     uint32_t open;
-    invcal_status status = invcal_turns_begin(&turns, up, NULL);
+    invcal_status status = invcal_turns_begin(&turns, up, NULL, 0);
 
     for (unsigned i = 0; i < 9 && status == INVCAL_OK; i++) {
         status = invcal_tour(i, &turn);

@@ -5,11 +5,10 @@
 #include "digest.h"
 #include "invcal/positions.h"
 
-#include "invcal/gyro.h"
+#include "invcal/gyro_store.h"
+#include "imu/turns.h"
 
 enum { RATE = 100, TURN = 6 * RATE / 5, REST = 9 * RATE / 5 };
-
-#define RADIANS 0.017453293f /* of a degree */
 
 static const input_sensor accelerometer = {
     {490, -820, 330}, {{16712, 66, -98}, {66, 16138, 164}, {-98, 164, 16548}}, 8};
@@ -17,8 +16,8 @@ static const input_sensor accelerometer = {
 static const input_sensor gyro = {
     {85, -131, 24}, {{3660, 45, -15}, {-56, 3820, 26}, {11, -34, 3786}}, 3};
 
-static invcal_imu_session both;
-static invcal_imu imu;
+static invcal_imu both;
+static invcal_imu_result imu;
 
 /* ---- the hand ------------------------------------------------------------------------------- */
 
@@ -28,20 +27,19 @@ static void read_sensors(const float rate[3], const float force[3])
     int32_t raw[3];
 
     input_sample(&gyro, rate, raw);
-    invcal_moves_feed(&both.moves, raw[0], raw[1], raw[2]);
+    invcal_imu_feed_gyro(&both, raw[0], raw[1], raw[2]);
     input_sample(&accelerometer, force, raw);
-    const invcal_event event = invcal_session_feed(&both.session, raw[0], raw[1], raw[2]);
-    invcal_moves_follow(&both.moves, &both.session.rests, event);
+    const invcal_event event = invcal_imu_feed(&both, raw[0], raw[1], raw[2]);
     if (event >= INVCAL_READY) {
         digest_bits("event", event);
-        digest_bits("rests", both.moves.count);
+        digest_bits("rests", both.rests);
     }
 }
 
 /* In the axes of the device, up turns in the opposite sense. */
 static void make_turn(const invcal_turn *turn, float up[3])
 {
-    const float speed = turn->degrees * RADIANS * RATE / TURN;
+    const float speed = turn->angle * RATE / TURN;
 
     for (unsigned step = 0; step < TURN; step++) {
         const float part = ((float)step + 0.5f) / TURN;
@@ -73,12 +71,12 @@ static void rest(const float up[3])
 
 static void move_results(void)
 {
-    const invcal_moves *const moves = &both.moves;
+    const invcal_private_moves *const moves = &both.own;
 
     digest_set("moves");
     digest_reals("bias", moves->bias, 3);
-    for (unsigned i = 0; i < moves->count; i++) {
-        digest_bits("reason", invcal_moves_reason(moves, i));
+    for (unsigned i = 0; i < both.rests; i++) {
+        digest_bits("reason", invcal_imu_move_reason(&both, i));
         digest_bits("when", moves->rest[i].when);
         for (int a = 0; a < 3; a++) {
             digest_bits("bias", (uint16_t)moves->rest[i].bias[a]);
@@ -104,19 +102,43 @@ static void begin(void)
     digest_bits("session",
                 invcal_session_init_nominal(&both.session, sizeof both.session, &nominal, RATE));
     (void)invcal_nominal(none, degrees, &nominal);
-    digest_bits("moves", invcal_moves_init(&both.moves, sizeof both.moves, &nominal, RATE));
-    digest_bits("rails", invcal_moves_set_limits(&both.moves, -32768, 32767));
+    digest_bits("moves", invcal_imu_init_nominal(&both, sizeof both, &nominal, RATE));
+    digest_bits("rails", invcal_imu_set_limits(&both, -32768, 32767));
+}
+
+static uint8_t slot[2][INVCAL_STORE_BYTES(INVCAL_IMU_SIZE, 1)];
+
+static int read_slot(void *context, unsigned which, uint32_t offset, uint8_t *bytes, uint32_t size)
+{
+    (void)context;
+    memcpy(bytes, &slot[which][offset], size);
+    return 0;
+}
+
+static int erase_slot(void *context, unsigned which)
+{
+    (void)context;
+    memset(slot[which], 0xFF, sizeof slot[which]);
+    return 0;
+}
+
+static int program_slot(void *context, unsigned which, uint32_t offset, const uint8_t *bytes,
+                        uint32_t size)
+{
+    (void)context;
+    memcpy(&slot[which][offset], bytes, size);
+    return 0;
 }
 
 /* What is not kept over a reset is lost. */
 static void reset(void)
 {
-    static uint8_t saved[INVCAL_IMU_SESSION_SIZE];
-    const uint32_t size = invcal_imu_session_size(&both);
+    static const invcal_store store = {read_slot, erase_slot,     program_slot,
+                                       NULL,      sizeof slot[0], 1};
 
-    memcpy(saved, (const uint8_t *)&both + INVCAL_IMU_SESSION_FROM, size);
+    digest_bits("saved", invcal_imu_save(&both, &store));
     begin();
-    digest_bits("resumed", invcal_imu_session_resume(&both, saved, size));
+    digest_bits("resumed", invcal_imu_load(&both, &store));
 }
 
 static void tour(void)
@@ -138,7 +160,7 @@ static void tour(void)
     }
     digest_set("finish");
     const invcal_event event = invcal_session_end(&both.session);
-    invcal_moves_follow(&both.moves, &both.session.rests, event);
+    invcal_imu_follow(&both, event);
     digest_bits("event", event);
 }
 
@@ -146,14 +168,12 @@ static void tour(void)
 
 static void solve(void)
 {
-    const invcal_imu_settings usual = INVCAL_IMU_USUAL;
+    const invcal_imu_settings unknown = {0, 0, 0, NULL};
 
     digest_set("solution");
-    digest_bits("status", invcal_imu_solve(both.session.mean, both.session.count,
-                                           &both.session.nominal, &both.moves, &usual, &imu));
-    digest_calibration(&imu.gyro, &both.moves.nominal);
+    digest_bits("status", invcal_imu_solve(&both, &unknown, &imu));
+    digest_calibration(&imu.gyro, &both.nominal);
     digest_calibration(&imu.accelerometer, &both.session.nominal);
-    digest_reals("parameter", imu.parameter, INVCAL_IMU_PARAMETERS);
     digest_reals("sigma", imu.sigma, INVCAL_IMU_PARAMETERS);
     digest_reals("slope", imu.slope[0], 12);
     digest_reals("slope_sigma", imu.slope_sigma[0], 12);
@@ -161,13 +181,12 @@ static void solve(void)
     digest_reals("move_noise", &imu.move_noise, 1);
     digest_reals("move_rms", &imu.move_rms, 1);
     digest_reals("move_max", &imu.move_max, 1);
-    digest_bits("left_out", imu.left_out);
-    digest_bits("idle", imu.idle);
-    digest_bits("open", imu.open);
+    digest_bits("left_out", (uint32_t)imu.left_out);
+    digest_bits("idle", (uint32_t)imu.idle);
+    digest_bits("weak", imu.weak);
     digest_bits("dof", imu.dof);
     digest_bits("worst", imu.worst);
     digest_bits("moves", imu.moves);
-    digest_bits("passes", imu.passes);
     digest_bits("verdict", imu.verdict);
     digest_bits("g_is_used", imu.g_is_used);
 }
@@ -175,15 +194,14 @@ static void solve(void)
 static void record_results(void)
 {
     uint8_t bytes[INVCAL_IMU_RECORD_SIZE];
-    invcal_imu_record record;
+    invcal_imu_result result;
 
     digest_set("record");
-    invcal_imu_record_init(&record, &imu);
-    digest_bits("encoded", invcal_imu_record_encode(&record, bytes));
+    digest_bits("encoded", invcal_imu_encode(&imu, NULL, bytes));
     digest_bytes("bytes", bytes, sizeof bytes);
-    memset(&record, 0, sizeof record);
-    digest_bits("decoded", invcal_imu_record_decode(bytes, sizeof bytes, &record));
-    digest_reals("offset", record.gyro.offset, 3);
+    memset(&result, 0, sizeof result);
+    digest_bits("decoded", invcal_imu_decode(bytes, sizeof bytes, &result, NULL));
+    digest_reals("offset", result.gyro.offset, 3);
 }
 
 static void mounting(void)
@@ -192,8 +210,7 @@ static void mounting(void)
     float unit = 0;
 
     digest_set("mounting");
-    digest_bits("status", invcal_imu_mounting(both.session.mean, both.session.count,
-                                              &both.session.nominal, &both.moves, axes, &unit));
+    digest_bits("status", invcal_imu_mounting(&both, axes, &unit));
     for (int i = 0; i < 3; i++) {
         digest_bits("axis", (uint8_t)axes[i]);
     }
@@ -212,13 +229,27 @@ static void plan(const char *name, invcal_turns *turns, invcal_status status)
         uint32_t open = 0;
         invcal_turns_next(turns, &turn);
         digest_reals("axis", turn.axis, 3);
-        digest_reals("degrees", &turn.degrees, 1);
+        digest_reals("angle", &turn.angle, 1);
         digest_reals("up", turn.up, 3);
         digest_bits("added", invcal_turns_add(turns, &turn));
         digest_bits("status", invcal_turns_sigma(turns, NULL, sigma, &open));
         digest_reals("sigma", sigma, INVCAL_IMU_PARAMETERS);
         digest_bits("open", open);
     }
+}
+
+static void next(void)
+{
+    char text[INVCAL_TEXT_SIZE];
+    invcal_turn turn;
+
+    digest_set("next");
+    invcal_imu_next(&both, &turn);
+    digest_reals("axis", turn.axis, 3);
+    digest_reals("angle", &turn.angle, 1);
+    digest_reals("up", turn.up, 3);
+    (void)invcal_imu_next_text(&both, text);
+    digest_bytes("text", (const uint8_t *)text, (unsigned)strlen(text));
 }
 
 void part_gyro(void)
@@ -231,8 +262,8 @@ void part_gyro(void)
     solve();
     record_results();
     mounting();
-    plan("turns from the beginning", &turns, invcal_turns_begin(&turns, up, NULL));
-    plan("turns after these", &turns,
-         invcal_turns_after(&turns, both.session.mean, both.session.count, &both.session.nominal,
-                            &both.moves, NULL));
+    plan("turns from the beginning", &turns, invcal_turns_begin(&turns, up, NULL, 0));
+    const invcal_positions positions = invcal_imu_positions(&both);
+    plan("turns after these", &turns, invcal_turns_after(&turns, &both, &positions, NULL));
+    next();
 }

@@ -13,7 +13,7 @@
 #include "../positions.h"
 #include "core/bytes.h"
 #include "drive.h"
-#include "invcal/gyro.h"
+#include "invcal/gyro_store.h"
 #include "invcal/thermal_store.h"
 
 /* ---- records and sessions --------------------------------------------------------------------- */
@@ -86,10 +86,11 @@ static void look_at_thermal(const uint8_t *bytes, uint32_t size)
 static void look_at_imu(const uint8_t *bytes, uint32_t size)
 {
     uint8_t again[INVCAL_IMU_RECORD_SIZE];
-    invcal_imu_record r;
+    invcal_imu_result r;
+    invcal_record about;
 
     mark(&r, sizeof r);
-    if (invcal_imu_record_decode(bytes, size, &r) != INVCAL_OK) {
+    if (invcal_imu_decode(bytes, size, &r, &about) != INVCAL_OK) {
         require_mark(&r, sizeof r);
         return;
     }
@@ -97,55 +98,82 @@ static void look_at_imu(const uint8_t *bytes, uint32_t size)
     require_finite(&r.move_noise, 1);
     require_finite(&r.move_rms, 1);
     require_finite(&r.move_max, 1);
-    require_finite(r.sigma, INVCAL_GYRO_PARAMETERS);
+    require_finite(r.sigma, INVCAL_IMU_PARAMETERS);
     require_finite(r.slope[0], 12);
     require_finite(r.slope_sigma[0], 12);
-    REQUIRE(r.verdict <= INVCAL_WEAK && r.weak < 1u << INVCAL_GYRO_PARAMETERS && r.g_is_used <= 1);
-    REQUIRE(r.weak == 0 || r.verdict == INVCAL_WEAK);
+    REQUIRE(r.verdict <= INVCAL_WEAK && r.weak < 1u << INVCAL_IMU_PARAMETERS && r.g_is_used <= 1);
+    REQUIRE(r.weak >> INVCAL_PARAMETERS == 0 || r.verdict == INVCAL_WEAK);
     look_at_record(bytes + RECORD_AT, INVCAL_RECORD_SIZE);
-    REQUIRE(invcal_imu_record_encode(&r, again) == INVCAL_OK);
+    REQUIRE(invcal_imu_encode(&r, &about, again) == INVCAL_OK);
     REQUIRE(size >= sizeof again && memcmp(bytes, again, sizeof again) == 0);
 }
+
+/* A memory that holds both. */
+static uint8_t slots[2][INVCAL_STORE_BYTES(INVCAL_IMU_SIZE, 1)];
+
+static int read_slot(void *context, unsigned slot, uint32_t offset, uint8_t *bytes, uint32_t size)
+{
+    (void)context;
+    memcpy(bytes, &slots[slot][offset], size);
+    return 0;
+}
+
+static int erase_slot(void *context, unsigned slot)
+{
+    (void)context;
+    memset(slots[slot], 0xFF, sizeof slots[slot]);
+    return 0;
+}
+
+static int program_slot(void *context, unsigned slot, uint32_t offset, const uint8_t *bytes,
+                        uint32_t size)
+{
+    (void)context;
+    memcpy(&slots[slot][offset], bytes, size);
+    return 0;
+}
+
+static const invcal_store of_both = {read_slot, erase_slot, program_slot, NULL, sizeof slots[0], 1};
 
 /* Head, rests and as many segments as there are bytes, in front of a session with two means; what is accepted is
  * solved, and fed what is behind. */
 static void look_at_both(const uint8_t *bytes, uint32_t size)
 {
-    static invcal_imu_session both;
-    static invcal_imu_session saved;
+    static invcal_imu both;
+    static invcal_imu saved;
     const invcal_calibration gyro = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    const uint32_t room = sizeof(invcal_moves) - offsetof(invcal_moves, layout);
-    invcal_imu imu;
+    const uint32_t from = offsetof(invcal_imu, own.layout);
+    const uint32_t room = offsetof(invcal_imu, session) - from;
+    invcal_imu_result imu;
+    invcal_turn turn;
     int32_t raw[3];
 
     memset(&both, 0, sizeof both);
-    REQUIRE(invcal_moves_init(&both.moves, sizeof both.moves, &gyro, 50) == INVCAL_OK);
     REQUIRE(invcal_session_init(&both.session, sizeof both.session, 100, 50) == INVCAL_OK);
+    REQUIRE(invcal_imu_init_nominal(&both, sizeof both, &gyro, 50) == INVCAL_OK);
     both.session.count = 2;
     both.session.mean[0].v[0] = both.session.mean[1].v[1] = 100;
-    const uint32_t layout = both.moves.layout; /* or almost nothing would be accepted */
+    const uint32_t layout = both.own.layout; /* or almost nothing would be accepted */
     saved = both;
-    memcpy((uint8_t *)&saved + INVCAL_IMU_SESSION_FROM, bytes, size < room ? size : room);
-    saved.moves.layout = layout;
-    saved.moves.nominal = both.moves.nominal;
-    saved.moves.rate = both.moves.rate;
-    const uint32_t length = invcal_imu_session_size(&saved);
-    if (invcal_imu_session_resume(&both, (const uint8_t *)&saved + INVCAL_IMU_SESSION_FROM,
-                                  length) != INVCAL_OK) {
-        REQUIRE(both.session.count == 0 && both.moves.count == 0);
+    memcpy((uint8_t *)&saved + from, bytes, size < room ? size : room);
+    saved.own.layout = layout;
+    saved.nominal = both.nominal;
+    saved.own.rate = both.own.rate;
+    REQUIRE(invcal_imu_save(&saved, &of_both) == INVCAL_OK);
+    if (invcal_imu_load(&both, &of_both) != INVCAL_OK) {
+        REQUIRE(both.session.count == 0 && both.rests == 0);
         return;
     }
-    REQUIRE(both.moves.count <= INVCAL_MAX_MOVES && both.moves.used <= INVCAL_MAX_SEGMENTS);
-    (void)invcal_imu_solve(both.session.mean, both.session.count, &both.session.nominal,
-                           &both.moves, NULL, &imu);
+    REQUIRE(both.rests <= INVCAL_MAX_MOVES && both.own.used <= INVCAL_MAX_SEGMENTS);
+    (void)invcal_imu_solve(&both, NULL, &imu);
+    invcal_imu_next(&both, &turn);
     source s = {bytes, size};
     while (s.left > 0) {
         for (unsigned i = 0; i < 3; i++) {
             raw[i] = take_byte(&s) - 128;
         }
-        invcal_moves_feed(&both.moves, raw[0], raw[1], raw[2]);
-        invcal_moves_follow(&both.moves, &both.session.rests,
-                            invcal_session_feed(&both.session, raw[0], raw[1], raw[2]));
+        invcal_imu_feed_gyro(&both, raw[0], raw[1], raw[2]);
+        (void)invcal_imu_feed(&both, raw[0], raw[1], raw[2]);
     }
 }
 

@@ -52,9 +52,8 @@ static void make_record(void *p)
 }
 
 /* What an _init function begins, and keeps state in. */
-static const char *const begun[] = {"invcal_session", "invcal_background",
-                                    "invcal_moves",   "invcal_imu_session",
-                                    "invcal_allan",   "invcal_magnetometer"};
+static const char *const begun[] = {"invcal_session", "invcal_background", "invcal_imu",
+                                    "invcal_allan", "invcal_magnetometer"};
 
 static const struct {
     const char *type;

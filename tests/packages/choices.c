@@ -24,7 +24,7 @@ static union {
     unsigned char bytes[ALL];
     invcal_session session;
     invcal_background background;
-    invcal_moves moves;
+    invcal_imu imu;
     invcal_allan allan;
 } memory;
 static unsigned char before[ALL];
@@ -73,17 +73,29 @@ static void try_background(void)
     expect_untouched(FIRST, "background");
 }
 
+/* The session is of the same size in both, so it was begun; it says why it refuses, too. */
 static void try_moves(void)
 {
-    invcal_moves *moves = &memory.moves;
+    invcal_imu *imu = &memory.imu;
 
-    expect(invcal_moves_init(moves, sizeof *moves, &unit, 100) == INVCAL_OTHER_BUILD, "moves_init");
+    expect(invcal_session_init(&imu->session, sizeof imu->session, 16384, 100) == INVCAL_OK,
+           "session of both");
+    memcpy(before, memory.bytes, sizeof before);
+    expect(invcal_imu_init(imu, sizeof *imu, 3753, 100) == INVCAL_OTHER_BUILD, "imu_init");
+    expect(invcal_imu_init_nominal(imu, sizeof *imu, &unit, 100) == INVCAL_OTHER_BUILD,
+           "imu_init_nominal");
     for (int i = 0; i < 1000; i++) {
-        invcal_moves_feed(moves, 1000, 2000, -3000);
+        invcal_imu_feed_gyro(imu, 1000, 2000, -3000);
+        expect(invcal_imu_feed(imu, 1, 2, 3) == INVCAL_REFUSED, "imu_feed");
     }
-    invcal_moves_gap(moves);
-    expect(moves->layout == 0, "moves: begun");
-    memset(before + offsetof(invcal_moves, layout), 0, sizeof moves->layout);
+    invcal_imu_gap(imu);
+    expect(strcmp(invcal_session_reason_text(&imu->session), "other build") == 0,
+           "reason_text of both");
+    expect(imu->own.layout == 0, "moves: begun");
+    memset(before + offsetof(invcal_imu, own.layout), 0, sizeof imu->own.layout);
+    before[offsetof(invcal_imu, own.fault)] = INVCAL_OTHER_BUILD;
+    before[offsetof(invcal_imu, session.reason)] = INVCAL_OTHER_BUILD;
+    memset(before + offsetof(invcal_imu, session.layout), 0, sizeof imu->session.layout);
     expect_untouched(0, "moves");
 }
 

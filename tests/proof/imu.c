@@ -125,35 +125,38 @@ void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3]
 
 static void solve(unsigned rests, unsigned means, int held)
 {
-    static invcal_moves moves;
+    static invcal_imu imu;
     static invcal_vector mean[INVCAL_MAX_MOVES + 8];
     static invcal_real prior[INVCAL_IMU_PARAMETERS];
-    static invcal_imu out;
+    static invcal_imu_result out;
     invcal_calibration accelerometer;
+    invcal_positions positions;
     invcal_imu_settings settings;
 
-    ANY(moves);
+    ANY(imu);
     ANY(mean);
     ANY(prior);
     ANY(accelerometer);
     ANY(settings);
-    moves.count = (uint8_t)rests;
+    ANY(positions);
+    imu.rests = (uint8_t)rests;
+    positions.mean = &mean[INVCAL_MAX_MOVES + 8 - means];
+    positions.count = means;
+    positions.nominal = &accelerometer;
     settings.held = (uint8_t)held;
     settings.prior = BETWEEN(0, 1) ? prior : NULL;
-    (void)invcal_imu_solve(means > 0 ? &mean[INVCAL_MAX_MOVES + 8 - means] : NULL, means,
-                           &accelerometer, &moves, &settings, &out);
+    (void)invcal_imu_solve_of(&imu, &positions, &settings, &out);
 }
 
 void main(void)
 {
-    static invcal_moves moves;
-    static invcal_imu out;
-    invcal_calibration accelerometer;
+    static invcal_imu imu;
+    static invcal_imu_result out;
 
-    ANY(moves);
-    ANY(accelerometer);
-    moves.count = 0;
-    (void)invcal_imu_solve(NULL, 0, &accelerometer, &moves, NULL, &out);
+    ANY(imu);
+    imu.rests = 0;
+    imu.session.count = (uint8_t)BETWEEN(0, INVCAL_MAX_POSITIONS);
+    (void)invcal_imu_solve(&imu, NULL, &out);
     solve(INVCAL_MAX_MOVES, INVCAL_MAX_MOVES + 8, 0);
     solve(INVCAL_MAX_MOVES, INVCAL_MAX_MOVES - 8, 1);
     solve(13, 13, 0);

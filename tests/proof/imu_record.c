@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "invcal/gyro.h"
+#include "invcal/gyro_store.h"
 #include "core/solve.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 60 -eva-slevel 60 -eva-slevel-function invcal_crc32:0 -eva-split-return full
@@ -65,14 +65,15 @@ static void decode(uint32_t size, const unsigned range[4])
 {
     static uint8_t buffer[INVCAL_IMU_RECORD_SIZE + 2];
     uint8_t *bytes = &buffer[sizeof buffer - size];
-    invcal_imu_record record;
+    invcal_imu_result result;
+    invcal_record about;
 
     ANY(buffer);
     if (size >= 4) {
         bytes[2] = (uint8_t)BETWEEN(range[0], range[1]);
         bytes[3] = (uint8_t)BETWEEN(range[2], range[3]);
     }
-    (void)invcal_imu_record_decode(bytes, size, &record);
+    (void)invcal_imu_decode(bytes, size, &result, BETWEEN(0, 1) ? &about : NULL);
 }
 
 /* All lengths, the right one separately from the others. */
@@ -99,21 +100,21 @@ void main(void)
                                      INVCAL_IMU_RECORD_SIZE,
                                      INVCAL_IMU_RECORD_SIZE + 2};
     uint8_t bytes[INVCAL_IMU_RECORD_SIZE];
-    invcal_imu_record record;
+    invcal_imu_result result;
+    invcal_record about;
     invcal_store store;
-    invcal_imu imu;
 
-    ANY(record);
-    (void)invcal_imu_record_encode(&record, bytes);
-    ANY(imu);
-    invcal_imu_record_init(&record, &imu);
+    ANY(result);
+    ANY(about);
+    (void)invcal_imu_encode(&result, NULL, bytes);
+    (void)invcal_imu_encode(&result, &about, bytes);
     ANY(store);
-    (void)invcal_imu_save(&imu, &store);
+    (void)invcal_imu_save_result(&result, &store);
     for (unsigned i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         decode_all(sizes[i]);
         loaded = sizes[i];
         for (is_long = 0; is_long < 2; is_long++) {
-            (void)invcal_imu_load(&record, &store);
+            (void)invcal_imu_load_result(&result, &store);
         }
     }
 }

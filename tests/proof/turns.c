@@ -1,34 +1,33 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "imu/imu.h"
+#include "imu/turns.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 45 -eva-slevel 60 -eva-split-return full
 
 // stubs: imu
 
-invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_vector *mean, unsigned count,
-                               const invcal_calibration *accelerometer, const invcal_moves *moves,
-                               const invcal_imu_settings *settings, invcal_imu *out)
+invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_imu *imu,
+                               const invcal_positions *positions,
+                               const invcal_imu_settings *settings, invcal_imu_result *out)
 {
-    static const invcal_imu_settings usual = INVCAL_IMU_USUAL;
     static invcal_vector means[INVCAL_MAX_MOVES];
 
-    (void)mean;
-    (void)count;
+    (void)positions->count;
+    (void)(settings != NULL);
     ANY(means);
     ANY(*work);
     ANY(*out);
-    work->moves = moves;
+    work->imu = imu;
     work->mean = means;
-    work->settings = settings ? settings : &usual;
     work->out = out;
+    work->n = BETWEEN(0, 1) ? INVCAL_IMU_PARAMETERS : INVCAL_GYRO_PARAMETERS;
     work->begin = BETWEEN(0, INVCAL_MAX_MOVES);
-    return accelerometer->offset[0] > 0 ? INVCAL_OK : INVCAL_BAD_NOMINAL;
+    return positions->nominal->offset[0] > 0 ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
-invcal_status invcal_imu_settings_check(const invcal_imu_settings *settings)
+invcal_status invcal_imu_settings_check(const invcal_imu_settings *settings, invcal_real noise)
 {
-    return settings->noise >= 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
+    return settings->rate_noise >= 0 && noise >= 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
 }
 
 invcal_status invcal_imu_sum(invcal_imu_work *work)
@@ -41,8 +40,10 @@ enum { COUNT = 40 };
 
 void main(void)
 {
-    static invcal_vector mean[COUNT];
-    static invcal_moves moves;
+    static invcal_vector raw[COUNT];
+    static invcal_imu imu;
+    invcal_positions positions;
+    invcal_real noise;
     invcal_calibration nominal;
     static invcal_turns turns;
     invcal_imu_settings settings;
@@ -58,16 +59,21 @@ void main(void)
     ANY(up);
     (void)invcal_turn_to(up[0], up[1], &turn);
     ANY(settings);
+    ANY(noise);
     ANY(prior);
     settings.prior = Frama_C_int_interval(0, 1) ? prior : 0;
-    (void)invcal_turns_begin(&turns, up[0], 0);
-    (void)invcal_turns_begin(&turns, up[0], &settings);
-    ANY(mean);
+    (void)invcal_turns_begin(&turns, up[0], 0, 0);
+    (void)invcal_turns_begin(&turns, up[0], &settings, noise);
+    ANY(raw);
     ANY(nominal);
-    ANY(moves);
-    moves.count = (uint8_t)BETWEEN(0, INVCAL_MAX_MOVES);
-    (void)invcal_turns_after(&turns, mean, 0, &nominal, &moves, 0);
-    (void)invcal_turns_after(&turns, mean, COUNT, &nominal, &moves, &settings);
+    ANY(imu);
+    ANY(positions);
+    imu.rests = (uint8_t)BETWEEN(0, INVCAL_MAX_MOVES);
+    positions.mean = raw;
+    positions.count = BETWEEN(0, COUNT);
+    positions.nominal = &nominal;
+    (void)invcal_turns_after(&turns, &imu, &positions, 0);
+    (void)invcal_turns_after(&turns, &imu, &positions, &settings);
     ANY(turns);
     turns.n = Frama_C_int_interval(0, 1) ? INVCAL_IMU_PARAMETERS : INVCAL_GYRO_PARAMETERS;
     ANY(turn);

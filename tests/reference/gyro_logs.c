@@ -2,7 +2,7 @@
  *
  * Prints tests/unit/gyro_logs.h: what the library keeps of real logs, which are not carried with the project.
  *
- *     gcc -DINVCAL_DOUBLE=1 -Iinclude tests/reference/gyro_logs.c $(find src -name '*.c') -lm -o gyro_logs
+ *     gcc -DINVCAL_DOUBLE=1 -Iinclude -Isrc tests/reference/gyro_logs.c $(find src -name '*.c') -lm -o gyro_logs
  *     ./gyro_logs xsens_mti_acc.txt xsens_mti_gyro.txt mpu9150_0.txt mpu9150_1.txt > tests/unit/gyro_logs.h
  *
  * Xsens MTi: imu_tk, bin/test_data (BSD), until the table of segments is full; MPU-9150: mikoff/imu-calib,
@@ -12,12 +12,12 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "invcal/gyro.h"
+#include "imu/imu.h"
 
 #define RAD (3.14159265358979324 / 180)
 
-static invcal_moves moves;
-static invcal_session session;
+static invcal_imu both;
+static invcal_session *const session = &both.session;
 
 static void feed(const double x[6])
 {
@@ -27,8 +27,8 @@ static void feed(const double x[6])
         a[i] = (int32_t)lround(x[i]);
         g[i] = (int32_t)lround(x[3 + i]);
     }
-    invcal_moves_feed(&moves, g[0], g[1], g[2]);
-    invcal_moves_follow(&moves, &session.rests, invcal_session_feed(&session, a[0], a[1], a[2]));
+    invcal_imu_feed_gyro(&both, g[0], g[1], g[2]);
+    (void)invcal_imu_feed(&both, a[0], a[1], a[2]);
 }
 
 static void begin(double zero, double acceleration, double rate)
@@ -39,11 +39,15 @@ static void begin(double zero, double acceleration, double rate)
         c.offset[i] = (invcal_real)zero;
         c.matrix[i][i] = (invcal_real)acceleration;
     }
-    (void)invcal_session_init_nominal(&session, sizeof session, &c, 100);
+    if (invcal_session_init_nominal(session, sizeof *session, &c, 100) != INVCAL_OK) {
+        fputs("a scale is wrong\n", stderr);
+    }
     for (int i = 0; i < 3; i++) {
         c.matrix[i][i] = (invcal_real)rate;
     }
-    (void)invcal_moves_init(&moves, sizeof moves, &c, 100);
+    if (invcal_imu_init_nominal(&both, sizeof both, &c, 100) != INVCAL_OK) {
+        fputs("a scale is wrong\n", stderr);
+    }
 }
 
 /* ---- with stated rests -------------------------------------------------------------------------- */
@@ -86,18 +90,18 @@ static void find_rests(int rows)
 static void take(const double sum[3], int samples)
 {
     for (int i = 0; i < 3; i++) {
-        session.mean[session.count].v[i] = (invcal_real)(sum[i] / samples);
+        session->mean[session->count].v[i] = (invcal_real)(sum[i] / samples);
     }
-    session.count++;
+    session->count++;
 }
 
 static void feed_stated(int rows)
 {
-    invcal_private_rests *r = &session.rests;
+    invcal_private_rests *r = &session->rests;
     double sum[3] = {0, 0, 0};
     int blocks = 0, since = 0;
 
-    session.count = 0;
+    session->count = 0;
     *r = (invcal_private_rests){0};
     r->bits = 2;
     for (int n = 0; n < rows; n++) {
@@ -107,7 +111,7 @@ static void feed_stated(int rows)
         for (int i = 0; i < 3; i++) {
             g[i] = (int32_t)lround(row[n][3 + i]);
         }
-        invcal_moves_feed(&moves, g[0], g[1], g[2]);
+        invcal_imu_feed_gyro(&both, g[0], g[1], g[2]);
         if (n % BLOCK != BLOCK - 1) {
             continue;
         }
@@ -128,7 +132,7 @@ static void feed_stated(int rows)
             since++;
             event = since < 3 ? INVCAL_MOVING : blocks < LEAST ? INVCAL_REFUSED : INVCAL_TAKEN;
         }
-        invcal_moves_follow(&moves, r, event);
+        invcal_imu_follow(&both, event);
         if (event == INVCAL_TAKEN) {
             take(sum, BLOCK * blocks);
         }
@@ -156,22 +160,22 @@ static void print_move(int move)
 
 static void print(const char *name)
 {
-    const unsigned skip = session.count < moves.count ? moves.count - session.count : 0;
+    const unsigned skip = session->count < both.rests ? both.rests - session->count : 0;
 
     printf("static const double %s_mean[][3] = {\n", name);
-    for (unsigned i = 0; i < session.count; i++) {
-        printf("    {%.3f, %.3f, %.3f},\n", (double)session.mean[i].v[0], (double)session.mean[i].v[1],
-               (double)session.mean[i].v[2]);
+    for (unsigned i = 0; i < session->count; i++) {
+        printf("    {%.3f, %.3f, %.3f},\n", (double)session->mean[i].v[0], (double)session->mean[i].v[1],
+               (double)session->mean[i].v[2]);
     }
-    printf("};\nstatic const invcal_still %s_rest[] = {\n", name);
-    for (unsigned i = skip; i < moves.count; i++) {
-        const invcal_still *r = &moves.rest[i];
+    printf("};\nstatic const invcal_private_still %s_rest[] = {\n", name);
+    for (unsigned i = skip; i < both.rests; i++) {
+        const invcal_private_still *r = &both.own.rest[i];
         printf("    {{%d, %d, %d}, %u, ", r->bias[0], r->bias[1], r->bias[2], r->when);
         print_move(r->move);
     }
-    printf("};\nstatic const invcal_segment %s_segment[] = {\n", name);
-    for (unsigned i = 0; i < moves.first; i++) {
-        const invcal_segment *s = &moves.segment[i];
+    printf("};\nstatic const invcal_private_segment %s_segment[] = {\n", name);
+    for (unsigned i = 0; i < both.own.first; i++) {
+        const invcal_private_segment *s = &both.own.segment[i];
         printf("    {{%d, %d, %d}, {%d, %d, %d}, %u},\n", s->v[0], s->v[1], s->v[2], s->kappa[0],
                s->kappa[1], s->kappa[2], s->time);
     }
@@ -194,7 +198,7 @@ int main(int count, char **names)
     printf("/* SPDX-License-Identifier: MIT\n *\n"
            " * Made by tests/reference/gyro_logs.c, which names the logs. */\n/* clang-format off */\n");
     begin(32768, 1 / (414.4 * 9.81744), 1 / 4772.0);
-    while (moves.count < 16 && fscanf(a, "%lf %lf %lf %lf", &time, x, x + 1, x + 2) == 4 &&
+    while (both.rests < 16 && fscanf(a, "%lf %lf %lf %lf", &time, x, x + 1, x + 2) == 4 &&
            fscanf(g, "%lf %lf %lf %lf", &time, x + 3, x + 4, x + 5) == 4) {
         feed(x);
     }

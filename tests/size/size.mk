@@ -13,7 +13,7 @@ $(OUT)/core.elf:    WANTED = invcal_sums_init invcal_sums_add invcal_sums_solve 
 $(OUT)/judged.elf:  WANTED = invcal_calibrate_plain invcal_apply
 $(OUT)/product.elf: WANTED = $(shell $(subst gcc,nm,$(CC)) -u $(OUT)/program.o | sed -n 's/.* invcal_/invcal_/p')
 $(OUT)/imu.elf:     WANTED = $(shell $(subst gcc,nm,$(CC)) -u $(OUT)/program.o | sed -n 's/.* invcal_/invcal_/p') \
-    invcal_moves_init invcal_moves_set_limits invcal_moves_feed invcal_moves_follow invcal_imu_solve
+    invcal_imu_init_nominal invcal_imu_set_limits invcal_imu_feed_gyro invcal_imu_feed invcal_imu_solve
 $(OUT)/whole.elf:   WANTED = %
 $(OUT)/product.elf $(OUT)/imu.elf: $(OUT)/program.o
 $(OUT)/core.elf $(OUT)/judged.elf $(OUT)/product.elf $(OUT)/imu.elf $(OUT)/whole.elf: $(LIBRARY) $(OUT)/public

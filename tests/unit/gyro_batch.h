@@ -17,7 +17,7 @@ enum { UNKNOWNS = 9, OF_BIAS = 5, MOVES = 24, SAMPLES = ROOM(60000, 1) };
 
 static world w;
 static int32_t samples[SAMPLES][3];
-static invcal_imu imu;
+static world_solution imu;
 
 /* A x = b by elimination; A becomes its inverse. No pivots: A is positive definite. */
 static void solve(double *a, double *x, int n)
@@ -101,7 +101,7 @@ static void integrate(const double m[3][3], const double bias[3], int from, int 
  * to rest as noise does is taken out. */
 static void find_biases(double bias[][3])
 {
-    const int count = w.moves.count;
+    const int count = w.imu.rests;
     double h[WORLD_RESTS][OF_BIAS], off[WORLD_RESTS];
 
     for (int axis = 0; axis < 3; axis++) {
@@ -109,9 +109,9 @@ static void find_biases(double bias[][3])
         double squares = 0, changes = 0;
         for (int k = 0; k < count; k++) {
             direction(k, h[k]);
-            h[k][3] = (double)w.moves.rest[k].when / w.moves.rest[count - 1].when;
+            h[k][3] = (double)w.imu.own.rest[k].when / w.imu.own.rest[count - 1].when;
             h[k][4] = 1;
-            bias[k][axis] = (double)w.moves.bias[axis] + w.moves.rest[k].bias[axis] / 262144.0;
+            bias[k][axis] = (double)w.imu.own.bias[axis] + w.imu.own.rest[k].bias[axis] / 262144.0;
             for (int i = 0; i < OF_BIAS * OF_BIAS; i++) {
                 a[i] += h[k][i / OF_BIAS] * h[k][i % OF_BIAS];
             }
@@ -143,13 +143,13 @@ static void solve_batch(double m[3][3], double sigma[9])
     find_biases(biases);
     world_unit(m);
     for (int pass = 0; pass < 6; pass++) {
-        const invcal_segment *segment = w.moves.segment;
+        const invcal_private_segment *segment = w.imu.own.segment;
         memset(a, 0, sizeof a);
         memset(b, 0, sizeof b);
-        for (int k = 1; k < w.moves.count; k++) {
+        for (int k = 1; k < w.imu.rests; k++) {
             double up[2][3], bias[3], c[3][3], s[3][9], end[3], y[3];
             int length = 0;
-            for (int n = 0; n < w.moves.rest[k].move; n++) {
+            for (int n = 0; n < w.imu.own.rest[k].move; n++) {
                 length += segment->time / 2;
                 segment++;
             }
@@ -194,7 +194,7 @@ typedef struct {
 static void run(const double (*program)[3], double rate, double error, double mean_noise,
                 uint32_t seed, tally *t)
 {
-    invcal_imu_settings settings = INVCAL_IMU_USUAL;
+    world_settings settings = WORLD_USUAL;
     double m[3][3], sigma[9];
 
     world_begin(&w, rate, seed);
@@ -220,7 +220,7 @@ static void run(const double (*program)[3], double rate, double error, double me
     settings.noise = (invcal_real)mean_noise;
     TEST_ASSERT_TRUE(w.samples < SAMPLES);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &settings, &imu));
-    TEST_ASSERT_EQUAL_INT(MOVES, imu.moves);
+    TEST_ASSERT_EQUAL_INT(MOVES, imu.result.moves);
     solve_batch(m, sigma);
     for (int i = 0; i < 9; i++) {
         const double found = (double)imu.parameter[i];

@@ -20,7 +20,7 @@ static const double xsens_mean[][3] = {
     {37021.840, 32493.443, 33233.427},
     {30954.743, 36687.311, 32271.863},
 };
-static const invcal_still xsens_rest[] = {
+static const invcal_private_still xsens_rest[] = {
     {{285, -390, 118}, 323, -INVCAL_TOO_FEW},
     {{-79, -90, 368}, 394, 6},
     {{-274, -951, 353}, 473, 6},
@@ -38,7 +38,7 @@ static const invcal_still xsens_rest[] = {
     {{37, -1280, -283}, 1375, 10},
     {{39, -551, -150}, 1444, 14},
 };
-static const invcal_segment xsens_segment[] = {
+static const invcal_private_segment xsens_segment[] = {
     {{-39, 11388, 380}, {-141, -4, 108}, 214},
     {{-160, 10548, 253}, {-48, -1, 3}, 66},
     {{-157, 9894, 180}, {11, 0, 15}, 58},
@@ -206,7 +206,7 @@ static const double mpu0_mean[][3] = {
     {7833.203, 7477.960, -11982.481},
     {14369.590, 476.762, -7657.569},
 };
-static const invcal_still mpu0_rest[] = {
+static const invcal_private_still mpu0_rest[] = {
     {{-94, 911, -138}, 160, -INVCAL_TOO_FEW},
     {{43, 503, 75}, 334, 3},
     {{-438, 1267, -205}, 515, 3},
@@ -230,7 +230,7 @@ static const invcal_still mpu0_rest[] = {
     {{35, 906, 161}, 3705, 4},
     {{81, 863, 137}, 3949, 2},
 };
-static const invcal_segment mpu0_segment[] = {
+static const invcal_private_segment mpu0_segment[] = {
     {{-3318, -6804, -6433}, {-151, 409, -323}, 208},
     {{-2399, -7438, -8087}, {937, 279, -405}, 128},
     {{-333, -226, 39}, {-19, 13, -9}, 136},
@@ -337,7 +337,7 @@ static const double mpu1_mean[][3] = {
     {-6626.635, -4343.058, -13814.308},
     {-7493.662, 7211.405, -12281.851},
 };
-static const invcal_still mpu1_rest[] = {
+static const invcal_private_still mpu1_rest[] = {
     {{268, -1105, -807}, 41, -INVCAL_TOO_FEW},
     {{193, -1539, -563}, 88, 3},
     {{545, -960, -520}, 130, 3},
@@ -360,7 +360,7 @@ static const invcal_still mpu1_rest[] = {
     {{71, -1404, -863}, 874, 3},
     {{218, -1527, -732}, 925, 4},
 };
-static const invcal_segment mpu1_segment[] = {
+static const invcal_private_segment mpu1_segment[] = {
     {{-3281, 6432, 5218}, {104, 350, -398}, 128},
     {{-4861, 5617, 4731}, {55, -498, 654}, 96},
     {{-674, 3082, 1612}, {247, 109, -100}, 128},

@@ -9,22 +9,26 @@
 /* In a double library they have other names already. */
 #include "invcal/double.h"
 
-#undef invcal_moves_init
-#define invcal_moves_init other_init
-#undef invcal_moves_set_limits
-#define invcal_moves_set_limits other_rails
-#undef invcal_moves_feed
-#define invcal_moves_feed other_feed
-#undef invcal_moves_gap
-#define invcal_moves_gap other_gap
-#undef invcal_moves_follow
-#define invcal_moves_follow other_follow
-#undef invcal_moves_reason
-#define invcal_moves_reason other_reason
+#undef invcal_imu_init
+#define invcal_imu_init other_init
+#undef invcal_imu_init_nominal
+#define invcal_imu_init_nominal other_init_nominal
+#undef invcal_imu_set_limits
+#define invcal_imu_set_limits other_set_limits
+#undef invcal_imu_feed_gyro
+#define invcal_imu_feed_gyro other_feed_gyro
+#undef invcal_imu_feed
+#define invcal_imu_feed other_feed
+#undef invcal_imu_gap
+#define invcal_imu_gap other_gap
+#undef invcal_imu_follow
+#define invcal_imu_follow other_follow
+#undef invcal_imu_move_reason
+#define invcal_imu_move_reason other_move_reason
 #undef invcal_moves_empty
-#define invcal_moves_empty other_empty
+#define invcal_moves_empty other_moves_empty
 #undef invcal_moves_restart
-#define invcal_moves_restart other_restart
+#define invcal_moves_restart other_moves_restart
 #undef invcal_unpack
 #define invcal_unpack other_unpack
 #undef invcal_replay_move
@@ -35,8 +39,12 @@
 #define invcal_imu_sum other_sum
 #undef invcal_imu_settings_check
 #define invcal_imu_settings_check other_settings_check
+#undef invcal_imu_positions
+#define invcal_imu_positions other_positions
 #undef invcal_imu_solve
 #define invcal_imu_solve other_solve
+#undef invcal_imu_solve_of
+#define invcal_imu_solve_of other_solve_of
 #include "imu/imu.c"
 #include "imu/moves.c"
 

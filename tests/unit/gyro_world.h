@@ -9,7 +9,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "invcal/gyro.h"
+#include "imu/imu.h"
+#include "invcal/gyro_store.h"
+#include "invcal/result.h"
 #include "support.h"
 #include "unity.h"
 
@@ -67,8 +69,7 @@ typedef struct {
     double up[3];
     double flicker[4][3];
     double c[3][3]; /* of the move */
-    invcal_moves moves;
-    invcal_private_rests rests; /* as the detector of rests would want it */
+    invcal_imu imu; /* its detector of rests is as world_block wants it */
     int samples, hold, quiet;
     double mean[WORLD_RESTS][3];
     int count;
@@ -98,9 +99,12 @@ static inline void world_begin(world *w, double rate, uint32_t seed)
     for (int i = 0; i < 3; i++) {
         nominal.matrix[i][i] = (invcal_real)(1 / COUNTS);
     }
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&w->imu.session, sizeof w->imu.session, 1,
+                                                         (invcal_real)rate));
     TEST_ASSERT_EQUAL_INT(
-        INVCAL_OK, invcal_moves_init(&w->moves, sizeof w->moves, &nominal, (invcal_real)rate));
-    w->rests.bits = 4;
+        INVCAL_OK, invcal_imu_init_nominal(&w->imu, sizeof w->imu, &nominal, (invcal_real)rate));
+    memset(&w->imu.session.rests, 0, sizeof w->imu.session.rests);
+    w->imu.session.rests.bits = 4;
     world_unit(w->c);
 }
 
@@ -121,7 +125,7 @@ static inline void world_draw(world *w, double gyro, double accelerometer)
 /* What the detector of rests would say about this block, and its state then. */
 static inline void world_block(world *w, int is_quiet)
 {
-    invcal_private_rests *r = &w->rests;
+    invcal_private_rests *r = &w->imu.session.rests;
     invcal_event event = INVCAL_MOVING;
 
     if (r->pended == 0) {
@@ -141,7 +145,7 @@ static inline void world_block(world *w, int is_quiet)
             r->pended = event == INVCAL_TAKEN ? 2 : 0;
         }
     }
-    invcal_moves_follow(&w->moves, r, event);
+    invcal_imu_follow(&w->imu, event);
     if (w->hold == 5) {
         r->pended = 0;
         w->hold = w->quiet = 0;
@@ -184,7 +188,7 @@ static inline void world_sample(world *w, const double omega[3], int is_quiet)
     w->resting[now] = is_quiet;
     const int gyro = (w->samples + WORLD_LATE - (w->late > 0 ? w->late : 0)) % WORLD_LATE;
     const int accelerometer = (w->samples + WORLD_LATE + (w->late < 0 ? w->late : 0)) % WORLD_LATE;
-    invcal_moves_feed(&w->moves, w->queue[gyro][0], w->queue[gyro][1], w->queue[gyro][2]);
+    invcal_imu_feed_gyro(&w->imu, w->queue[gyro][0], w->queue[gyro][1], w->queue[gyro][2]);
     w->samples++;
     if (w->samples % WORLD_BLOCK == 0) {
         world_block(w, w->resting[accelerometer]);
@@ -278,15 +282,101 @@ static inline void world_means(const world *w, invcal_real raw[WORLD_RESTS][3])
     }
 }
 
-static inline invcal_status world_solve(const world *w, const invcal_imu_settings *settings,
-                                        invcal_imu *out)
+/* What is known, and what is found, in the order of the solution: the gyroscope first. */
+typedef struct {
+    uint8_t held;
+    invcal_real noise;                   /* of a mean; 0: unknown */
+    invcal_real rate_noise, instability; /* 0: none at all */
+    const invcal_real *prior;
+} world_settings;
+
+#define WORLD_USUAL {0, 0, INVCAL_REAL(8.7e-5), INVCAL_REAL(1e-4), NULL}
+
+typedef struct {
+    invcal_imu_result result;
+    invcal_real parameter[INVCAL_GYRO_PARAMETERS]; /* M, by rows */
+    invcal_real sigma[INVCAL_IMU_PARAMETERS];
+    uint32_t open;
+} world_solution;
+
+static inline invcal_positions world_positions(const world *w, invcal_real raw[WORLD_RESTS][3],
+                                               const invcal_calibration *nominal)
+{
+    invcal_positions positions;
+
+    memset(&positions, 0, sizeof positions);
+    world_means(w, raw);
+    positions.mean = (const invcal_vector *)(const void *)raw;
+    positions.count = (unsigned)w->count;
+    positions.nominal = nominal;
+    return positions;
+}
+
+/* As the library wants them. prior: space for it. */
+static inline invcal_imu_settings world_stated(const world_settings *s,
+                                               invcal_real prior[INVCAL_IMU_PARAMETERS])
+{
+    const invcal_real none = INVCAL_REAL(1e-15);
+    invcal_imu_settings settings;
+
+    memset(&settings, 0, sizeof settings);
+    settings.held = s->held;
+    settings.rate_noise = s->rate_noise == 0 ? none : s->rate_noise;
+    settings.instability = s->instability == 0 ? none : s->instability;
+    for (unsigned i = 0; s->prior && i < INVCAL_IMU_PARAMETERS; i++) {
+        prior[invcal_imu_parameter(i)] = s->prior[i];
+    }
+    settings.prior = s->prior ? prior : NULL;
+    return settings;
+}
+
+static inline invcal_status world_solve_of(const world *w, const invcal_positions *positions,
+                                           const invcal_imu_settings *settings, world_solution *out)
+{
+    const invcal_status status =
+        invcal_imu_solve_of(&w->imu, positions, settings, &out->result);
+
+    out->open = 0;
+    for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
+        const unsigned at = invcal_imu_parameter(i);
+        out->sigma[i] = out->result.sigma[at];
+        out->open |= (out->result.weak >> at & 1u) << i;
+    }
+    for (unsigned i = 0; i < INVCAL_GYRO_PARAMETERS; i++) {
+        out->parameter[i] =
+            out->result.gyro.matrix[i / 3][i % 3] / w->imu.nominal.matrix[i % 3][i % 3];
+    }
+    return status;
+}
+
+static inline invcal_status world_solve(const world *w, const world_settings *settings,
+                                        world_solution *out)
 {
     invcal_real raw[WORLD_RESTS][3];
+    invcal_real prior[INVCAL_IMU_PARAMETERS];
     const invcal_calibration nominal = unit_nominal();
+    invcal_positions positions = world_positions(w, raw, &nominal);
+    invcal_imu_settings stated;
 
-    world_means(w, raw);
-    return invcal_imu_solve((const invcal_vector *)raw[0], (unsigned)w->count, &nominal, &w->moves,
-                            settings, out);
+    if (settings) {
+        stated = world_stated(settings, prior);
+        positions.noise = settings->noise;
+    }
+    return world_solve_of(w, &positions, settings ? &stated : NULL, out);
+}
+
+/* All equations of the first pass, without a prior. */
+static inline void world_sum(const world *w, const world_settings *settings, invcal_imu_work *work)
+{
+    static invcal_imu_result out;
+    invcal_real raw[WORLD_RESTS][3];
+    const invcal_calibration nominal = unit_nominal();
+    invcal_positions positions = world_positions(w, raw, &nominal);
+    const invcal_imu_settings stated = world_stated(settings, NULL);
+
+    positions.noise = settings->noise;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_begin(work, &w->imu, &positions, &stated, &out));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_sum(work));
 }
 
 /* The shortest turn that makes this direction up. */

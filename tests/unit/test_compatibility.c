@@ -8,7 +8,7 @@
  */
 #include <string.h>
 
-#include "invcal/gyro.h"
+#include "invcal/gyro_store.h"
 #include "invcal/thermal_store.h"
 #include "support.h"
 #include "unity.h"
@@ -53,7 +53,14 @@ typedef struct {
     const char *name;
     const uint8_t *bytes;
     uint32_t size;
-    invcal_imu_record is;
+    struct {
+        invcal_record accelerometer;
+        invcal_calibration gyro;
+        invcal_real move_noise, move_rms, move_max;
+        invcal_real sigma[INVCAL_IMU_PARAMETERS - INVCAL_PARAMETERS]; /* of the gyroscope */
+        invcal_real slope[3][4], slope_sigma[3][4];
+        unsigned weak, dof, verdict, moves, g_is_used;
+    } is;
 } stored_imu;
 
 typedef struct {
@@ -179,25 +186,28 @@ static void records_of_both_sensors_of_every_release_are_read(void)
     for (unsigned i = 0; i < COUNT(imus); i++) {
         const stored_imu *old = &imus[i];
         uint8_t bytes[INVCAL_IMU_RECORD_SIZE];
-        invcal_imu_record now;
+        invcal_imu_result now;
+        invcal_record about;
 
-        memset(&now, 0, sizeof now);
-        TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OK, invcal_imu_record_decode(old->bytes, old->size, &now),
+        TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OK, invcal_imu_decode(old->bytes, old->size, &now, &about),
                                   old->name);
-        same_record(&old->is.accelerometer, &now.accelerometer, old->name);
+        same_record(&old->is.accelerometer, &about, old->name);
+        same_calibration(&about.calibration, &now.accelerometer, old->name);
         same_calibration(&old->is.gyro, &now.gyro, old->name);
         same(&old->is.move_noise, &now.move_noise, 1, old->name);
         same(&old->is.move_rms, &now.move_rms, 1, old->name);
         same(&old->is.move_max, &now.move_max, 1, old->name);
-        same(old->is.sigma, now.sigma, INVCAL_GYRO_PARAMETERS, old->name);
+        same(about.sigma, now.sigma, INVCAL_PARAMETERS, old->name);
+        same(old->is.sigma, &now.sigma[INVCAL_GYRO_XX], INVCAL_IMU_PARAMETERS - INVCAL_PARAMETERS,
+             old->name);
         same(old->is.slope[0], now.slope[0], 12, old->name);
         same(old->is.slope_sigma[0], now.slope_sigma[0], 12, old->name);
-        TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.weak, now.weak, old->name);
+        TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.weak, now.weak >> INVCAL_PARAMETERS, old->name);
         TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.dof, now.dof, old->name);
         TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.verdict, now.verdict, old->name);
         TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.moves, now.moves, old->name);
         TEST_ASSERT_EQUAL_UINT_MESSAGE(old->is.g_is_used, now.g_is_used, old->name);
-        TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OK, invcal_imu_record_encode(&now, bytes), old->name);
+        TEST_ASSERT_EQUAL_MESSAGE(INVCAL_OK, invcal_imu_encode(&now, &about, bytes), old->name);
         TEST_ASSERT_EQUAL_MEMORY_MESSAGE(old->bytes, bytes, sizeof bytes, old->name);
     }
 }

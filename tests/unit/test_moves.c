@@ -18,7 +18,7 @@ void tearDown(void)
 }
 
 static world w;
-static invcal_imu imu;
+static world_solution imu;
 static const double none[3] = {0, 0, 0};
 
 static void quarter(double seconds)
@@ -47,14 +47,14 @@ static void a_move_keeps_its_angle_and_rests_their_bias(void)
     w.count--;
     quarter(1);
     world_end(&w);
-    TEST_ASSERT_EQUAL_INT(3, w.moves.count);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&w.moves, 0));
-    const invcal_segment *s = w.moves.segment;
+    TEST_ASSERT_EQUAL_INT(3, w.imu.rests);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_imu_move_reason(&w.imu, 0));
+    const invcal_private_segment *s = w.imu.own.segment;
     for (unsigned i = 1; i < 3; i++) {
         double angle[3] = {0, 0, 0};
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_reason(&w.moves, i));
-        TEST_ASSERT_TRUE(w.moves.rest[i].move >= 5 && w.moves.rest[i].move <= 8);
-        for (int k = 0; k < w.moves.rest[i].move; k++) {
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_move_reason(&w.imu, i));
+        TEST_ASSERT_TRUE(w.imu.own.rest[i].move >= 5 && w.imu.own.rest[i].move <= 8);
+        for (int k = 0; k < w.imu.own.rest[i].move; k++) {
             TEST_ASSERT_TRUE(s->v[1] < 0.36 * 32768);
             for (int a = 0; a < 3; a++) {
                 angle[a] += s->v[a] / 32768.0;
@@ -66,7 +66,7 @@ static void a_move_keeps_its_angle_and_rests_their_bias(void)
         TEST_ASSERT_DOUBLE_WITHIN(2e-4, 90 * DEGREE, angle[1]);
         for (int a = 0; a < 3; a++) {
             TEST_ASSERT_DOUBLE_WITHIN(2e-5, w.bias[a],
-                                      (double)w.moves.bias[a] + w.moves.rest[i].bias[a] / 262144.0);
+                                      (double)w.imu.own.bias[a] + w.imu.own.rest[i].bias[a] / 262144.0);
         }
     }
 }
@@ -74,7 +74,7 @@ static void a_move_keeps_its_angle_and_rests_their_bias(void)
 static invcal_status reason_of(unsigned rest)
 {
     world_end(&w);
-    return rest < w.moves.count ? invcal_moves_reason(&w.moves, rest) : INVCAL_STATUS_END;
+    return rest < w.imu.rests ? invcal_imu_move_reason(&w.imu, rest) : INVCAL_STATUS_END;
 }
 
 static void lost_samples_spoil_only_one_move(void)
@@ -85,19 +85,19 @@ static void lost_samples_spoil_only_one_move(void)
     for (int i = 0; i < 50; i++) {
         world_sample(&w, none, 0);
     }
-    invcal_moves_gap(&w.moves);
+    invcal_imu_gap(&w.imu);
     quarter(1);
     quarter(1);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, reason_of(3));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_reason(&w.moves, 1));
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&w.moves, 2));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_move_reason(&w.imu, 1));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_imu_move_reason(&w.imu, 2));
 }
 
 static void a_clipped_or_a_long_move_is_refused(void)
 {
     begin();
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_moves_set_limits(&w.moves, -150000, 150000)); /* 1.5 rad/s */
+                          invcal_imu_set_limits(&w.imu, -150000, 150000)); /* 1.5 rad/s */
     world_rest(&w, 1.5);
     quarter(2.2);
     quarter(1);
@@ -105,10 +105,10 @@ static void a_clipped_or_a_long_move_is_refused(void)
     quarter(10.5);
     quarter(2.2);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, reason_of(5));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_reason(&w.moves, 1));
-    TEST_ASSERT_EQUAL_INT(INVCAL_REST_CLIPPED, invcal_moves_reason(&w.moves, 2));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_reason(&w.moves, 3));
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_LONG, invcal_moves_reason(&w.moves, 4));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_move_reason(&w.imu, 1));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REST_CLIPPED, invcal_imu_move_reason(&w.imu, 2));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_move_reason(&w.imu, 3));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_LONG, invcal_imu_move_reason(&w.imu, 4));
 }
 
 /* A device that turns slowly when it should rest: the moves on both sides are unusable. */
@@ -123,9 +123,9 @@ static void a_rest_that_turns_is_not_a_rest(void)
     quarter(1);
     quarter(1);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, reason_of(4));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_reason(&w.moves, 1));
-    TEST_ASSERT_EQUAL_INT(INVCAL_REST_DRIFT, invcal_moves_reason(&w.moves, 2));
-    TEST_ASSERT_EQUAL_INT(INVCAL_REST_DRIFT, invcal_moves_reason(&w.moves, 3));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_move_reason(&w.imu, 1));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REST_DRIFT, invcal_imu_move_reason(&w.imu, 2));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REST_DRIFT, invcal_imu_move_reason(&w.imu, 3));
 }
 
 /* The table of segments is full: its contents stay, and biases are still right. */
@@ -144,59 +144,134 @@ static void without_space_moves_are_refused_and_rests_continue(void)
         world_move(&w, far, 1.5);
     }
     world_end(&w);
-    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_MOVES, w.moves.count);
-    TEST_ASSERT_TRUE(w.moves.used <= INVCAL_MAX_SEGMENTS);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_MOVES, w.imu.rests);
+    TEST_ASSERT_TRUE(w.imu.own.used <= INVCAL_MAX_SEGMENTS);
     int refused = 0;
-    for (unsigned i = 1; i < w.moves.count; i++) {
-        const invcal_status status = invcal_moves_reason(&w.moves, i);
+    for (unsigned i = 1; i < w.imu.rests; i++) {
+        const invcal_status status = invcal_imu_move_reason(&w.imu, i);
         TEST_ASSERT_TRUE(status == INVCAL_OK || status == INVCAL_NO_SPACE);
         refused += status == INVCAL_NO_SPACE;
         TEST_ASSERT_DOUBLE_WITHIN(2e-5, 0.1,
-                                  (double)w.moves.bias[0] + w.moves.rest[i].bias[0] / 262144.0);
+                                  (double)w.imu.own.bias[0] + w.imu.own.rest[i].bias[0] / 262144.0);
     }
     TEST_ASSERT_TRUE(refused > 0 && refused < 20);
 }
 
-/* A failed beginning writes one word, which says that it was not begun: the same in every build. */
-static void assert_not_begun(const invcal_moves *before)
+/* A failed beginning writes a word and a byte, which say that it was not begun, and why: at the same
+ * place in every build. The session says why as well. */
+static void assert_not_begun(invcal_imu *before, invcal_status why)
 {
-    const size_t at = offsetof(invcal_moves, layout);
-    const size_t after = at + sizeof before->layout;
-
-    TEST_ASSERT_EQUAL_UINT32(0, w.moves.layout);
-    TEST_ASSERT_EQUAL_MEMORY(before, &w.moves, at);
-    TEST_ASSERT_EQUAL_MEMORY((const uint8_t *)before + after, (const uint8_t *)&w.moves + after,
-                             sizeof *before - after);
+    before->own.layout = 0;
+    before->own.fault = w.imu.own.fault;
+    before->session.reason = (uint8_t)why;
+    TEST_ASSERT_EQUAL_INT(why, invcal_session_reason(&w.imu.session));
+    TEST_ASSERT_EQUAL_MEMORY(before, &w.imu, sizeof *before);
 }
 
-/* Also if nobody looks at the status: no sample and no event is used. */
-static void moves_that_were_not_begun_take_nothing(void)
+static void feed_all(void)
+{
+    for (int32_t n = 0; n < 300; n++) {
+        invcal_imu_feed_gyro(&w.imu, 1000, -1000, n);
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_imu_feed(&w.imu, 100, 200, n % 2));
+    }
+    invcal_imu_gap(&w.imu);
+}
+
+/* Also if nobody looks at the status: no sample is used, and each is refused. */
+static void what_was_not_begun_refuses_every_sample_and_says_why(void)
 {
     static const uint8_t fills[] = {0, 0x5A, 0xFF};
     static const double rates[] = {5, NOT_A_NUMBER, 7.99, 8001, INFINITE};
-    static const size_t sizes[] = {0, sizeof(invcal_moves) - 1, sizeof(invcal_moves) + 1};
     const invcal_calibration nominal = unit_nominal();
-    static invcal_moves before;
+    static invcal_imu before;
 
-    for (unsigned i = 0; i < 8 * sizeof fills; i++) {
-        const unsigned how = i % 8;
+    for (unsigned i = 0; i < 5 * sizeof fills; i++) {
         begin();
-        memset(&w.moves, fills[i / 8], sizeof w.moves);
-        memcpy(&before, &w.moves, sizeof before);
-        if (how < 5) {
-            TEST_ASSERT_EQUAL_INT(
-                INVCAL_BAD_RATE,
-                invcal_moves_init(&w.moves, sizeof w.moves, &nominal, (invcal_real)rates[how]));
-        } else {
-            TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD,
-                                  invcal_moves_init(&w.moves, sizes[how - 5], &nominal, 100));
+        memset(&w.imu.own, fills[i / 5], sizeof w.imu.own);
+        memcpy(&before, &w.imu, sizeof before);
+        TEST_ASSERT_EQUAL_INT(
+            INVCAL_BAD_RATE,
+            invcal_imu_init_nominal(&w.imu, sizeof w.imu, &nominal, (invcal_real)rates[i % 5]));
+        feed_all();
+        assert_not_begun(&before, INVCAL_BAD_RATE);
+    }
+    begin();
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_imu_init(&w.imu, sizeof w.imu, 0, 100));
+    feed_all();
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, invcal_session_reason(&w.imu.session));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_init(&w.imu, sizeof w.imu, 1, 100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_reason(&w.imu.session));
+}
+
+/* Nobody began it. */
+static void a_session_alone_is_not_enough(void)
+{
+    world_solution none_yet;
+    int8_t axes[3];
+    invcal_real unit;
+
+    begin();
+    memset(&w.imu.own, 0, sizeof w.imu.own);
+    feed_all();
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_session_reason(&w.imu.session));
+    TEST_ASSERT_EQUAL_INT(0, w.imu.session.count);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_imu_solve(&w.imu, NULL, &none_yet.result));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_imu_mounting(&w.imu, axes, &unit));
+}
+
+/* The reason of the session stays: it is the earlier one. */
+static void moves_need_a_session(void)
+{
+    begin();
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE,
+                          invcal_session_init(&w.imu.session, sizeof w.imu.session, 16384, 5));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_imu_init(&w.imu, sizeof w.imu, 3753, 100));
+    feed_all();
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_session_reason(&w.imu.session));
+    memset(&w.imu, 0, sizeof w.imu);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_imu_init(&w.imu, sizeof w.imu, 3753, 100));
+    feed_all();
+    TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_session_reason(&w.imu.session));
+}
+
+/* A program with tables of another size: its structure ends with the session, which says why; and
+ * nothing is written beyond its end. */
+static void another_build_is_refused_and_the_session_says_why(void)
+{
+    static const int others[] = {-616, -8, 8, 616};
+    static union {
+        invcal_imu imu;
+        uint8_t bytes[sizeof(invcal_imu) + 1000];
+    } memory, before;
+
+    for (unsigned i = 0; i < sizeof others / sizeof others[0]; i++) {
+        const size_t size = sizeof(invcal_imu) + (size_t)others[i];
+        invcal_session session;
+        memset(&memory, 0x5A, sizeof memory);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_session_init(&session, sizeof session, 16384, 100));
+        memcpy(&memory.bytes[size - sizeof session], &session, sizeof session);
+        memcpy(&before, &memory, sizeof before);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD, invcal_imu_init(&memory.imu, size, 3753, 100));
+        for (int32_t n = 0; n < 300; n++) {
+            invcal_imu_feed_gyro(&memory.imu, 1000, -1000, n);
+            TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_imu_feed(&memory.imu, 100, 200, n % 2));
         }
-        for (unsigned n = 0; n < 300; n++) {
-            invcal_moves_feed(&w.moves, 1000, -1000, (int32_t)n);
-            invcal_moves_follow(&w.moves, &w.rests, n % 50 == 49 ? INVCAL_TAKEN : INVCAL_MOVING);
-        }
-        invcal_moves_gap(&w.moves);
-        assert_not_begun(&before);
+        invcal_imu_gap(&memory.imu);
+        memcpy(&session, &memory.bytes[size - sizeof session], sizeof session);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD, invcal_session_reason(&session));
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_session_feed(&session, 1, 2, 3));
+        before.imu.own.layout = 0;
+        before.imu.own.fault = INVCAL_OTHER_BUILD;
+        uint8_t *of = &before.bytes[size - sizeof session];
+        of[offsetof(invcal_session, reason)] = INVCAL_OTHER_BUILD;
+        memset(&of[offsetof(invcal_session, layout)], 0, sizeof session.layout);
+        TEST_ASSERT_EQUAL_MEMORY(&before, &memory, sizeof before);
+    }
+    for (size_t size = 0; size < sizeof(invcal_session) + 200; size++) { /* of nothing */
+        memset(&memory, 0x5A, sizeof memory);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD, invcal_imu_init(&memory.imu, size, 3753, 100));
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_imu_feed(&memory.imu, 100, 200, 300));
     }
 }
 
@@ -204,26 +279,26 @@ static void nonsense_is_refused_or_does_no_harm(void)
 {
     const int32_t ends[3] = {INT32_MIN, INT32_MAX, INT32_MIN};
     invcal_calibration nominal = unit_nominal();
-    static invcal_moves untouched;
+    static invcal_imu untouched;
 
     begin();
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_moves_set_limits(&w.moves, 5, 5));
-    memcpy(&untouched, &w.moves, sizeof untouched);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_imu_set_limits(&w.imu, 5, 5));
+    memcpy(&untouched, &w.imu, sizeof untouched);
     nominal.matrix[0][0] = (invcal_real)NAN;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
-                          invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 100));
-    assert_not_begun(&untouched);
+                          invcal_imu_init_nominal(&w.imu, sizeof w.imu, &nominal, 100));
+    assert_not_begun(&untouched, INVCAL_BAD_NOMINAL);
     nominal = unit_nominal();
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &nominal, 100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_init_nominal(&w.imu, sizeof w.imu, &nominal, 100));
     world_rest(&w, 1.5);
     for (int i = 0; i < 300; i++) {
-        invcal_moves_feed(&w.moves, ends[0], ends[1], ends[2]);
+        invcal_imu_feed_gyro(&w.imu, ends[0], ends[1], ends[2]);
         world_sample(&w, none, 0);
     }
     world_rest(&w, 1.5);
     world_end(&w);
-    TEST_ASSERT_EQUAL_INT(2, w.moves.count);
-    TEST_ASSERT_TRUE(invcal_moves_reason(&w.moves, 1) != INVCAL_OK);
+    TEST_ASSERT_EQUAL_INT(2, w.imu.rests);
+    TEST_ASSERT_TRUE(invcal_imu_move_reason(&w.imu, 1) != INVCAL_OK);
 }
 
 /* ---- blocks by hand ----------------------------------------------------------------------------- */
@@ -233,7 +308,7 @@ static void turn_on(double x, double y, double z, int samples)
     const int32_t raw[3] = {(int32_t)(x * COUNTS), (int32_t)(y * COUNTS), (int32_t)(z * COUNTS)};
 
     for (int i = 0; i < samples; i++) {
-        invcal_moves_feed(&w.moves, raw[0], raw[1], raw[2]);
+        invcal_imu_feed_gyro(&w.imu, raw[0], raw[1], raw[2]);
     }
 }
 
@@ -241,11 +316,11 @@ static void blocks(int count, invcal_event event, int is_quiet)
 {
     for (int i = 0; i < count; i++) {
         turn_on(0, 0, 0, WORLD_BLOCK);
-        w.rests.begin = w.rests.pended > 0 ? w.rests.begin : w.rests.time;
-        w.rests.time += WORLD_BLOCK;
-        w.rests.pended = is_quiet ? 2 : w.rests.pended;
-        w.rests.end = is_quiet ? w.rests.time : w.rests.end;
-        invcal_moves_follow(&w.moves, &w.rests, event);
+        w.imu.session.rests.begin = w.imu.session.rests.pended > 0 ? w.imu.session.rests.begin : w.imu.session.rests.time;
+        w.imu.session.rests.time += WORLD_BLOCK;
+        w.imu.session.rests.pended = is_quiet ? 2 : w.imu.session.rests.pended;
+        w.imu.session.rests.end = is_quiet ? w.imu.session.rests.time : w.imu.session.rests.end;
+        invcal_imu_follow(&w.imu, event);
     }
 }
 
@@ -259,7 +334,7 @@ static void leave_by_hand(void)
 {
     blocks(4, INVCAL_MOVING, 0);
     blocks(1, INVCAL_TAKEN, 0);
-    w.rests.pended = 0;
+    w.imu.session.rests.pended = 0;
 }
 
 /* 127 segments of 20 degrees are 7.06 turns. */
@@ -274,8 +349,8 @@ static void a_move_of_more_than_seven_turns_is_refused(void)
     }
     rest_by_hand();
     leave_by_hand();
-    TEST_ASSERT_EQUAL_INT(2, w.moves.count);
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOUNTING, invcal_moves_reason(&w.moves, 1));
+    TEST_ASSERT_EQUAL_INT(2, w.imu.rests);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOUNTING, invcal_imu_move_reason(&w.imu, 1));
 }
 
 /* A device that is stirred goes nowhere, but turns: the sum does not fit one segment. */
@@ -295,12 +370,12 @@ static void stirring_fills_a_segment(void)
     }
     rest_by_hand();
     leave_by_hand();
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_reason(&w.moves, 1));
-    const unsigned segments = (unsigned)w.moves.rest[1].move;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_move_reason(&w.imu, 1));
+    const unsigned segments = (unsigned)w.imu.own.rest[1].move;
     TEST_ASSERT_TRUE(segments >= 3 && segments <= 10);
     double angle = 0;
     for (unsigned k = 0; k < segments; k++) {
-        angle += (w.moves.segment[k].v[2] / 32768.0) + (w.moves.segment[k].kappa[2] / 262144.0);
+        angle += (w.imu.own.segment[k].v[2] / 32768.0) + (w.imu.own.segment[k].kappa[2] / 262144.0);
     }
     TEST_ASSERT_DOUBLE_WITHIN(2e-3, 40 * 0.09 * 0.09, angle); /* the area that was gone around */
 }
@@ -311,14 +386,14 @@ static void a_segment_counts_no_more_than_it_can(void)
     static const int samples[] = {5 * WORLD_BLOCK, 32767, 32767, 26};
 
     begin();
-    const invcal_calibration gyro = w.moves.nominal;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &gyro, 8000));
+    const invcal_calibration gyro = w.imu.nominal;
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_init_nominal(&w.imu, sizeof w.imu, &gyro, 8000));
     rest_by_hand();
     leave_by_hand(); /* five blocks of these belong to the move */
     turn_on(0, 0, 0, 32767);
-    TEST_ASSERT_EQUAL_INT(0, w.moves.missing);
+    TEST_ASSERT_EQUAL_INT(0, w.imu.own.missing);
     turn_on(0, 0, 0, 10000);
-    TEST_ASSERT_EQUAL_INT(10000, w.moves.missing);
+    TEST_ASSERT_EQUAL_INT(10000, w.imu.own.missing);
     blocks(1, INVCAL_MOVING, 0);
     turn_on(0, 0, 0, 32767 - 10000 - 2 * WORLD_BLOCK);
     blocks(1, INVCAL_MOVING, 0); /* merged with those before */
@@ -326,9 +401,9 @@ static void a_segment_counts_no_more_than_it_can(void)
     blocks(1, INVCAL_MOVING, 0); /* not merged */
     rest_by_hand();
     leave_by_hand();
-    TEST_ASSERT_EQUAL_INT(4, w.moves.rest[1].move);
+    TEST_ASSERT_EQUAL_INT(4, w.imu.own.rest[1].move);
     for (int k = 0; k < 4; k++) {
-        TEST_ASSERT_EQUAL_INT(samples[k], w.moves.segment[k].time / 2u);
+        TEST_ASSERT_EQUAL_INT(samples[k], w.imu.own.segment[k].time / 2u);
     }
 }
 
@@ -336,20 +411,20 @@ static void a_segment_counts_no_more_than_it_can(void)
 static void events_out_of_order_do_no_harm(void)
 {
     begin();
-    w.rests.pended = 0;
+    w.imu.session.rests.pended = 0;
     blocks(1, INVCAL_READY, 0);
     blocks(1, INVCAL_TAKEN, 0);
-    TEST_ASSERT_EQUAL_INT(1, w.moves.count);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&w.moves, 0));
+    TEST_ASSERT_EQUAL_INT(1, w.imu.rests);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_imu_move_reason(&w.imu, 0));
     for (int i = 0; i < INVCAL_MAX_MOVES + 2; i++) { /* no move is usable, and the oldest go */
-        invcal_moves_gap(&w.moves);
+        invcal_imu_gap(&w.imu);
         rest_by_hand();
         leave_by_hand();
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_MOVES, w.moves.count);
-    TEST_ASSERT_EQUAL_INT(0, w.moves.first);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&w.moves, 0));
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&w.moves, 1));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_MOVES, w.imu.rests);
+    TEST_ASSERT_EQUAL_INT(0, w.imu.own.first);
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_imu_move_reason(&w.imu, 0));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_imu_move_reason(&w.imu, 1));
 }
 
 /* ---- to the sample: blocks in which a count is 2^-18 rad/s, and nothing is rounded -------------- */
@@ -365,8 +440,8 @@ static void begin_at(int rate)
         nominal.matrix[i][i] = INVCAL_REAL(1.0) / 262144;
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_moves_init(&w.moves, sizeof w.moves, &nominal, (invcal_real)rate));
-    w.rests.bits = 3;
+                          invcal_imu_init_nominal(&w.imu, sizeof w.imu, &nominal, (invcal_real)rate));
+    w.imu.session.rests.bits = 3;
 }
 
 static void begin_exactly(void)
@@ -378,17 +453,17 @@ static void feed(int32_t x, int32_t y, int32_t z)
 {
     const int32_t raw[3] = {x, y, z};
 
-    invcal_moves_feed(&w.moves, raw[0], raw[1], raw[2]);
+    invcal_imu_feed_gyro(&w.imu, raw[0], raw[1], raw[2]);
 }
 
 /* The end of a block: eight samples of the accelerometer, however many of the gyroscope. */
 static void end_block(invcal_event event, int is_quiet)
 {
-    w.rests.begin = is_quiet && w.rests.pended == 0 ? w.rests.time : w.rests.begin;
-    w.rests.time += EXACT_BLOCK;
-    w.rests.pended = is_quiet ? 1 : w.rests.pended;
-    w.rests.end = is_quiet ? w.rests.time : w.rests.end;
-    invcal_moves_follow(&w.moves, &w.rests, event);
+    w.imu.session.rests.begin = is_quiet && w.imu.session.rests.pended == 0 ? w.imu.session.rests.time : w.imu.session.rests.begin;
+    w.imu.session.rests.time += EXACT_BLOCK;
+    w.imu.session.rests.pended = is_quiet ? 1 : w.imu.session.rests.pended;
+    w.imu.session.rests.end = is_quiet ? w.imu.session.rests.time : w.imu.session.rests.end;
+    invcal_imu_follow(&w.imu, event);
 }
 
 static void block(int32_t x, int32_t y, int32_t z, invcal_event event, int is_quiet)
@@ -414,7 +489,7 @@ static void leave_exactly(void)
         block(0, 0, 0, INVCAL_MOVING, 0);
     }
     block(0, 0, 0, INVCAL_TAKEN, 0);
-    w.rests.pended = 0;
+    w.imu.session.rests.pended = 0;
 }
 
 /* The blocks of a move before those that a test adds: two of the rest, and five. Those of the first are dropped. */
@@ -423,7 +498,7 @@ enum { BEFORE = 7, BEFORE_FIRST = 5 };
 /* One sample of an angle. */
 static int32_t angle(double degrees)
 {
-    return (int32_t)lround(degrees * DEGREE * 262144 * (double)w.moves.rate);
+    return (int32_t)lround(degrees * DEGREE * 262144 * (double)w.imu.own.rate);
 }
 
 /* So large that each one is a segment. */
@@ -439,7 +514,7 @@ static long samples_of_move(unsigned from, unsigned to)
     long samples = 0;
 
     for (unsigned k = from; k < to; k++) {
-        samples += w.moves.segment[k].time / 2u;
+        samples += w.imu.own.segment[k].time / 2u;
     }
     return samples;
 }
@@ -449,7 +524,7 @@ static void sum_of_move(unsigned from, unsigned to, int32_t sum[3])
     memset(sum, 0, 3 * sizeof sum[0]);
     for (unsigned k = from; k < to; k++) {
         for (int a = 0; a < 3; a++) {
-            sum[a] += w.moves.segment[k].v[a];
+            sum[a] += w.imu.own.segment[k].v[a];
         }
     }
 }
@@ -464,11 +539,11 @@ static void a_move_is_what_lies_between_two_rests(void)
         for (int i = 0; i < 8; i++) {
             block(80, -40, 16, INVCAL_SETTLING, 1);
         }
-        TEST_ASSERT_EQUAL_INT(0, w.moves.count);
+        TEST_ASSERT_EQUAL_INT(0, w.imu.rests);
         block(88, 0, 0, INVCAL_SETTLING, 1);
         block(96, 0, 0, INVCAL_READY, 1);
-        TEST_ASSERT_TRUE(w.moves.bias[0] * 262144 == 80 && w.moves.bias[1] * 262144 == -40 &&
-                         w.moves.bias[2] * 262144 == 16);
+        TEST_ASSERT_TRUE(w.imu.own.bias[0] * 262144 == 80 && w.imu.own.bias[1] * 262144 == -40 &&
+                         w.imu.own.bias[2] * 262144 == 16);
         block(80, -40, 16, INVCAL_SETTLING, 1);
         for (int i = 0; i < 2; i++) { /* for the two that were dropped */
             block(88, -48, 16, INVCAL_SETTLING, 1);
@@ -481,26 +556,26 @@ static void a_move_is_what_lies_between_two_rests(void)
         }
         block(80, -40, 1616, INVCAL_MOVING, 0);
         rest_exactly(96, -56, 24);
-        TEST_ASSERT_EQUAL_INT(1, w.moves.count);
+        TEST_ASSERT_EQUAL_INT(1, w.imu.rests);
         leave_exactly();
-        TEST_ASSERT_EQUAL_INT(2, w.moves.count);
-        TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_moves_reason(&w.moves, 0));
+        TEST_ASSERT_EQUAL_INT(2, w.imu.rests);
+        TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_imu_move_reason(&w.imu, 0));
         TEST_ASSERT_EQUAL_INT(more ? INVCAL_MOVE_LONG : INVCAL_OK,
-                              invcal_moves_reason(&w.moves, 1));
-        TEST_ASSERT_EQUAL_INT(8, w.moves.rest[0].when);
+                              invcal_imu_move_reason(&w.imu, 1));
+        TEST_ASSERT_EQUAL_INT(8, w.imu.own.rest[0].when);
         for (int a = 0; a < 3; a++) {
-            TEST_ASSERT_EQUAL_INT(0, w.moves.rest[0].bias[a]);
+            TEST_ASSERT_EQUAL_INT(0, w.imu.own.rest[0].bias[a]);
         }
-        TEST_ASSERT_EQUAL_INT(26, w.moves.rest[1].when);
-        TEST_ASSERT_EQUAL_INT(16, w.moves.rest[1].bias[0]);
-        TEST_ASSERT_EQUAL_INT(-16, w.moves.rest[1].bias[1]);
-        TEST_ASSERT_EQUAL_INT(8, w.moves.rest[1].bias[2]);
+        TEST_ASSERT_EQUAL_INT(26, w.imu.own.rest[1].when);
+        TEST_ASSERT_EQUAL_INT(16, w.imu.own.rest[1].bias[0]);
+        TEST_ASSERT_EQUAL_INT(-16, w.imu.own.rest[1].bias[1]);
+        TEST_ASSERT_EQUAL_INT(8, w.imu.own.rest[1].bias[2]);
         if (more) {
-            TEST_ASSERT_EQUAL_INT(0, w.moves.first);
+            TEST_ASSERT_EQUAL_INT(0, w.imu.own.first);
             continue;
         }
-        TEST_ASSERT_EQUAL_INT((BEFORE + 3) * EXACT_BLOCK, samples_of_move(0, w.moves.first));
-        sum_of_move(0, w.moves.first, sum);
+        TEST_ASSERT_EQUAL_INT((BEFORE + 3) * EXACT_BLOCK, samples_of_move(0, w.imu.own.first));
+        sum_of_move(0, w.imu.own.first, sum);
         TEST_ASSERT_EQUAL_INT(2 * 1 + 5 * -10 + 100, sum[0]);
         TEST_ASSERT_EQUAL_INT(2 * -1 + 5 * 5 + 100, sum[1]);
         TEST_ASSERT_EQUAL_INT(5 * -2 + 200, sum[2]);
@@ -529,11 +604,11 @@ static void a_bias_may_change_by_half_a_degree(void)
         }
         block(x[0], x[1], x[2], INVCAL_READY, 1);
         leave_exactly();
-        TEST_ASSERT_EQUAL_INT(1, w.moves.rest[1].move);
+        TEST_ASSERT_EQUAL_INT(1, w.imu.own.rest[1].move);
         TEST_ASSERT_EQUAL_INT(is_more ? INVCAL_REST_DRIFT : INVCAL_OK,
-                              invcal_moves_reason(&w.moves, 2));
-        TEST_ASSERT_EQUAL_INT(sign * (3288 + is_more), w.moves.rest[2].bias[axis]);
-        TEST_ASSERT_EQUAL_INT(is_more ? 1 : 2, w.moves.first);
+                              invcal_imu_move_reason(&w.imu, 2));
+        TEST_ASSERT_EQUAL_INT(sign * (3288 + is_more), w.imu.own.rest[2].bias[axis]);
+        TEST_ASSERT_EQUAL_INT(is_more ? 1 : 2, w.imu.own.first);
     }
 }
 
@@ -550,19 +625,19 @@ static void the_oldest_moves_go_with_their_segments(void)
         }
         block(0, 0, 64 * k, INVCAL_MOVING, 0);
         if (k == 2) { /* has no segments */
-            invcal_moves_gap(&w.moves);
+            invcal_imu_gap(&w.imu);
         }
         rest_exactly(8 * k, 0, 0);
         leave_exactly();
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_MOVES, w.moves.count);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_MOVES, w.imu.rests);
     for (int i = 0; i < INVCAL_MAX_MOVES; i++) {
         const int k = i + GONE;
         const int segments = i == 0 ? 0 : k % 3 == 2 ? 2 : 1;
         int32_t sum[3];
-        TEST_ASSERT_EQUAL_INT(8 * k, w.moves.rest[i].bias[0]);
-        TEST_ASSERT_EQUAL_INT(5 + 16 * k, w.moves.rest[i].when);
-        TEST_ASSERT_EQUAL_INT(i == 0 ? -INVCAL_TOO_FEW : segments, w.moves.rest[i].move);
+        TEST_ASSERT_EQUAL_INT(8 * k, w.imu.own.rest[i].bias[0]);
+        TEST_ASSERT_EQUAL_INT(5 + 16 * k, w.imu.own.rest[i].when);
+        TEST_ASSERT_EQUAL_INT(i == 0 ? -INVCAL_TOO_FEW : segments, w.imu.own.rest[i].move);
         sum_of_move(at, at + (unsigned)segments, sum);
         if (i > 0) {
             TEST_ASSERT_EQUAL_INT(2 * (k - 1), sum[0]);
@@ -573,7 +648,7 @@ static void the_oldest_moves_go_with_their_segments(void)
         }
         at += (unsigned)segments;
     }
-    TEST_ASSERT_EQUAL_UINT(at, w.moves.first);
+    TEST_ASSERT_EQUAL_UINT(at, w.imu.own.first);
 }
 
 /* A sample of 6 degrees closes a segment; neighbours are merged up to 20 degrees, on any axis. */
@@ -583,10 +658,10 @@ static void segments_have_at_most_twenty_degrees(void)
     for (int a = 0; a < 3; a++) {
         const int32_t nearly = angle(5.95), beyond = angle(6.05);
         feed(a == 0 ? nearly : 0, a == 1 ? nearly : 0, a == 2 ? nearly : 0);
-        TEST_ASSERT_EQUAL_INT(1, w.moves.missing);
-        invcal_moves_gap(&w.moves);
+        TEST_ASSERT_EQUAL_INT(1, w.imu.own.missing);
+        invcal_imu_gap(&w.imu);
         feed(a == 0 ? -beyond : 0, a == 1 ? -beyond : 0, a == 2 ? -beyond : 0);
-        TEST_ASSERT_EQUAL_INT(0, w.moves.missing);
+        TEST_ASSERT_EQUAL_INT(0, w.imu.own.missing);
     }
     for (int i = 0; i < 6; i++) {
         const int32_t each = angle(i % 2 ? 4.98 : 5.02); /* four of them: 19.92, 20.08 */
@@ -599,8 +674,8 @@ static void segments_have_at_most_twenty_degrees(void)
         }
         rest_exactly(0, 0, 0);
         leave_exactly();
-        TEST_ASSERT_EQUAL_INT(i % 2 ? 3 : 4, w.moves.rest[1].move);
-        TEST_ASSERT_EQUAL_INT(BEFORE_FIRST * EXACT_BLOCK + 12, samples_of_move(0, w.moves.first));
+        TEST_ASSERT_EQUAL_INT(i % 2 ? 3 : 4, w.imu.own.rest[1].move);
+        TEST_ASSERT_EQUAL_INT(BEFORE_FIRST * EXACT_BLOCK + 12, samples_of_move(0, w.imu.own.first));
     }
 }
 
@@ -625,24 +700,24 @@ static void a_segment_is_rounded_to_the_nearest(void)
 
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         for (int a = 0; a < 3; a++) {
-            const invcal_segment *s = w.moves.segment;
+            const invcal_private_segment *s = w.imu.own.segment;
             const int32_t x = cases[i].counts;
             const int is_refused = cases[i].v == INT16_MIN;
             begin_exactly();
             feed(a == 0 ? x : 0, a == 1 ? x : 0, a == 2 ? x : 0);
-            const int is_small = w.moves.missing > 0; /* closed by the block */
+            const int is_small = w.imu.own.missing > 0; /* closed by the block */
             if (is_small) {
                 end_block(INVCAL_MOVING, 0);
             }
-            TEST_ASSERT_EQUAL_INT(1, w.moves.used);
+            TEST_ASSERT_EQUAL_INT(1, w.imu.own.used);
             TEST_ASSERT_EQUAL_INT(2 + is_small, s->time);
             TEST_ASSERT_EQUAL_INT(is_small, cases[i].v > -2 && cases[i].v < 2);
             TEST_ASSERT_EQUAL_INT(is_refused ? INT16_MIN : a == 0 ? cases[i].v : 0, s->v[0]);
             TEST_ASSERT_EQUAL_INT(is_refused ? INVCAL_MOUNTING : 0, s->kappa[0]);
             TEST_ASSERT_TRUE(is_refused || s->v[a] == cases[i].v);
             const double rest = is_refused ? 0 : x / 64.0 - cases[i].v;
-            TEST_ASSERT_TRUE((double)w.moves.v[a] * 32768 == rest);
-            TEST_ASSERT_TRUE((double)w.moves.rho[a] * 32768 == rest);
+            TEST_ASSERT_TRUE((double)w.imu.own.v[a] * 32768 == rest);
+            TEST_ASSERT_TRUE((double)w.imu.own.rho[a] * 32768 == rest);
         }
     }
 }
@@ -675,7 +750,7 @@ static void stir(int n, double th[3])
         raw[i] = (int32_t)lround(stirred[n][i] * 262144 * (double)EXACT_RATE);
         th[i] = raw[i] / 262144.0 / (double)EXACT_RATE;
     }
-    invcal_moves_feed(&w.moves, raw[0], raw[1], raw[2]);
+    invcal_imu_feed_gyro(&w.imu, raw[0], raw[1], raw[2]);
 }
 
 static void rotations_are_added_by_the_series(void)
@@ -687,9 +762,9 @@ static void rotations_are_added_by_the_series(void)
     for (int n = 0; n < 4; n++) {
         stir(n, th);
         add_rotation(rho, th);
-        TEST_ASSERT_EQUAL_INT(n + 1, w.moves.missing);
+        TEST_ASSERT_EQUAL_INT(n + 1, w.imu.own.missing);
         for (int i = 0; i < 3; i++) {
-            TEST_ASSERT_DOUBLE_WITHIN(3e-8, rho[i], (double)w.moves.rho[i]);
+            TEST_ASSERT_DOUBLE_WITHIN(3e-8, rho[i], (double)w.imu.own.rho[i]);
         }
     }
 }
@@ -698,7 +773,7 @@ static void rotations_are_added_by_the_series(void)
 static void segments_are_merged_by_the_series(void)
 {
     static const int order[] = {0, 1, -1, 3, 2, -1};
-    const invcal_segment *s = w.moves.segment;
+    const invcal_private_segment *s = w.imu.own.segment;
     double v[3] = {0, 0, 0};
     double rho[3] = {0, 0, 0};
     double of_block[3] = {0, 0, 0};
@@ -722,7 +797,7 @@ static void segments_are_merged_by_the_series(void)
     }
     rest_exactly(0, 0, 0);
     leave_exactly();
-    TEST_ASSERT_EQUAL_INT(1, w.moves.rest[1].move);
+    TEST_ASSERT_EQUAL_INT(1, w.imu.own.rest[1].move);
     for (int i = 0; i < 3; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(1, v[i] * 32768, s->v[i]);
         TEST_ASSERT_DOUBLE_WITHIN(5, rho[i] * 262144, s->v[i] * 8.0 + s->kappa[i]);
@@ -742,7 +817,7 @@ static void a_move_and_the_table_have_so_many_segments(void)
         block(0, 0, 0, INVCAL_MOVING, 0);
         rest_exactly(0, 0, 0);
         leave_exactly();
-        TEST_ASSERT_EQUAL_INT(more ? -INVCAL_MOUNTING : 127, w.moves.rest[1].move);
+        TEST_ASSERT_EQUAL_INT(more ? -INVCAL_MOUNTING : 127, w.imu.own.rest[1].move);
         begin_at(64);
         rest_exactly(0, 0, 0);
         leave_exactly();
@@ -752,12 +827,12 @@ static void a_move_and_the_table_have_so_many_segments(void)
             rest_exactly(0, 0, 0);
             leave_exactly();
         }
-        const unsigned last = w.moves.count - 1u;
+        const unsigned last = w.imu.rests - 1u;
         TEST_ASSERT_EQUAL_INT(more ? INVCAL_NO_SPACE : INVCAL_OK,
-                              invcal_moves_reason(&w.moves, last));
-        TEST_ASSERT_EQUAL_INT(more ? (space + more - 1) / 16 * 16 : space, w.moves.first);
+                              invcal_imu_move_reason(&w.imu, last));
+        TEST_ASSERT_EQUAL_INT(more ? (space + more - 1) / 16 * 16 : space, w.imu.own.first);
         for (unsigned i = 1; i < last; i++) {
-            TEST_ASSERT_EQUAL_INT(16, w.moves.rest[i].move);
+            TEST_ASSERT_EQUAL_INT(16, w.imu.own.rest[i].move);
         }
     }
 }
@@ -771,23 +846,23 @@ static void a_full_table_costs_the_current_move(void)
     leave_exactly();
     block(0, 0, 0, INVCAL_MOVING, 0);
     large_turns(INVCAL_MAX_SEGMENTS + 10);
-    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_SEGMENTS, w.moves.used);
-    TEST_ASSERT_EQUAL_INT(0, w.moves.marks);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_SEGMENTS, w.imu.own.used);
+    TEST_ASSERT_EQUAL_INT(0, w.imu.own.marks);
     block(0, 0, 0, INVCAL_MOVING, 0);
     for (int i = 0; i < 10; i++) { /* nine blocks fall out of the table */
         block(16, 0, 0, INVCAL_SETTLING, 1);
     }
     rest_exactly(16, 0, 0);
     leave_exactly();
-    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_moves_reason(&w.moves, 1));
-    TEST_ASSERT_EQUAL_INT(16, w.moves.rest[1].bias[0]);
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_imu_move_reason(&w.imu, 1));
+    TEST_ASSERT_EQUAL_INT(16, w.imu.own.rest[1].bias[0]);
     block(0, 80, 0, INVCAL_MOVING, 0);
     rest_exactly(8, 0, 0);
     leave_exactly();
-    TEST_ASSERT_EQUAL_INT(1, w.moves.rest[2].move);
-    TEST_ASSERT_EQUAL_INT((BEFORE + 1) * EXACT_BLOCK, samples_of_move(0, w.moves.first));
-    TEST_ASSERT_EQUAL_INT(10, w.moves.segment[0].v[1]);
-    TEST_ASSERT_EQUAL_INT(8, w.moves.rest[2].bias[0]);
+    TEST_ASSERT_EQUAL_INT(1, w.imu.own.rest[2].move);
+    TEST_ASSERT_EQUAL_INT((BEFORE + 1) * EXACT_BLOCK, samples_of_move(0, w.imu.own.first));
+    TEST_ASSERT_EQUAL_INT(10, w.imu.own.segment[0].v[1]);
+    TEST_ASSERT_EQUAL_INT(8, w.imu.own.rest[2].bias[0]);
 }
 
 /* The same where a rest lies among them: the moves on both sides. */
@@ -806,11 +881,11 @@ static void a_full_table_costs_both_moves_in_it(void)
     large_turns(HALF);
     block(0, 0, 0, INVCAL_MOVING, 0);
     block(0, 0, 0, INVCAL_TAKEN, 0);
-    w.rests.pended = 0;
-    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_moves_reason(&w.moves, 1));
+    w.imu.session.rests.pended = 0;
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_imu_move_reason(&w.imu, 1));
     rest_exactly(0, 0, 0);
     leave_exactly();
-    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_moves_reason(&w.moves, 2));
+    TEST_ASSERT_EQUAL_INT(INVCAL_NO_SPACE, invcal_imu_move_reason(&w.imu, 2));
 }
 
 /* As a session may be resumed: with full tables. */
@@ -819,17 +894,17 @@ static void a_table_of_complete_moves_stays(void)
     begin_exactly();
     rest_exactly(0, 0, 0);
     leave_exactly();
-    memset(w.moves.segment, 0x11, sizeof w.moves.segment);
-    w.moves.first = w.moves.fixed = w.moves.used = INVCAL_MAX_SEGMENTS;
-    w.moves.marks = 0;
+    memset(w.imu.own.segment, 0x11, sizeof w.imu.own.segment);
+    w.imu.own.first = w.imu.own.fixed = w.imu.own.used = INVCAL_MAX_SEGMENTS;
+    w.imu.own.marks = 0;
     large_turns(3);
-    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_SEGMENTS, w.moves.used);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_SEGMENTS, w.imu.own.used);
     rest_exactly(0, 0, 0);
     leave_exactly();
-    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_SEGMENTS, w.moves.first);
-    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_SEGMENTS, w.moves.used);
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x11, w.moves.segment, sizeof w.moves.segment);
-    TEST_ASSERT_TRUE(w.moves.rest[1].move < 0);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_SEGMENTS, w.imu.own.first);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MAX_SEGMENTS, w.imu.own.used);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x11, w.imu.own.segment, sizeof w.imu.own.segment);
+    TEST_ASSERT_TRUE(w.imu.own.rest[1].move < 0);
 }
 
 /* A reading at a rail, on any axis; the first reason is reported. */
@@ -838,18 +913,18 @@ static void a_rail_is_a_reading_that_clips(void)
     for (int i = 0; i < 12; i++) {
         const int32_t x = (i / 6 ? 2000 : -1000) + (i / 3 % 2 ? 0 : i / 6 ? -1 : 1);
         begin_exactly();
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_set_limits(&w.moves, -1000, 2000));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_set_limits(&w.imu, -1000, 2000));
         rest_exactly(0, 0, 0);
         leave_exactly();
         feed(i % 3 == 0 ? x : 0, i % 3 == 1 ? x : 0, i % 3 == 2 ? x : 0);
         block(0, 0, 0, INVCAL_MOVING, 0);
         if (i / 3 % 2) {
-            invcal_moves_gap(&w.moves);
+            invcal_imu_gap(&w.imu);
         }
         rest_exactly(0, 0, 0);
         leave_exactly();
         TEST_ASSERT_EQUAL_INT(i / 3 % 2 ? INVCAL_REST_CLIPPED : INVCAL_OK,
-                              invcal_moves_reason(&w.moves, 1));
+                              invcal_imu_move_reason(&w.imu, 1));
     }
 }
 
@@ -865,7 +940,7 @@ static void a_gap_in_a_rest_costs_the_move_before(void)
         block(24, 0, 0, INVCAL_SETTLING, 1);
     }
     feed(1000, 1000, 1000);
-    invcal_moves_gap(&w.moves);
+    invcal_imu_gap(&w.imu);
     for (int i = 0; i < 5; i++) {
         block(24, 0, 0, INVCAL_SETTLING, 1);
     }
@@ -873,10 +948,10 @@ static void a_gap_in_a_rest_costs_the_move_before(void)
     leave_exactly();
     rest_exactly(16, 0, 0);
     leave_exactly();
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&w.moves, 1));
-    TEST_ASSERT_EQUAL_INT(24 + 64 / 8, w.moves.rest[1].bias[0]);
-    TEST_ASSERT_EQUAL_INT(1, w.moves.rest[2].move);
-    TEST_ASSERT_EQUAL_INT(BEFORE * EXACT_BLOCK, samples_of_move(0, w.moves.first));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_imu_move_reason(&w.imu, 1));
+    TEST_ASSERT_EQUAL_INT(24 + 64 / 8, w.imu.own.rest[1].bias[0]);
+    TEST_ASSERT_EQUAL_INT(1, w.imu.own.rest[2].move);
+    TEST_ASSERT_EQUAL_INT(BEFORE * EXACT_BLOCK, samples_of_move(0, w.imu.own.first));
 }
 
 /* The move continues across it. */
@@ -894,17 +969,17 @@ static void a_refused_rest_ends_no_move(void)
     for (int i = 0; i < 8; i++) {
         feed(0, 0, 64);
         end_block(i == 4 ? INVCAL_REFUSED : INVCAL_MOVING, 0);
-        w.rests.pended = i >= 4 ? 0 : w.rests.pended;
+        w.imu.session.rests.pended = i >= 4 ? 0 : w.imu.session.rests.pended;
     }
     rest_exactly(16, 0, 0);
     leave_exactly();
-    TEST_ASSERT_EQUAL_INT(2, w.moves.count);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_reason(&w.moves, 1));
-    TEST_ASSERT_EQUAL_INT(BEFORE_FIRST * EXACT_BLOCK + 14, samples_of_move(0, w.moves.first));
-    sum_of_move(0, w.moves.first, sum);
+    TEST_ASSERT_EQUAL_INT(2, w.imu.rests);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_move_reason(&w.imu, 1));
+    TEST_ASSERT_EQUAL_INT(BEFORE_FIRST * EXACT_BLOCK + 14, samples_of_move(0, w.imu.own.first));
+    sum_of_move(0, w.imu.own.first, sum);
     TEST_ASSERT_TRUE(sum[0] == 0 && sum[1] == 6 && sum[2] == 8);
-    TEST_ASSERT_EQUAL_INT(16, w.moves.rest[1].bias[0]);
-    TEST_ASSERT_EQUAL_INT(0, w.moves.rest[1].bias[1]);
+    TEST_ASSERT_EQUAL_INT(16, w.imu.own.rest[1].bias[0]);
+    TEST_ASSERT_EQUAL_INT(0, w.imu.own.rest[1].bias[1]);
 }
 
 /* Eight blocks stay separate; no event means no block, and time stops at 65535. */
@@ -912,19 +987,18 @@ static void blocks_are_counted_as_far_as_they_can(void)
 {
     begin_exactly();
     rest_exactly(0, 0, 0);
-    TEST_ASSERT_EQUAL_INT(0, w.moves.blocks); /* waiting for the first rest does not count */
+    TEST_ASSERT_EQUAL_INT(0, w.imu.own.blocks); /* waiting for the first rest does not count */
     begin_exactly();
     for (int i = 1; i < 12; i++) {
-        invcal_moves_follow(&w.moves, &w.rests, INVCAL_NOTHING);
-        block(0, 0, 0, INVCAL_MOVING, 0);
-        TEST_ASSERT_EQUAL_INT(i, w.moves.blocks);
-        TEST_ASSERT_EQUAL_INT(i < 8 ? i : 8, w.moves.marks);
-        TEST_ASSERT_EQUAL_INT(i < 8 ? i : 8, w.moves.used - w.moves.fixed);
+                block(0, 0, 0, INVCAL_MOVING, 0);
+        TEST_ASSERT_EQUAL_INT(i, w.imu.own.blocks);
+        TEST_ASSERT_EQUAL_INT(i < 8 ? i : 8, w.imu.own.marks);
+        TEST_ASSERT_EQUAL_INT(i < 8 ? i : 8, w.imu.own.used - w.imu.own.fixed);
     }
-    w.moves.blocks = 65533;
+    w.imu.own.blocks = 65533;
     for (int i = 0; i < 4; i++) {
         block(0, 0, 0, INVCAL_MOVING, 0);
-        TEST_ASSERT_EQUAL_UINT(i == 0 ? 65534 : 65535, w.moves.blocks);
+        TEST_ASSERT_EQUAL_UINT(i == 0 ? 65534 : 65535, w.imu.own.blocks);
     }
 }
 
@@ -935,39 +1009,39 @@ static void a_bias_that_does_not_fit_is_a_turn(void)
         begin_exactly();
         rest_exactly(0, 0, 0);
         leave_exactly();
-        w.moves.rest[0].bias[2] = 32000;
+        w.imu.own.rest[0].bias[2] = 32000;
         rest_exactly(0, 0, rate);
         leave_exactly();
-        TEST_ASSERT_EQUAL_INT(2, w.moves.count);
+        TEST_ASSERT_EQUAL_INT(2, w.imu.rests);
         TEST_ASSERT_EQUAL_INT(rate < 32767 ? INVCAL_OK : INVCAL_REST_DRIFT,
-                              invcal_moves_reason(&w.moves, 1));
+                              invcal_imu_move_reason(&w.imu, 1));
     }
     begin_exactly();
     rest_exactly(0, 0, 0);
     leave_exactly();
     rest_exactly(0, 0, -34000);
     leave_exactly();
-    TEST_ASSERT_EQUAL_INT(INVCAL_REST_DRIFT, invcal_moves_reason(&w.moves, 1));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REST_DRIFT, invcal_imu_move_reason(&w.imu, 1));
 }
 
 /* Events that no detector produces: a rest without a sample has no bias, but is still a rest. */
 static void a_rest_without_samples_has_no_bias(void)
 {
     begin_exactly();
-    w.rests.pended = 0;
-    memset(w.moves.rest, 0x55, sizeof w.moves.rest);
+    w.imu.session.rests.pended = 0;
+    memset(w.imu.own.rest, 0x55, sizeof w.imu.own.rest);
     end_block(INVCAL_TAKEN, 0);
-    TEST_ASSERT_EQUAL_INT(1, w.moves.count);
+    TEST_ASSERT_EQUAL_INT(1, w.imu.rests);
     for (int a = 0; a < 3; a++) {
-        TEST_ASSERT_EQUAL_INT(0, w.moves.rest[0].bias[a]);
+        TEST_ASSERT_EQUAL_INT(0, w.imu.own.rest[0].bias[a]);
     }
     end_block(INVCAL_TAKEN, 0);
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&w.moves, 1));
-    invcal_moves_gap(&w.moves);
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_imu_move_reason(&w.imu, 1));
+    invcal_imu_gap(&w.imu);
     rest_exactly(0, 0, 0);
     leave_exactly();
     end_block(INVCAL_TAKEN, 0); /* nothing is between them */
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_moves_reason(&w.moves, 3));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVE_GAP, invcal_imu_move_reason(&w.imu, 3));
 }
 
 /* One sample is enough. */
@@ -978,8 +1052,8 @@ static void a_sample_is_a_bias(void)
     end_block(INVCAL_SETTLING, 1);
     end_block(INVCAL_SETTLING, 1);
     end_block(INVCAL_READY, 1);
-    TEST_ASSERT_TRUE(w.moves.bias[0] * 262144 == 128 && w.moves.bias[1] * 262144 == -64 &&
-                     w.moves.bias[2] == 0);
+    TEST_ASSERT_TRUE(w.imu.own.bias[0] * 262144 == 128 && w.imu.own.bias[1] * 262144 == -64 &&
+                     w.imu.own.bias[2] == 0);
 }
 
 /* ---- the detector itself, and every sample of both ---------------------------------------------- */
@@ -1002,11 +1076,11 @@ static void feed_rate(const double step[3], random_source *random)
                                             inverse[i][2] * step[2]);
         raw[i] = (int32_t)lround(COUNTS * (0.02 + rate + 1e-3 * random_normal(random)));
     }
-    invcal_moves_feed(&w.moves, raw[0], raw[1], raw[2]);
+    invcal_imu_feed_gyro(&w.imu, raw[0], raw[1], raw[2]);
 }
 
 /* Feeds what the accelerometer reads. Returns 1 if that took a position. */
-static int feed_up(invcal_session *session, const double up[3], random_source *random)
+static int feed_up(const double up[3], random_source *random)
 {
     double u[3];
     int32_t raw[3];
@@ -1015,13 +1089,11 @@ static int feed_up(invcal_session *session, const double up[3], random_source *r
     for (int i = 0; i < 3; i++) {
         raw[i] = (int32_t)lround(16384 * u[i] + 20 * random_normal(random));
     }
-    const invcal_event event = invcal_session_feed(session, raw[0], raw[1], raw[2]);
-    invcal_moves_follow(&w.moves, &session->rests, event);
-    return event == INVCAL_TAKEN;
+    return invcal_imu_feed(&w.imu, raw[0], raw[1], raw[2]) == INVCAL_TAKEN;
 }
 
 /* Turns by that many degrees about each axis, and rests. Returns how many positions were taken. */
-static int turn_and_rest(invcal_session *session, const double degrees[3], random_source *random)
+static int turn_and_rest(const double degrees[3], random_source *random)
 {
     double up[3];
     int taken = 0;
@@ -1042,7 +1114,7 @@ static int turn_and_rest(invcal_session *session, const double degrees[3], rando
         feed_rate(step, random);
         if (n % 4 == 3) {
             world_up((const double(*)[3])w.c, w.up, up);
-            taken += feed_up(session, up, random);
+            taken += feed_up(up, random);
         }
     }
     memcpy(w.up, up, sizeof up);
@@ -1052,33 +1124,33 @@ static int turn_and_rest(invcal_session *session, const double degrees[3], rando
 static void the_session_says_where_rests_are(void)
 {
     static const double turns[][3] = {{90, 0, 0}, {0, 0, 90}, {0, 90, 0}};
-    static invcal_session session;
+    invcal_session *session = &w.imu.session;
     random_source random = random_start(3);
 
     begin();
     world_draw(&w, 0.02, 0.02);
-    const invcal_calibration gyro = w.moves.nominal;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_moves_init(&w.moves, sizeof w.moves, &gyro, FAST));
+    const invcal_calibration gyro = w.imu.nominal;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_session_init(&session, sizeof session, 16384, FAST / 4));
-    int taken = turn_and_rest(&session, none, &random);
+                          invcal_session_init(session, sizeof *session, 16384, FAST / 4));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_init_nominal(&w.imu, sizeof w.imu, &gyro, FAST));
+    int taken = turn_and_rest(none, &random);
     for (int k = 0; k < 13; k++) {
-        taken += turn_and_rest(&session, turns[k / 5], &random);
+        taken += turn_and_rest(turns[k / 5], &random);
     }
-    const invcal_event event = invcal_session_end(&session);
-    invcal_moves_follow(&w.moves, &session.rests, event);
+    const invcal_event event = invcal_session_end(session);
+    invcal_imu_follow(&w.imu, event);
     taken += event == INVCAL_TAKEN;
-    TEST_ASSERT_EQUAL_INT(taken, session.count);
-    TEST_ASSERT_EQUAL_INT(session.count, w.moves.count);
-    TEST_ASSERT_TRUE(session.count >= 10);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(session.mean, session.count, &session.nominal,
-                                                      &w.moves, NULL, &imu));
+    TEST_ASSERT_EQUAL_INT(taken, session->count);
+    TEST_ASSERT_EQUAL_INT(session->count, w.imu.rests);
+    TEST_ASSERT_TRUE(session->count >= 10);
+    const invcal_positions positions = invcal_imu_positions(&w.imu);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve_of(&w, &positions, NULL, &imu));
     for (int i = 0; i < 9; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(4 * (double)imu.sigma[i], w.m[i / 3][i % 3],
                                   (double)imu.parameter[i]);
         TEST_ASSERT_TRUE(imu.sigma[i] < INVCAL_REAL(1e-3));
     }
-    TEST_ASSERT_DOUBLE_WITHIN(2e-4, 0.02, (double)imu.gyro.offset[0] / COUNTS);
+    TEST_ASSERT_DOUBLE_WITHIN(2e-4, 0.02, (double)imu.result.gyro.offset[0] / COUNTS);
 }
 
 int main(void)
@@ -1089,7 +1161,10 @@ int main(void)
     RUN_SLOW_TEST(a_clipped_or_a_long_move_is_refused);
     RUN_TEST(a_rest_that_turns_is_not_a_rest);
     RUN_SLOW_TEST(without_space_moves_are_refused_and_rests_continue);
-    RUN_TEST(moves_that_were_not_begun_take_nothing);
+    RUN_TEST(what_was_not_begun_refuses_every_sample_and_says_why);
+    RUN_TEST(a_session_alone_is_not_enough);
+    RUN_TEST(moves_need_a_session);
+    RUN_TEST(another_build_is_refused_and_the_session_says_why);
     RUN_TEST(nonsense_is_refused_or_does_no_harm);
     RUN_TEST(a_move_of_more_than_seven_turns_is_refused);
     RUN_TEST(stirring_fills_a_segment);

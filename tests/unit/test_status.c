@@ -150,9 +150,11 @@ static void any_other_status_is_no_refusal(void)
 static void parameters_are_named_in_the_order_of_the_paper(void)
 {
     static const char *const name[] = {"delta_x", "delta_y",  "delta_z",  "dk_x",     "dk_y",
-                                       "dk_z",    "gamma_xy", "gamma_xz", "gamma_zy", "?"};
+                                       "dk_z",    "gamma_xy", "gamma_xz", "gamma_zy", "gyro_xx",
+                                       "gyro_xy", "gyro_xz",  "gyro_yx",  "gyro_yy",  "gyro_yz",
+                                       "gyro_zx", "gyro_zy",  "gyro_zz",  "?"};
 
-    for (unsigned r = 0; r <= INVCAL_PARAMETERS; r++) {
+    for (unsigned r = 0; r < sizeof name / sizeof name[0]; r++) {
         TEST_ASSERT_EQUAL_STRING(name[r], invcal_parameter_text(r));
     }
     TEST_ASSERT_EQUAL_STRING("?", invcal_parameter_text(12345));

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "gyro_world.h"
-#include "core/system.h"
+#include "imu/turns.h"
 #include "turns_design.h"
 #include "unity.h"
 
@@ -21,16 +21,45 @@ void tearDown(void)
 
 static const double PI = 3.14159265358979324;
 static const invcal_real z_up[3] = {0, 0, 1};
-static const invcal_imu_settings perfect = {0, 0, 0, 0, 0};
-static const invcal_imu_settings perfect_held = {1, 0, 0, 0, 0};
+static const world_settings perfect = {0, 0, 0, 0, 0};
+static const world_settings perfect_held = {1, 0, 0, 0, 0};
 static invcal_turns t;
 
-static void begin(const invcal_imu_settings *settings)
+static invcal_status turns_begin(const invcal_real up[3], const world_settings *settings)
 {
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, z_up, settings));
+    invcal_real prior[18];
+    invcal_imu_settings stated_ones;
+
+    if (!settings) {
+        return invcal_turns_begin(&t, up, NULL, 0);
+    }
+    stated_ones = world_stated(settings, prior);
+    return invcal_turns_begin(&t, up, &stated_ones, settings->noise);
 }
 
-static void tour(const invcal_imu_settings *settings, unsigned turns)
+/* In the order of the solution. */
+static invcal_status turns_sigma(const invcal_turn *turn, invcal_real sigma[18], uint32_t *open)
+{
+    invcal_real of[18];
+    uint32_t weak;
+
+    const invcal_status status = invcal_turns_sigma(&t, turn, of, &weak);
+    if (status == INVCAL_OK || status == INVCAL_UNDETERMINED) {
+        *open = 0;
+        for (unsigned i = 0; i < 18; i++) {
+            sigma[i] = of[invcal_imu_parameter(i)];
+            *open |= (weak >> invcal_imu_parameter(i) & 1u) << i;
+        }
+    }
+    return status;
+}
+
+static void begin(const world_settings *settings)
+{
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_begin(z_up, settings));
+}
+
+static void tour(const world_settings *settings, unsigned turns)
 {
     begin(settings);
     for (unsigned i = 0; i < turns; i++) {
@@ -46,7 +75,7 @@ static void tour(const invcal_imu_settings *settings, unsigned turns)
 static void about(unsigned axis, double degrees, unsigned turns)
 {
     for (unsigned i = 0; i < turns; i++) {
-        invcal_turn turn = {{0, 0, 0}, (invcal_real)degrees, {0, 0, 0}};
+        invcal_turn turn = {{0, 0, 0}, (invcal_real)(degrees * DEGREE), {0, 0, 0}};
         turn.axis[axis] = 1;
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
     }
@@ -106,7 +135,7 @@ static void up_does_not_drift(void)
     static const invcal_real longer[3] = {0, 0, INVCAL_REAL(1.00009)};
     const invcal_real *up = t.up;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, longer, &perfect));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_begin(longer, &perfect));
     about(0, 90, 1);
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1, (double)(up[0] * up[0] + up[1] * up[1] + up[2] * up[2]));
 }
@@ -126,7 +155,7 @@ static void the_tour_determines_scale_and_misalignment_as_closed_form_says(void)
             TEST_ASSERT_DOUBLE_WITHIN(1e-5, expected, at(r, c));
         }
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_sigma(NULL, sigma, &open));
     TEST_ASSERT_EQUAL_UINT(0, open);
     for (unsigned r = 0; r < 9; r++) { /* over the noise of a turn, which is sqrt(2) of a mean's */
         TEST_ASSERT_DOUBLE_WITHIN(1e-5, r % 4 == 0 ? 1 / PI : 0.5, (double)sigma[r] / sqrt(2));
@@ -143,14 +172,14 @@ static void ranks_are_those_of_the_number_of_axes(void)
     begin(&perfect_held);
     about(0, 90, 8);
     TEST_ASSERT_EQUAL_UINT(3, rank());
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, turns_sigma(NULL, sigma, &open));
     TEST_ASSERT_EQUAL_HEX32(0x1B6, open); /* all but xx, yx, zx */
     for (unsigned r = 0; r < 9; r++) {
         TEST_ASSERT_TRUE(sigma[r] <= 10);
     }
     about(1, 90, 4);
     TEST_ASSERT_EQUAL_UINT(6, rank());
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, turns_sigma(NULL, sigma, &open));
     TEST_ASSERT_EQUAL_HEX32(1u << 2 | 1u << 5 | 1u << 8, open);
     static const unsigned expected[] = {0, 2, 4, 6, 8, 9, 9};
     for (unsigned turns = 3; turns <= 6; turns++) {
@@ -163,7 +192,7 @@ static void ranks_are_those_of_the_number_of_axes(void)
                 for (unsigned a = 0; a < 3; a++) {
                     turn.axis[a] = (invcal_real)n[a];
                 }
-                turn.degrees = (invcal_real)random_uniform(&random, 100, 150);
+                turn.angle = (invcal_real)(random_uniform(&random, 100, 150) * DEGREE);
                 TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
             }
             TEST_ASSERT_LESS_OR_EQUAL_UINT(expected[turns], rank());
@@ -181,7 +210,7 @@ static void expect_sigma(const double expected[18])
     invcal_real sigma[18];
     uint32_t open;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_sigma(NULL, sigma, &open));
     TEST_ASSERT_EQUAL_UINT(0, open);
     for (unsigned r = 0; r < 18; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(2e-5, expected[r], (double)sigma[r]);
@@ -203,7 +232,7 @@ static void the_tour_determines_all_18(void)
 /* From the rests alone three gammas stay open: the turns determine what lengths do not. */
 static void the_lengths_of_six_faces_alone_have_rank_6(void)
 {
-    static const invcal_imu_settings deaf = {0, 0, INVCAL_REAL(0.9), 0, 0};
+    static const world_settings deaf = {0, 0, INVCAL_REAL(0.9), 0, 0};
 
     tour(&deaf, INVCAL_TOUR); /* a turn has 3000 times less information than a rest */
     TEST_ASSERT_EQUAL_UINT(6, rank());
@@ -217,13 +246,13 @@ static void one_axis_leaves_open_what_the_script_names(void)
     begin(&perfect);
     about(0, 90, 8);
     TEST_ASSERT_EQUAL_UINT(one_axis_rank, rank());
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, turns_sigma(NULL, sigma, &open));
     TEST_ASSERT_EQUAL_HEX32(one_axis_open, open);
     begin(&perfect);
     about(0, 90, 4);
     about(1, 90, 4);
     TEST_ASSERT_EQUAL_UINT(two_axes_rank, rank());
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, turns_sigma(NULL, sigma, &open));
     TEST_ASSERT_EQUAL_HEX32(two_axes_open, open);
 }
 
@@ -243,7 +272,7 @@ static void add_word(const invcal_real up[3], char *path)
 }
 
 /* Follows the guidance, which must give the expected turns. Returns det^(1/n). */
-static double follow(const invcal_imu_settings *settings, unsigned turns, const char *expected)
+static double follow(const world_settings *settings, unsigned turns, const char *expected)
 {
     char path[200] = "+z";
     double log_det;
@@ -296,12 +325,12 @@ static void of_any_rest_there_is_a_next_turn(void)
         for (unsigned a = 0; a < 3; a++) {
             from[a] = (invcal_real)d[a];
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, from, NULL));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_begin(from, NULL));
         TEST_ASSERT_DOUBLE_WITHIN(1e-8, 3e-4, (double)t.noise);
         t.seconds = (invcal_real)(k % 2); /* or so fast that gyroscope noise does not count */
         for (unsigned i = 0; i < 6; i++) {
             invcal_turns_next(&t, &turn);
-            const double angle = (double)turn.degrees;
+            const double angle = (double)turn.angle / DEGREE;
             TEST_ASSERT_TRUE(angle > 17.45 && angle < 162.55); /* a sine of 0.3 */
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
         }
@@ -338,7 +367,7 @@ static void guidance_goes_as_far_as_it_may(void)
             for (int i = 0; i < 3; i++) {
                 from[i] = (invcal_real)(up[i] / length3(to));
             }
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, from, &perfect_held));
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_begin(from, &perfect_held));
             invcal_turns_next(&t, &turn);
             double cosine = 0;
             for (int i = 0; i < 3; i++) {
@@ -363,7 +392,7 @@ static void nonsense_has_no_next_turn(void)
         TEST_ASSERT_DOUBLE_WITHIN(0, 0, (double)turn.axis[a]);
         TEST_ASSERT_DOUBLE_WITHIN(0, 0, (double)turn.up[a]);
     }
-    TEST_ASSERT_DOUBLE_WITHIN(0, 0, (double)turn.degrees);
+    TEST_ASSERT_DOUBLE_WITHIN(0, 0, (double)turn.angle / DEGREE);
 }
 
 /* ---- turns --------------------------------------------------------------------------------------- */
@@ -384,7 +413,7 @@ static void turned(const invcal_real from[3], const invcal_turn *turn, double up
     double th[3], c[3][3], was[3];
 
     for (unsigned a = 0; a < 3; a++) {
-        th[a] = (double)turn->axis[a] * (double)turn->degrees * DEGREE;
+        th[a] = (double)turn->axis[a] * (double)turn->angle;
         was[a] = (double)from[a];
     }
     rotation_by(th, c);
@@ -403,9 +432,9 @@ static void the_tour_takes_each_edge_once_about_horizontal_axes(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_tour(i, &turn));
         turned(from, &turn, up);
         for (unsigned a = 0; a < 3; a++) {
-            TEST_ASSERT_DOUBLE_WITHIN(1e-12 + 4 * DBL_EPSILON, up[a], (double)turn.up[a]);
+            TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-12), up[a], (double)turn.up[a]);
             TEST_ASSERT_DOUBLE_WITHIN(0, 0, (double)(turn.axis[a] * from[a])); /* both are axes */
-            full[a] += turn.degrees > 359 && turn.axis[a] > 0;
+            full[a] += turn.angle > 6 && turn.axis[a] > 0;
         }
         const unsigned a = face_of(from);
         const unsigned b = face_of(turn.up);
@@ -446,7 +475,7 @@ static void the_shortest_turn_is_that_of_closed_form(void)
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turn_to(v[0], v[1], &turn));
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-3, 1e-9), acos(cosine) / DEGREE,
-                                  (double)turn.degrees);
+                                  (double)turn.angle / DEGREE);
         turned(v[0], &turn, up);
         for (unsigned a = 0; a < 3; a++) {
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-5, 1e-12), d[1][a], up[a]);
@@ -476,7 +505,7 @@ static void bad_arguments_are_refused(void)
     static const invcal_real longer[3] = {0, 0, INVCAL_REAL(1.01)};
     const invcal_real none[3] = {INVCAL_REAL_MAX, INVCAL_REAL_MAX, INVCAL_REAL_MAX};
     invcal_real prior[18] = {0};
-    invcal_imu_settings settings = perfect;
+    world_settings settings = perfect;
     invcal_turn turn;
     invcal_turn kept;
 
@@ -487,41 +516,41 @@ static void bad_arguments_are_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(longer, x_up, &turn));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(x_up, longer, &turn));
     TEST_ASSERT_EQUAL_MEMORY(&kept, &turn, sizeof turn);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turns_begin(&t, none, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, turns_begin(none, NULL));
     settings.noise = -1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_begin(&t, z_up, &settings));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, turns_begin(z_up, &settings));
     settings.noise = 1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_begin(&t, z_up, &settings));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, turns_begin(z_up, &settings));
     settings.noise = 0;
     settings.rate_noise = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_begin(&t, z_up, &settings));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, turns_begin(z_up, &settings));
     settings.rate_noise = 0;
     settings.instability = -1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_begin(&t, z_up, &settings));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, turns_begin(z_up, &settings));
     settings.instability = 0;
     settings.prior = prior;
     prior[17] = -1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, invcal_turns_begin(&t, z_up, &settings));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_PRIOR, turns_begin(z_up, &settings));
     prior[17] = 0;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, z_up, &settings));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_begin(z_up, &settings));
 
     const invcal_turns before = t;
     invcal_real sigma[18] = {7};
     uint32_t open = 7;
-    turn = (invcal_turn){{0, 0, INVCAL_REAL(1.01)}, 90, {0, 0, 0}};
+    turn = (invcal_turn){{0, 0, INVCAL_REAL(1.01)}, 1, {0, 0, 0}};
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turns_add(&t, &turn));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turns_sigma(&t, &turn, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, turns_sigma(&turn, sigma, &open));
     turn.axis[2] = 1;
-    turn.degrees = INVCAL_REAL(720.1);
+    turn.angle = (invcal_real)(720.3 * DEGREE);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_turns_add(&t, &turn));
-    turn.degrees = (invcal_real)NAN;
+    turn.angle = (invcal_real)NAN;
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_turns_add(&t, &turn));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_turns_sigma(&t, &turn, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, turns_sigma(&turn, sigma, &open));
     TEST_ASSERT_EQUAL_MEMORY(&before, &t, sizeof t);
     TEST_ASSERT_TRUE(open == 7 && sigma[0] > 6);
-    turn.degrees = -720;
+    turn.angle = (invcal_real)(-720 * DEGREE);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
-    turn.degrees = 720;
+    turn.angle = (invcal_real)(720 * DEGREE);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
     for (unsigned a = 0; a < 3; a++) {
         TEST_ASSERT_DOUBLE_WITHIN(0, a == 2, (double)t.up[a]);
@@ -560,7 +589,7 @@ static void next_to_the_vertical_nothing_is_lost(void)
         const double length = sqrt(1 + 5e-6);
         const invcal_real up[3] = {(invcal_real)(1e-3 / length), (invcal_real)(2e-3 / length),
                                    (invcal_real)((k == 0 ? 1 : -1) / length)};
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_begin(&t, up, &perfect_held));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_begin(up, &perfect_held));
         about(0, 90, 1);
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-5, 1e-12),
                                   PI * PI / 8 * (1 - 1e-6 / (length * length)), at(0, 0));
@@ -572,7 +601,7 @@ static void next_to_the_vertical_nothing_is_lost(void)
 /* An angle of a turn of T has the variance 2 a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2. */
 static void the_noise_of_a_turn_is_that_of_the_design(void)
 {
-    static const invcal_imu_settings noisy = {1, INVCAL_REAL(2e-4), INVCAL_REAL(1e-4),
+    static const world_settings noisy = {1, INVCAL_REAL(2e-4), INVCAL_REAL(1e-4),
                                               INVCAL_REAL(2e-4), 0};
     invcal_real sigma[18];
     uint32_t open;
@@ -586,7 +615,7 @@ static void the_noise_of_a_turn_is_that_of_the_design(void)
             (void)invcal_tour(i, &turn);
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma, &open));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_sigma(NULL, sigma, &open));
         const double variance = 2 * 4e-8 + 1e-8 * time + (1e-8 / 2 + 2.25 * 4e-8) * time * time;
         TEST_ASSERT_DOUBLE_WITHIN(1e-8, 2e-4, (double)t.noise);
         TEST_ASSERT_DOUBLE_WITHIN(1e-5, sqrt(variance / 4e-8) / PI, (double)sigma[0]);
@@ -612,7 +641,7 @@ static void the_noise_of_a_turn_is_that_of_the_design(void)
 static void a_prior_is_information(void)
 {
     invcal_real prior[18] = {0};
-    invcal_imu_settings settings = perfect;
+    world_settings settings = perfect;
 
     prior[4] = INVCAL_REAL(0.003);
     prior[17] = INVCAL_REAL(0.0003);
@@ -644,7 +673,7 @@ static void sigma_is_judged_at_its_bounds(void)
     invcal_real prior[18] = {0};
     invcal_real sigma[19];
     uint32_t open;
-    invcal_imu_settings settings = perfect_held;
+    world_settings settings = perfect_held;
 
     settings.prior = prior;
     for (unsigned k = 0; k < 4; k++) {
@@ -653,7 +682,7 @@ static void sigma_is_judged_at_its_bounds(void)
             sigma[r] = 7;
         }
         begin(&settings);
-        TEST_ASSERT_EQUAL_INT(cases[k].status, invcal_turns_sigma(&t, NULL, sigma, &open));
+        TEST_ASSERT_EQUAL_INT(cases[k].status, turns_sigma(NULL, sigma, &open));
         TEST_ASSERT_EQUAL_HEX32(cases[k].open, open);
         for (unsigned r = 0; r < 19; r++) {
             const double expected = r == 18 ? 7 : r >= 9 ? 0 : k == 3 ? 10 : cases[k].sigma;
@@ -666,14 +695,14 @@ static void sigma_is_judged_at_its_bounds(void)
     prior[1] = (invcal_real)(3e-4 / sqrt(0.0895));
     prior[2] = (invcal_real)(3e-4 / sqrt(0.0905));
     begin(&settings);
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, turns_sigma(NULL, sigma, &open));
     TEST_ASSERT_EQUAL_HEX32(0x1FFu ^ 1u << 2, open);
     TEST_ASSERT_DOUBLE_WITHIN(1e-4, 10, (double)sigma[0]);
     TEST_ASSERT_DOUBLE_WITHIN(1e-4, 1 / sqrt(0.0995), (double)sigma[1]);
     settings.held = 0;
     sigma[18] = 7;
     begin(&settings);
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, turns_sigma(NULL, sigma, &open));
     TEST_ASSERT_TRUE(sigma[18] == 7);
 }
 
@@ -683,14 +712,14 @@ static void what_only_a_wide_prior_determines_is_open(void)
     invcal_real prior[18];
     invcal_real sigma[18];
     uint32_t open;
-    invcal_imu_settings settings = perfect_held;
+    world_settings settings = perfect_held;
 
     for (unsigned r = 0; r < 18; r++) {
         prior[r] = 1;
     }
     settings.prior = prior;
     begin(&settings);
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, turns_sigma(NULL, sigma, &open));
     TEST_ASSERT_EQUAL_HEX32(0x1FF, open);
 }
 
@@ -703,9 +732,9 @@ static void a_prospect_is_what_the_turn_then_achieves(void)
     begin(&perfect);
     for (unsigned i = 0; i < INVCAL_TOUR_FULL; i++) {
         (void)invcal_tour(i, &turn);
-        const invcal_status status = invcal_turns_sigma(&t, &turn, sigma[0], &open[0]);
+        const invcal_status status = turns_sigma(&turn, sigma[0], &open[0]);
         (void)invcal_turns_add(&t, &turn);
-        TEST_ASSERT_EQUAL_INT(status, invcal_turns_sigma(&t, NULL, sigma[1], &open[1]));
+        TEST_ASSERT_EQUAL_INT(status, turns_sigma(NULL, sigma[1], &open[1]));
         TEST_ASSERT_EQUAL_INT(i < 7 ? INVCAL_UNDETERMINED : INVCAL_OK, status);
         TEST_ASSERT_EQUAL_HEX32(open[0], open[1]);
         for (unsigned r = 0; r < 18; r++) {
@@ -726,7 +755,7 @@ static void what_is_known_too_little_is_named(void)
     about(0, 90, 1);
     about(2, 10, 1);
     about(2, 40, 1);
-    const invcal_status status = invcal_turns_sigma(&t, NULL, sigma, &open);
+    const invcal_status status = turns_sigma(NULL, sigma, &open);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, status);
     for (unsigned r = 0; r < 9; r++) {
         TEST_ASSERT_EQUAL_INT((double)sigma[r] > 2.5 * sqrt(2), open >> r & 1u);
@@ -737,8 +766,19 @@ static void what_is_known_too_little_is_named(void)
 /* ---- beside the solver --------------------------------------------------------------------------- */
 
 static world w;
-static const invcal_imu_settings stated = {0, INVCAL_REAL(3e-4), INVCAL_REAL(1e-4),
+static const world_settings stated = {0, INVCAL_REAL(3e-4), INVCAL_REAL(1e-4),
                                            INVCAL_REAL(1e-4), 0};
+
+static invcal_status turns_after(const invcal_real raw[][3], unsigned count,
+                                 const world_settings *settings)
+{
+    const invcal_calibration unit = unit_nominal();
+    const invcal_positions positions = {(const invcal_vector *)(const void *)raw, count, &unit,
+                                        settings->noise, NULL};
+    const invcal_imu_settings stated_ones = world_stated(settings, NULL);
+
+    return invcal_turns_after(&t, &w.imu, &positions, &stated_ones);
+}
 
 /* The tour by steady turns, without errors. Returns how long a turn is by its segments. */
 static double make_tour(invcal_real raw[WORLD_RESTS][3])
@@ -759,10 +799,10 @@ static double make_tour(invcal_real raw[WORLD_RESTS][3])
         world_move(&w, vector, 1.2);
     }
     world_end(&w);
-    TEST_ASSERT_EQUAL_INT(13, w.moves.count);
+    TEST_ASSERT_EQUAL_INT(13, w.imu.rests);
     world_means(&w, raw);
-    for (unsigned i = 0; i < w.moves.used; i++) {
-        time += w.moves.segment[i].time / 2 / 400.0;
+    for (unsigned i = 0; i < w.imu.own.used; i++) {
+        time += w.imu.own.segment[i].time / 2 / 400.0;
     }
     return time / (double)INVCAL_TOUR;
 }
@@ -770,13 +810,12 @@ static double make_tour(invcal_real raw[WORLD_RESTS][3])
 /* The plan and its result are the same. */
 static void after_the_turns_it_knows_what_it_had_planned(void)
 {
-    const invcal_calibration unit = unit_nominal();
-    invcal_imu_settings held = stated;
+    world_settings held = stated;
     invcal_real raw[WORLD_RESTS][3];
     invcal_real expected[171];
     invcal_real sigma[2][18];
     uint32_t open;
-    invcal_imu imu;
+    world_solution imu;
 
     begin(&stated);
     t.seconds = (invcal_real)make_tour(raw);
@@ -786,23 +825,20 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
         (void)invcal_turns_add(&t, &turn);
     }
     memcpy(expected, t.sum, sizeof expected);
-    (void)invcal_turns_sigma(&t, NULL, sigma[0], &open);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, (const invcal_vector *)raw[0], 13,
-                                                        &unit, &w.moves, &stated));
+    (void)turns_sigma(NULL, sigma[0], &open);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_after((const invcal_real(*)[3])raw, 13, &stated));
     TEST_ASSERT_DOUBLE_WITHIN(1e-4, 1, (double)t.up[2]);
     for (unsigned i = 0; i < 171; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(0.02 * (1 + fabs((double)expected[i])), (double)expected[i],
                                   (double)t.sum[i]);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma[1], &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_sigma(NULL, sigma[1], &open));
     for (unsigned r = 0; r < 18; r++) {
         TEST_ASSERT_DOUBLE_WITHIN(0.02, (double)sigma[0][r], (double)sigma[1][r]);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve((const invcal_vector *)raw[0], 13, &unit,
-                                                      &w.moves, &stated, &imu));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, &stated, &imu));
     held.held = 1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&t, (const invcal_vector *)raw[0], 13,
-                                                        &unit, &w.moves, &held));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_after((const invcal_real(*)[3])raw, 13, &held));
     TEST_ASSERT_EQUAL_UINT(9, rank());
     TEST_ASSERT_DOUBLE_WITHIN(0.02 * (double)expected[0], (double)expected[0], at(0, 0));
 }
@@ -810,45 +846,32 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
 /* It may have any contents before. A rest of half the length: up is still a unit vector. */
 static void it_begins_where_the_last_rest_is(void)
 {
-    const invcal_calibration unit = unit_nominal();
-    invcal_imu_settings held = stated;
+    world_settings held = stated;
     invcal_real raw[WORLD_RESTS][3];
-    struct {
-        invcal_turns t;
-        invcal_real behind; /* nothing may write it */
-    } other;
-
     (void)make_tour(raw);
-    memset(&other, 0x5A, sizeof other);
-    const invcal_real behind = other.behind;
+    memset(&t, 0x5A, sizeof t);
     for (unsigned a = 0; a < 3; a++) {
         raw[11][a] /= 2;
     }
-    w.moves.count = 12;
+    w.imu.rests = 12;
     held.held = 1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&other.t, (const invcal_vector *)raw[0], 12,
-                                                        &unit, &w.moves, &held));
-    TEST_ASSERT_EQUAL_UINT(9, other.t.n);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1.5, (double)other.t.seconds);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-4, -1, (double)other.t.up[1]); /* the tour's last but one */
-    TEST_ASSERT_EQUAL_MEMORY(&behind, &other.behind, sizeof behind);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_after((const invcal_real(*)[3])raw, 12, &held));
+    TEST_ASSERT_EQUAL_UINT(9, t.n);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1.5, (double)t.seconds);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, -1, (double)t.up[1]); /* the tour's last but one */
 }
 
 static void bad_rests_are_refused(void)
 {
-    const invcal_calibration unit = unit_nominal();
-    invcal_imu_settings bad = stated;
+    world_settings bad = stated;
     invcal_real raw[WORLD_RESTS][3];
 
     (void)make_tour(raw);
     bad.noise = -1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, invcal_turns_after(&t, (const invcal_vector *)raw[0],
-                                                               13, &unit, &w.moves, &bad));
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_turns_after(&t, (const invcal_vector *)raw[0], 0,
-                                                             &unit, &w.moves, &stated));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, turns_after((const invcal_real(*)[3])raw, 13, &bad));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, turns_after((const invcal_real(*)[3])raw, 0, &stated));
     raw[12][2] = 30;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, invcal_turns_after(&t, (const invcal_vector *)raw[0],
-                                                                  13, &unit, &w.moves, &stated));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, turns_after((const invcal_real(*)[3])raw, 13, &stated));
 }
 
 /* Errors of the tour in a hand that wobbles, over the sigma of the plan: 1.07 at most in 300 runs,
@@ -868,9 +891,9 @@ static void errors_are_what_the_plan_says(void)
         (void)invcal_tour(i, &turn);
         (void)invcal_turns_add(&t, &turn);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_sigma(&t, NULL, sigma, &open));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_sigma(NULL, sigma, &open));
     for (unsigned run = 0; run < RUNS; run++) {
-        invcal_imu imu;
+        world_solution imu;
         world_begin(&w, 100, 700 + run);
         world_draw(&w, 0.01, 0.01);
         world_tour(&w);
@@ -880,7 +903,7 @@ static void errors_are_what_the_plan_says(void)
             const unsigned kind = i >= 9 ? i / 3 - 1 : i % 4 == 0 ? 0 : 1;
             const double truth = i < 9 ? w.m[i / 3][i % 3] : w.triad.x[i - 9];
             const double found =
-                i < 9 ? (double)imu.parameter[i] : parameter(&imu.accelerometer, i - 9);
+                i < 9 ? (double)imu.parameter[i] : parameter(&imu.result.accelerometer, i - 9);
             const double error = (found - truth) / ((double)t.noise * (double)sigma[i]);
             squares[kind] += error * error;
             counts[kind]++;

@@ -9,13 +9,15 @@
 #include "maths/matrix.h"
 #include "core/system.h"
 
+#define ACCELEROMETER ((1u << INVCAL_PARAMETERS) - 1) /* its parameters */
+
 /* The moves determine the accelerometer, and the rests alone do not, or poorly. */
 static int moves_determine_more(const request *r, int refused, const calibrate_result *result)
 {
     const gyro_fit *g = &result->gyro;
     const int is_plain = !r->value[OPT_THERMAL] && r->degree == 0 && !fit_has_prior(&r->settings);
 
-    return is_plain && g->has_readings && !g->word && g->imu.open >> INVCAL_GYRO_PARAMETERS == 0 &&
+    return is_plain && g->has_readings && !g->word && (g->imu.weak & ACCELEROMETER) == 0 &&
            (refused || result->quality.verdict == INVCAL_WEAK);
 }
 
@@ -64,7 +66,7 @@ static int is_disturbed(const calibrate_result *result)
 /* The moves determine what the rests leave undetermined. */
 static void use_joint_solution(calibrate_result *result)
 {
-    const invcal_imu *imu = &result->gyro.imu;
+    const invcal_imu_result *imu = &result->gyro.imu;
     double information[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     fit_settings with = result->settings;
     /* only the gyroscope can be weak here: see moves_determine_more */
@@ -76,7 +78,7 @@ static void use_joint_solution(calibrate_result *result)
                         .positions = (uint16_t)result->rejected.kept_count,
                         .sigma_dof = (uint16_t)lround(dof_of_rests(&result->gyro))};
 
-    memcpy(q.sigma, &imu->sigma[INVCAL_GYRO_PARAMETERS], sizeof q.sigma);
+    memcpy(q.sigma, imu->sigma, sizeof q.sigma);
     measure_residuals(result, &q);
     result->refused = (refusal){.word = NULL};
     result->is_joint = 1;
@@ -128,7 +130,7 @@ int calibrate_gyro(const request *r, const gyro_log *gyro, int refused, calibrat
         use_joint_solution(result);
         return EXIT_GOOD;
     }
-    if (refused && !result->gyro.word && result->gyro.imu.open) {
+    if (refused && !result->gyro.word && result->gyro.imu.weak) {
         gyro_refuse_open(&result->gyro);
     }
     if (refused && result->gyro.word) {

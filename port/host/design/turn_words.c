@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/turn_words.h"
+#include "text/unit.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -84,12 +85,20 @@ static unsigned along(const invcal_real v[3])
     return 3;
 }
 
+double turns_degrees(const invcal_turn *turn)
+{
+    const double degrees = turn->angle / UNIT_DEGREE;
+    const double whole = nearbyint(degrees);
+
+    return fabs(degrees - whole) < 1e-9 ? whole : degrees;
+}
+
 const char *turns_words(const invcal_turn *turn, const invcal_real from[3],
                         char text[TURNS_WORDS_MAX])
 {
     char angle[ANGLE_MAX];
     char up[TURNS_UP_MAX];
-    const char *turned = angle_words(turn->degrees, angle);
+    const char *turned = angle_words(turns_degrees(turn), angle);
     const unsigned axis = along(turn->axis);
     double vertical = 0;
 
@@ -102,7 +111,7 @@ const char *turns_words(const invcal_turn *turn, const invcal_real from[3],
                  vertical > 0 ? "left" : "right");
     } else if (axis > 2) {
         snprintf(text, TURNS_WORDS_MAX, "%s: %s", up, turned);
-    } else if (turn->degrees < 180 - NEAR && is_cube_direction(turn->up)) {
+    } else if (turns_degrees(turn) < 180 - NEAR && is_cube_direction(turn->up)) {
         snprintf(text, TURNS_WORDS_MAX, "%s: %s about %c", up, turned, "xyz"[axis]);
     } else { /* up does not show the sense of rotation */
         snprintf(text, TURNS_WORDS_MAX, "%s about %c%c: %s", turned,

@@ -1,14 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * design/turn_words.h: turns (invcal/gyro.h) in words.
+ * design/turn_words.h: turns (turns.h of the library) in words.
  */
 #ifndef TURN_WORDS_H
 #define TURN_WORDS_H
 
-#include "invcal/gyro.h"
+#include "imu/turns.h"
 
 #define TURNS_WORDS_MAX 160
 #define TURNS_UP_MAX 80
+
+/* The angle of a turn; whole degrees are exact. */
+double turns_degrees(const invcal_turn *turn);
 
 /* The turn from one rest to the next: "+x up: a quarter turn about y", or, if that does not show
  * the sense of rotation, "a full turn about +x: +z up". */

@@ -28,7 +28,7 @@
 #define RATE_RANGE_DEFAULT 0.01
 
 /* Too large for the stack. */
-static invcal_moves moves;
+static invcal_imu moves;
 
 typedef char axes_text[40];
 
@@ -546,7 +546,7 @@ static void set_rails(const gyro_fit *g, double unit)
         }
     }
     if (low < high) {
-        (void)invcal_moves_set_limits(&moves, low > -HUGE_VAL ? count_of(low, unit) : INT32_MIN,
+        (void)invcal_imu_set_limits(&moves, low > -HUGE_VAL ? count_of(low, unit) : INT32_MIN,
                                       high < HUGE_VAL ? count_of(high, unit) : INT32_MAX);
     }
 }
@@ -557,13 +557,13 @@ static void feed(const gyro_fit *g, const gyro_log_reading *r, double unit)
     int32_t raw[3];
 
     if (r->is_gap) {
-        invcal_moves_gap(&moves);
+        invcal_imu_gap(&moves);
     }
     gyro_axes(g->axes, r->x, x);
     for (unsigned k = 0; k < 3; k++) {
         raw[k] = count_of(x[k], unit);
     }
-    invcal_moves_feed(&moves, raw[0], raw[1], raw[2]);
+    invcal_imu_feed_gyro(&moves, raw[0], raw[1], raw[2]);
 }
 
 /* Records all moves again, in the structure of the library. */
@@ -580,8 +580,11 @@ static invcal_status make_moves(gyro_fit *g, replay *r, long lag, const double b
         nominal.matrix[k][k] =
             g->rate_unit > 0 ? g->rate_unit * unit : ldexp(RATE_RANGE_DEFAULT, -COUNT_BITS);
     }
-    moves.count = 0;
-    const invcal_status status = invcal_moves_init(&moves, sizeof moves, &nominal, log->rate);
+    moves.rests = 0;
+    invcal_status status = invcal_session_init(&moves.session, sizeof moves.session, 1, log->rate);
+    if (status == INVCAL_OK) {
+        status = invcal_imu_init_nominal(&moves, sizeof moves, &nominal, log->rate);
+    }
     if (status != INVCAL_OK) {
         return status;
     }
@@ -592,7 +595,11 @@ static invcal_status make_moves(gyro_fit *g, replay *r, long lag, const double b
         while ((long)next < reading_end && next < log->readings) {
             feed(g, &log->reading[next++], unit);
         }
-        invcal_moves_follow(&moves, &r->rests, replay_step(r));
+        const invcal_event event = replay_step(r);
+        if (event != INVCAL_NOTHING) {
+            moves.session.rests = r->rests;
+            invcal_imu_follow(&moves, event);
+        }
     }
     return INVCAL_OK;
 }
@@ -618,17 +625,17 @@ static void find_turned(const gyro_fit *g, const double bias[3], gyro_move *m)
  * moves.rest and g->rest are the same. */
 static void list_moves(gyro_fit *g, long lag, const double bias[3])
 {
-    const unsigned first = g->rests - moves.count;
+    const unsigned first = g->rests - moves.rests;
 
     g->moves = 0;
-    for (unsigned i = 1; i < moves.count && g->rests >= moves.count; i++) {
+    for (unsigned i = 1; i < moves.rests && g->rests >= moves.rests; i++) {
         gyro_move *m = &g->move[g->moves++];
         size_t begin;
         size_t end;
         *m = (gyro_move){.to = first + i, .angle = NUMBER_UNKNOWN, .residual = NUMBER_UNKNOWN};
         gyro_between(g->log, lag, &g->rest[m->to - 1], &begin, &end);
         m->seconds = end > begin ? (double)(end - begin) / g->log->rate : 0;
-        m->why = invcal_moves_reason(&moves, i);
+        m->why = invcal_imu_move_reason(&moves, i);
         if (m->why == INVCAL_OK && (g->imu.left_out >> i & 1)) {
             m->why = INVCAL_MOVE_APART;
         } else if (m->why == INVCAL_OK && (g->imu.idle >> i & 1)) {
@@ -643,7 +650,7 @@ static void list_moves(gyro_fit *g, long lag, const double bias[3])
 static void calibrate_g(gyro_fit *g)
 {
     for (unsigned i = 0; i < 9; i++) {
-        const double *m = &g->imu.parameter[3 * (size_t)(i / 3)];
+        const double *m = g->m[i / 3];
         for (unsigned k = 0; k < 3; k++) {
             g->g[i / 3][i % 3] += m[k] * g->imu.slope[k][i % 3];
         }
@@ -655,6 +662,9 @@ static void finish(gyro_fit *g, double unit)
 {
     const invcal_calibration c = g->imu.gyro;
 
+    for (unsigned i = 0; i < 9; i++) {
+        g->m[i / 3][i % 3] = c.matrix[i / 3][i % 3] / moves.nominal.matrix[i % 3][i % 3];
+    }
     if (g->imu.g_is_used) {
         calibrate_g(g);
     }
@@ -669,30 +679,32 @@ static void finish(gyro_fit *g, double unit)
     g->interval = invcal_coverage(g->imu.dof);
 }
 
-/* Copies the means of the rests, as invcal_imu_solve needs them. */
-static void means_of(const gyro_fit *g, const positions *p, double raw[3 * INVCAL_MAX_MOVES])
+/* The means of the rests; raw: space for them. */
+static invcal_positions positions_of(const gyro_fit *g, const positions *p,
+                                     const invcal_calibration *start,
+                                     invcal_vector raw[INVCAL_MAX_MOVES])
 {
     for (unsigned i = 0; i < g->rests; i++) {
-        memcpy(&raw[3 * (size_t)i], &p->mean[3 * (size_t)g->rest[i].position], 3 * sizeof *raw);
+        memcpy(raw[i].v, &p->mean[3 * (size_t)g->rest[i].position], sizeof raw[i].v);
     }
+    return (invcal_positions){.mean = raw, .count = g->rests, .nominal = start};
 }
 
 static invcal_status solve(gyro_fit *g, const positions *p, const invcal_calibration *start)
 {
-    double raw[3 * INVCAL_MAX_MOVES];
+    invcal_vector raw[INVCAL_MAX_MOVES];
+    const invcal_positions rests = positions_of(g, p, start, raw);
 
-    means_of(g, p, raw);
-    return invcal_imu_solve((const invcal_vector *)raw, g->rests, start, &moves, NULL, &g->imu);
+    return invcal_imu_solve_of(&moves, &rests, NULL, &g->imu);
 }
 
 int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *start,
                invcal_turns *out)
 {
-    double raw[3 * INVCAL_MAX_MOVES];
+    invcal_vector raw[INVCAL_MAX_MOVES];
+    const invcal_positions rests = positions_of(g, p, start, raw);
 
-    means_of(g, p, raw);
-    return g->moves > 0 && invcal_turns_after(out, (const invcal_vector *)raw, g->rests, start,
-                                              &moves, NULL) == INVCAL_OK;
+    return g->moves > 0 && invcal_turns_after(out, &moves, &rests, NULL) == INVCAL_OK;
 }
 
 /* The delay of the readings; 0 unless the rests are quieter with it. Fills rests and bias
@@ -757,7 +769,7 @@ int gyro_make(gyro_fit *g, const gyro_log *log, const gyro_options *options, uns
         gyro_say_status(g, status);
         return EXIT_GOOD;
     }
-    gyro_measure(g, lag, p);
     finish(g, unit);
+    gyro_measure(g, lag, p);
     return EXIT_GOOD;
 }

@@ -86,7 +86,7 @@ static void integrate(const gyro_fit *g, long lag, const gyro_rest *rest, double
                 u[k] = (g->rate_unit * u[k] - bias[k]) / log->rate;
             }
             for (unsigned k = 0; k < 3; k++) {
-                th[k] = dot(&g->imu.parameter[3 * (size_t)k], u);
+                th[k] = dot(g->m[k], u);
             }
             turn_by(c, th);
             *angle += sqrt(dot(th, th));

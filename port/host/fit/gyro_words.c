@@ -113,7 +113,7 @@ void gyro_refuse_open(gyro_fit *g)
     char list[PARAMETER_LIST_MAX];
 
     gyro_refuse(g, "undetermined", "the moves leave parameters undetermined: %s",
-                parameter_list_imu(g->imu.open, list, sizeof list));
+                parameter_list_imu(g->imu.weak, list, sizeof list));
     gyro_add_reasons(g);
     advise_moves(g);
 }

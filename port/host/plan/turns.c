@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "plan/turns.h"
 #include "text/parameter.h"
+#include "text/unit.h"
 
 #include <float.h>
 #include <math.h>
@@ -16,6 +17,7 @@
 #define TOKEN_MAX 32
 #define DEGREES_MIN 1.0
 #define DEGREES_MAX 720.0
+#define NONE 1e-30 /* as 0 would be unknown to the library */
 
 enum { ALL = INVCAL_IMU_PARAMETERS, NAMED = 2 };
 
@@ -67,9 +69,10 @@ static void begin_sums(const turns_plan *p, invcal_turns *turns)
 {
     const turns_request *r = &p->request;
     const invcal_imu_settings settings = {
-        .noise = r->noise, .rate_noise = r->rate_noise, .instability = r->instability};
+        .rate_noise = fmax(r->rate_noise, NONE), .instability = fmax(r->instability, NONE)};
 
-    (void)invcal_turns_begin(turns, p->start, &settings); /* noise and direction are checked */
+    /* noise and direction are checked */
+    (void)invcal_turns_begin(turns, p->start, &settings, r->noise);
     turns->seconds = r->turn;
 }
 
@@ -132,8 +135,9 @@ static int read_turn(const char *word, invcal_turn *turn)
         return 0;
     }
     turn->axis[*word - 'x'] = is_back ? -1 : 1;
-    turn->degrees = strtod(word + 2, &end);
-    return *end == '\0' && turn->degrees >= DEGREES_MIN && turn->degrees <= DEGREES_MAX;
+    const double degrees = strtod(word + 2, &end);
+    turn->angle = degrees * UNIT_DEGREE;
+    return *end == '\0' && degrees >= DEGREES_MIN && degrees <= DEGREES_MAX;
 }
 
 static int add_word(turns_plan *p, const char *word, invcal_real up[3])
@@ -150,7 +154,7 @@ static int add_word(turns_plan *p, const char *word, invcal_real up[3])
         }
     } else if (read_turn(word, &turn)) {
         invcal_turns sums;
-        (void)invcal_turns_begin(&sums, up, NULL); /* to find the up direction after it */
+        (void)invcal_turns_begin(&sums, up, NULL, 0); /* to find the up direction after it */
         (void)invcal_turns_add(&sums, &turn);
         memcpy(turn.up, sums.up, sizeof turn.up);
     } else {
@@ -242,7 +246,7 @@ static unsigned find_most_improved(const double before[ALL], const double after[
 
 static double turn_seconds(const turns_plan *p, unsigned n)
 {
-    return p->request.turn * fmax(1, fabs(p->step[n].turn.degrees) / 90);
+    return p->request.turn * fmax(1, fabs(turns_degrees(&p->step[n].turn)) / 90);
 }
 
 static void find_spectrum(turns_plan *p, const invcal_turns *sums)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "plan/turns.h"
+#include "invcal/result.h"
 #include "text/json_write.h"
 #include "text/number.h"
 
@@ -13,7 +14,7 @@ static void write_turn(json_writer *w, const char *name, const invcal_turn *turn
 
     json_object(w, name);
     json_vector(w, "axis", axis);
-    json_number(w, "degrees", turn->degrees);
+    json_number(w, "degrees", turns_degrees(turn));
     json_vector(w, "up", turn->up);
     json_text(w, "words", turns_words(turn, from, words));
 }
@@ -28,7 +29,7 @@ static void write_turns(json_writer *w, const turns_plan *p)
         const turns_step *step = &p->step[i];
         write_turn(w, NULL, &step->turn, up);
         json_number(w, "open", step->open);
-        json_names(w, "improves", step->improves, INVCAL_IMU_PARAMETERS, invcal_imu_parameter_text);
+        json_names(w, "improves", step->improves, INVCAL_IMU_PARAMETERS, invcal_parameter_text);
         json_object_end(w);
         up = step->turn.up;
     }
@@ -42,7 +43,7 @@ static void write_each(json_writer *w, const char *name, const turns_plan *p, do
 {
     json_object(w, name);
     for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
-        json_number(w, invcal_imu_parameter_text(i),
+        json_number(w, invcal_parameter_text(i),
                     p->is_determined ? times * p->sigma[i] : NUMBER_UNKNOWN);
     }
     json_object_end(w);
@@ -70,8 +71,8 @@ void turns_json(FILE *file, const turns_plan *p)
     write_each(&w, "sigma", p, 1);
     write_each(&w, "expected", p, r->noise);
     json_names(&w, "undetermined", p->is_determined ? 0 : p->open, INVCAL_IMU_PARAMETERS,
-               invcal_imu_parameter_text);
+               invcal_parameter_text);
     json_names(&w, "weak", p->is_determined ? p->open : 0, INVCAL_IMU_PARAMETERS,
-               invcal_imu_parameter_text);
+               invcal_parameter_text);
     json_end(&w);
 }

@@ -6,8 +6,8 @@
 
 unsigned turns_kind(unsigned parameter)
 {
-    if (parameter < INVCAL_GYRO_PARAMETERS) {
-        return parameter % 4 == 0 ? 1 : 2;
+    if (parameter >= INVCAL_GYRO_XX) {
+        return (parameter - INVCAL_GYRO_XX) % 4 == 0 ? 1 : 2;
     }
-    return (parameter - INVCAL_GYRO_PARAMETERS) / 3;
+    return parameter / 3;
 }

@@ -34,11 +34,11 @@ static const char *largest_sigma(const turns_plan *p, unsigned bits, char text[T
     return text;
 }
 
-#define GYRO_SCALE 0x111u
-#define GYRO_ANGLES 0xEEu
-#define OFFSETS (7u << 9)
-#define SCALES (7u << 12)
-#define ANGLES (7u << 15)
+#define OFFSETS 7u
+#define SCALES (7u << 3)
+#define ANGLES (7u << 6)
+#define GYRO_SCALE (0x111u << INVCAL_GYRO_XX)
+#define GYRO_ANGLES (0xEEu << INVCAL_GYRO_XX)
 
 static void write_verdict(page *p, const turns_plan *plan)
 {

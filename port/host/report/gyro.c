@@ -46,13 +46,13 @@ static void write_parameters(page *p, const report_facts *f)
     double inverse[3][3];
     char name[CELL];
 
-    memcpy(m.matrix, g->imu.parameter, sizeof m.matrix);
+    memcpy(m.matrix, g->m, sizeof m.matrix);
     (void)matrix_inverse(&m, inverse); /* close to a unit matrix */
     page_table_begin(p, &sheet);
     for (unsigned i = 0; i < 9; i++) {
         const unsigned r = i < 3 ? i : (i - 3) / 2;
         const unsigned c = i < 3 ? i : ((i - 3) % 2 + ((i - 3) % 2 >= r));
-        const double spread = g->interval * g->imu.sigma[3 * r + c];
+        const double spread = g->interval * g->imu.sigma[INVCAL_GYRO_XX + 3 * r + c];
         const display_unit unit = i < 3 ? scale : angle;
         snprintf(name, sizeof name, i < 3 ? "scale error %s" : "cross %s%s", axes[r], axes[c]);
         if (i < 3 && g->is_counts) {

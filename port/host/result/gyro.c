@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "invcal/result.h"
 #include "maths/matrix.h"
 #include "maths/median.h"
 #include "text/append.h"
@@ -35,7 +36,7 @@ const char *gyro_fault(const gyro_fit *g, char text[GYRO_TEXT_MAX])
         append(text, GYRO_TEXT_MAX, "not calibrated: %s", g->reason);
     } else if (g->has_readings && g->imu.verdict == INVCAL_WEAK) {
         append(text, GYRO_TEXT_MAX, "weak: %s; make more moves, about all three axes",
-               parameter_list_imu(g->imu.open, list, sizeof list));
+               parameter_list_imu(g->imu.weak, list, sizeof list));
     } else if (g->has_readings && g->imu.verdict == INVCAL_NO_REDUNDANCY) {
         append(text, GYRO_TEXT_MAX, "without redundancy to check it; make more moves");
     } else if (g->has_readings && g->imu.verdict != INVCAL_GOOD) {
@@ -236,7 +237,7 @@ static void print_figures(FILE *file, const calibrate_result *r)
     invcal_calibration nominal = {.offset = {0}};
     double inverse[3][3];
 
-    memcpy(nominal.matrix, g->imu.parameter, sizeof nominal.matrix);
+    memcpy(nominal.matrix, g->m, sizeof nominal.matrix);
     (void)matrix_inverse(&nominal, inverse); /* close to a unit matrix */
     snprintf(angle_off, sizeof angle_off, "%s off axis", angle.unit);
     tabular_begin(file, "lrl");
@@ -257,18 +258,18 @@ static void print_figures(FILE *file, const calibrate_result *r)
         const double m = inverse[i][i]; /* reading per rate, as in data sheets */
         const double counts = UNIT_DEGREE / g->rate_unit * m;
         if (g->is_counts) { /* the nominal unit is not stated */
-            add_row("scale", axis, counts, counts * m * g->imu.sigma[4 * (size_t)i],
+            add_row("scale", axis, counts, counts * m * g->imu.sigma[INVCAL_GYRO_XX + 4 * i],
                     "counts per °/s");
         } else {
             add_row("scale error", axis, scale.scale * (m - 1),
-                    scale.scale * m * m * g->imu.sigma[4 * (size_t)i], scale.unit);
+                    scale.scale * m * m * g->imu.sigma[INVCAL_GYRO_XX + 4 * i], scale.unit);
         }
     }
     for (unsigned i = 0; i < 9; i++) {
         const char pair[] = {"xyz"[i / 3], "xyz"[i % 3], '\0'};
         if (i / 3 != i % 3) {
             add_row("cross", pair, angle.scale * inverse[i / 3][i % 3],
-                    angle.scale * g->imu.sigma[i], angle_off);
+                    angle.scale * g->imu.sigma[INVCAL_GYRO_XX + i], angle_off);
         }
     }
     tabular_end();
@@ -439,11 +440,6 @@ static void write_drift(json_writer *w, const gyro_fit *g)
     json_vector(w, "drift_sigma", drift[1]);
 }
 
-static const char *parameter_name(unsigned p)
-{
-    return invcal_imu_parameter_text(p);
-}
-
 void gyro_json(json_writer *w, const calibrate_result *r)
 {
     const gyro_fit *g = &r->gyro;
@@ -462,8 +458,8 @@ void gyro_json(json_writer *w, const calibrate_result *r)
         json_object_end(w);
         return;
     }
-    memcpy(nine[0], g->imu.parameter, sizeof nine[0]);
-    memcpy(nine[1], g->imu.sigma, sizeof nine[1]);
+    memcpy(nine[0], g->m, sizeof nine[0]);
+    memcpy(nine[1], &g->imu.sigma[INVCAL_GYRO_XX], sizeof nine[1]);
     json_vector(w, "offset", g->calibration.offset);
     json_matrix(w, "matrix", g->calibration.matrix);
     json_text(w, "unit", g->is_counts ? "counts" : unit_angular_rate_words(g->rate_unit));
@@ -486,7 +482,7 @@ void gyro_json(json_writer *w, const calibrate_result *r)
         json_vector(w, "temperature_slope_sigma", g->thermal_sigma);
     }
     json_text(w, "verdict", gyro_verdict(g));
-    json_names(w, "undetermined", g->imu.open, INVCAL_IMU_PARAMETERS, parameter_name);
+    json_names(w, "undetermined", g->imu.weak, INVCAL_IMU_PARAMETERS, invcal_parameter_text);
     json_text(w, "accelerometer", r->is_joint ? "rests and moves" : "rests");
     json_object_end(w);
 }

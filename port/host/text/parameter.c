@@ -15,12 +15,12 @@ const char *parameter_words(unsigned parameter)
 
 const char *parameter_words_imu(unsigned parameter)
 {
-    static const char *const gyro[INVCAL_GYRO_PARAMETERS] = {
+    static const char *const gyro[INVCAL_IMU_PARAMETERS - INVCAL_PARAMETERS] = {
         "gyro scale x",  "gyro angle xy", "gyro angle xz", "gyro angle yx", "gyro scale y",
         "gyro angle yz", "gyro angle zx", "gyro angle zy", "gyro scale z"};
 
-    return parameter < INVCAL_GYRO_PARAMETERS ? gyro[parameter]
-                                              : parameter_words(parameter - INVCAL_GYRO_PARAMETERS);
+    return parameter < INVCAL_PARAMETERS ? parameter_words(parameter)
+                                         : gyro[parameter - INVCAL_PARAMETERS];
 }
 
 const char *parameter_list_imu(uint32_t bits, char *text, size_t size)

@@ -21,7 +21,7 @@ static double worst_interval(const gyro_fit *g, int is_scale)
     double max = 0;
 
     for (unsigned i = 0; i < INVCAL_GYRO_PARAMETERS; i++) {
-        max = (i % 4 == 0) == is_scale ? fmax(max, g->imu.sigma[i]) : max;
+        max = (i % 4 == 0) == is_scale ? fmax(max, g->imu.sigma[INVCAL_GYRO_XX + i]) : max;
     }
     return g->interval * max;
 }
@@ -82,7 +82,7 @@ static void add_rest(watch_gyro *w, const double up[3])
 
     if (!w->has_turns || invcal_turn_to(w->turns.up, up, &turn) != INVCAL_OK ||
         invcal_turns_add(&w->turns, &turn) != INVCAL_OK) {
-        w->has_turns = invcal_turns_begin(&w->turns, up, NULL) == INVCAL_OK;
+        w->has_turns = invcal_turns_begin(&w->turns, up, NULL, 0) == INVCAL_OK;
     }
 }
 
@@ -141,7 +141,7 @@ static void write_verdict(watch_gyro *w, const gyro_fit *g, unsigned rests)
     } else {
         snprintf(w->text, sizeof w->text, "%s; scale ± %.2g %%, cross ± %.2g degrees%s", moves,
                  100 * worst_interval(g, 1), worst_interval(g, 0) / UNIT_DEGREE,
-                 g->imu.open ? "; turn about other axes, too" : "");
+                 g->imu.weak ? "; turn about other axes, too" : "");
         w->is_good = g->imu.verdict == INVCAL_GOOD && g->imu.dof >= DOF_MIN;
     }
 }

@@ -23,7 +23,8 @@
 #include <string.h>
 
 #include "hand.h"
-#include "invcal/gyro.h"
+#include "invcal/gyro_store.h"
+#include "invcal/result.h"
 
 enum { CLOCK = 16000000 };                             /* of the processor */
 enum { RATE = HAND_RATE, SAMPLE_US = 1000000 / RATE }; /* of the sensor */
@@ -527,19 +528,19 @@ static void tell_accelerometer(const invcal_calibration *stored)
 }
 
 /* A perfect matrix, in rad/s, makes the identity of the truth. */
-static void tell_gyro(const invcal_imu_record *stored)
+static void tell_gyro(const invcal_imu_result *stored)
 {
     double worst = 0, bias = 0;
 
-    for (int i = 0; i < INVCAL_GYRO_PARAMETERS; i++) {
+    for (int i = 0; i < 9; i++) {
         double error = i % 4 == 0 ? -1 : 0;
         for (int k = 0; k < 3; k++) {
             error += (double)stored->gyro.matrix[i / 3][k] * GYRO_COUNTS / 2 * 180 / PI *
                      gyro_gain[k][i % 3];
         }
-        worst = larger(worst, fabs(error) / (double)stored->sigma[i]);
-        printf("world: %s sigma %.5f\n", invcal_imu_parameter_text((unsigned)i),
-               (double)stored->sigma[i]);
+        worst = larger(worst, fabs(error) / (double)stored->sigma[INVCAL_GYRO_XX + i]);
+        printf("world: %s sigma %.5f\n", invcal_parameter_text(INVCAL_GYRO_XX + (unsigned)i),
+               (double)stored->sigma[INVCAL_GYRO_XX + i]);
     }
     for (int i = 0; i < 3; i++) {
         bias = larger(bias, fabs((double)stored->gyro.offset[i] - gyro_offset[i] / 2));
@@ -554,11 +555,11 @@ static void tell(void)
                                     : INVCAL_STORE_BYTES(INVCAL_RECORD_SIZE, 1);
     invcal_store store = {read_slot, no_erase, no_program, &store, size, 1};
     invcal_calibration stored;
-    invcal_imu_record both;
+    invcal_imu_result both;
 
-    if (with_gyro && invcal_imu_load(&both, &store) == INVCAL_OK) {
+    if (with_gyro && invcal_imu_load_result(&both, &store) == INVCAL_OK) {
         tell_gyro(&both);
-        tell_accelerometer(&both.accelerometer.calibration);
+        tell_accelerometer(&both.accelerometer);
     } else if (invcal_load(&stored, &store) == INVCAL_OK) {
         tell_accelerometer(&stored);
     }

@@ -8,10 +8,10 @@
  * It takes 7 KB of RAM: a Mega, or a board that is not an AVR. The sensor is in imu.cpp, the memory in
  * storage.cpp. Session and moves are not stored: an EEPROM takes seconds for them, the sensor's queue holds less
  * than one, and a move with lost samples is refused. With a fast memory, FRAM or flash, add
- * invcal_imu_session_save after INVCAL_TAKEN, and invcal_imu_session_load in begin_session.
+ * invcal_imu_save after INVCAL_TAKEN, and invcal_imu_load in begin_session.
  */
 #include <invcal.h>
-#include <invcal/gyro.h>
+#include <invcal/gyro_store.h>
 #include <invcal/plan.h>
 
 #include "imu.h"
@@ -22,12 +22,12 @@
 #endif
 
 const unsigned SHOW_EVERY = 50; /* calibrated samples */
+const unsigned TURNS = 12;      /* of the tour through the faces */
 
-static invcal_imu_session both;
-static invcal_imu_record calibration;
+static invcal_imu both;
+static invcal_imu_result calibration;
 static bool is_calibrated;
-static unsigned at;   /* rests before the next one */
-static unsigned made; /* bit i: turn i of the tour was made, and was not refused */
+static unsigned good; /* moves that were not refused, since the last solution */
 
 /* Not inlined into loop, or its variables would be on the stack while the others run. */
 #define NOINLINE __attribute__((noinline))
@@ -55,100 +55,77 @@ static void show(const __FlashStringHelper *name, const float v[3], float unit)
 
 /* ---- the session ------------------------------------------------------------------------------ */
 
-/* The tour of the faces begins and ends with z up. */
-static void find_next(invcal_turn *turn)
-{
-    invcal_tour((at + INVCAL_TOUR - 1) % INVCAL_TOUR, turn);
-}
-
-/* Skips a face that already points up. */
+/* The tour of the faces, and after it the turn that adds most. */
 static void show_next()
 {
     char text[INVCAL_TEXT_SIZE];
-    invcal_turn turn;
 
-    find_next(&turn);
-    if (invcal_session_is_at(&both.session, turn.up)) {
-        at++;
-        find_next(&turn);
-    }
     Serial.print(F("next: "));
-    Serial.println(invcal_direction_text(turn.up, text));
+    Serial.println(invcal_imu_next_text(&both, text));
 }
 
 static void begin_session()
 {
-    const float unit = (float)(M_PI / 180) / IMU_GYRO_COUNTS;
-    const invcal_calibration gyro = {{0, 0, 0}, {{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}}};
+    const float counts = (float)(180 / M_PI) * IMU_GYRO_COUNTS; /* per rad/s */
 
     if (invcal_session_init(&both.session, sizeof both.session, IMU_COUNTS, IMU_RATE) != INVCAL_OK ||
-        invcal_moves_init(&both.moves, sizeof both.moves, &gyro, IMU_RATE) != INVCAL_OK) {
+        invcal_imu_init(&both, sizeof both, counts, IMU_RATE) != INVCAL_OK) {
         stop(F("scale or rate of the sensor is out of range"));
     }
     invcal_session_set_limits(&both.session, IMU_LOW, IMU_HIGH);
-    invcal_moves_set_limits(&both.moves, IMU_LOW, IMU_HIGH);
+    invcal_imu_set_limits(&both, IMU_LOW, IMU_HIGH);
     is_calibrated = false;
-    at = made = 0;
+    good = 0;
     Serial.println(F("calibration begins"));
     show_next();
 }
 
-/* Nothing is stored before the verdict is good: until then, another tour. An AVR takes some seconds, and the
- * turn that is made meanwhile is refused. */
+/* Nothing is stored before the verdict is good: until then, more turns, three at a time. An AVR takes some
+ * seconds, and the turn that is made meanwhile is refused. */
 static NOINLINE void solve()
 {
-    invcal_imu imu;
+    const invcal_status status = invcal_imu_solve(&both, NULL, &calibration);
 
-    made = 0;
-    const invcal_status status = invcal_imu_solve(both.session.mean, both.session.count,
-                                                  &both.session.nominal, &both.moves, NULL, &imu);
-    if (status != INVCAL_OK || imu.verdict != INVCAL_GOOD) {
+    good = TURNS - 3;
+    if (status != INVCAL_OK || calibration.verdict != INVCAL_GOOD) {
         Serial.print(F("not yet: "));
         Serial.println(status != INVCAL_OK ? invcal_status_text(status)
-                                           : invcal_verdict_text(imu.verdict));
+                                           : invcal_verdict_text(calibration.verdict));
         return;
     }
     Serial.println(F("verdict: good"));
-    show(F("accelerometer, offset, counts:"), imu.accelerometer.offset, 1);
-    show(F("gyroscope, offset, counts:"), imu.gyro.offset, 1);
-    invcal_imu_record_init(&calibration, &imu);
+    show(F("accelerometer, offset, counts:"), calibration.accelerometer.offset, 1);
+    show(F("gyroscope, offset, counts:"), calibration.gyro.offset, 1);
     is_calibrated = true;
-    Serial.println(invcal_imu_save(&imu, &calibration_store) == INVCAL_OK
+    Serial.println(invcal_imu_save_result(&calibration, &calibration_store) == INVCAL_OK
                        ? F("calibration stored")
                        : F("calibration not stored: the EEPROM fails"));
 }
 
-/* A rest, and the turn that led to it. The tour goes round until each of its turns was good once. */
+/* A rest, and the turn that led to it. */
 static void take()
 {
-    const invcal_status reason = invcal_moves_reason(&both.moves, both.moves.count - 1);
-    int turns = 0;
+    const invcal_status reason = invcal_imu_move_reason(&both, both.rests - 1);
 
     if (reason == INVCAL_OK) {
-        made |= 1u << (at + INVCAL_TOUR - 2) % INVCAL_TOUR; /* at is the place after this one */
-    } else if (both.moves.count > 1) {
+        good++;
+    } else if (both.rests > 1) {
         Serial.print(F("move refused: "));
         Serial.println(invcal_status_text(reason));
     }
-    for (unsigned i = 0; i < INVCAL_TOUR; i++) {
-        turns += made >> i & 1;
-    }
     Serial.print(F("turns made, of 12: "));
-    Serial.println(turns);
-    if (turns == INVCAL_TOUR) {
+    Serial.println(good);
+    if (good >= TURNS) {
         solve();
     }
 }
 
 static void calibrate(const int32_t accelerometer[3], const int32_t gyro[3])
 {
-    invcal_moves_feed(&both.moves, gyro[0], gyro[1], gyro[2]);
-    const invcal_event event = invcal_session_feed(&both.session, accelerometer[0], accelerometer[1], accelerometer[2]);
-    invcal_moves_follow(&both.moves, &both.session.rests, event);
-    switch (event) {
+    invcal_imu_feed_gyro(&both, gyro[0], gyro[1], gyro[2]);
+    switch (invcal_imu_feed(&both, accelerometer[0], accelerometer[1], accelerometer[2])) {
     case INVCAL_READY:
         Serial.println(F("good: move on"));
-        at++;
         show_next();
         break;
     case INVCAL_REFUSED:
@@ -172,12 +149,8 @@ static void measure(const int32_t accelerometer[3], const int32_t gyro[3])
     static unsigned n;
     float a[3], rate[3];
 
-    invcal_apply(&calibration.accelerometer.calibration, accelerometer[0], accelerometer[1], accelerometer[2], a);
-    invcal_apply(&calibration.gyro, gyro[0], gyro[1], gyro[2], rate);
-    for (int i = 0; i < 3 && calibration.g_is_used; i++) {
-        const float *g = calibration.slope[i];
-        rate[i] -= g[0] * a[0] + g[1] * a[1] + g[2] * a[2];
-    }
+    invcal_apply(&calibration.accelerometer, accelerometer[0], accelerometer[1], accelerometer[2], a);
+    invcal_imu_apply(&calibration, gyro[0], gyro[1], gyro[2], a, rate);
     if (++n == SHOW_EVERY) {
         n = 0;
         show(F("a, mg:"), a, 1000);
@@ -191,7 +164,7 @@ void setup()
     if (!imu_begin()) {
         stop(F("sensor: no answer, or another chip"));
     }
-    is_calibrated = invcal_imu_load(&calibration, &calibration_store) == INVCAL_OK;
+    is_calibrated = invcal_imu_load_result(&calibration, &calibration_store) == INVCAL_OK;
     Serial.println(is_calibrated ? F("stored calibration: found") : F("stored calibration: none"));
     if (!is_calibrated) {
         begin_session();
@@ -207,8 +180,7 @@ void loop()
         stop(F("sensor: no sample in due time"));
     }
     if (status == IMU_LOST) { /* while something was solved */
-        invcal_session_gap(&both.session);
-        invcal_moves_gap(&both.moves);
+        invcal_imu_gap(&both);
     } else if (is_calibrated) {
         measure(accelerometer, gyro);
     } else {

@@ -6,7 +6,7 @@
 #define STORAGE_H
 
 #include <invcal.h>
-#include <invcal/gyro.h>
+#include <invcal/gyro_store.h>
 
 extern const invcal_store calibration_store;
 
