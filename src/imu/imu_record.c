@@ -143,7 +143,7 @@ invcal_status invcal_imu_save_result(const invcal_imu_result *result, const invc
 {
     uint8_t bytes[INVCAL_IMU_RECORD_SIZE];
 
-    INVCAL_ASSERT(result);
+    INVCAL_ASSERT(result && store);
     const invcal_status status = invcal_imu_encode(result, NULL, bytes);
     return status == INVCAL_OK ? invcal_store_save(store, bytes, sizeof bytes) : status;
 }
@@ -153,7 +153,7 @@ invcal_status invcal_imu_load_result(invcal_imu_result *out, const invcal_store 
     uint8_t bytes[INVCAL_IMU_RECORD_SIZE];
     uint32_t size = 0;
 
-    INVCAL_ASSERT(out);
+    INVCAL_ASSERT(out && store);
     const invcal_status status = invcal_store_load(store, bytes, sizeof bytes, &size);
     return status == INVCAL_OK ? invcal_imu_decode(bytes, size, out, NULL) : status;
 }

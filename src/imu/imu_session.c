@@ -75,7 +75,7 @@ static invcal_status check_moves(const invcal_imu *both, const both_settings *be
 
 invcal_status invcal_imu_save(const invcal_imu *imu, const invcal_store *store)
 {
-    INVCAL_ASSERT(imu);
+    INVCAL_ASSERT(imu && store);
     if (!invcal_imu_is_begun(imu)) {
         return INVCAL_NOT_BEGUN;
     }
@@ -89,7 +89,7 @@ invcal_status invcal_imu_load(invcal_imu *imu, const invcal_store *store)
     uint32_t size = 0;
     both_settings begun;
 
-    INVCAL_ASSERT(imu);
+    INVCAL_ASSERT(imu && store);
     if (!invcal_imu_is_begun(imu)) {
         return INVCAL_NOT_BEGUN;
     }

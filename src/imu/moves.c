@@ -442,10 +442,10 @@ invcal_status invcal_imu_set_limits(invcal_imu *imu, int32_t low, int32_t high)
 /* A sample is the rate since the sample before: right end point rule. */
 void invcal_imu_feed_gyro(invcal_imu *imu, int32_t x, int32_t y, int32_t z)
 {
-    invcal_private_moves *m = &imu->own;
+    INVCAL_ASSERT(imu);
+    invcal_private_moves *const m = &imu->own;
     invcal_real th[3];
 
-    INVCAL_ASSERT(imu);
     const uint32_t first = (uint32_t)m->low + 1u;
     if (!is_begun(imu)) {
         return;
