@@ -153,7 +153,8 @@ static int has_bias_row(const invcal_imu_work *w, unsigned rest, unsigned axis,
 }
 
 /* Sets the slopes of an axis from L^-1 and p; square: mean square of a residual. */
-static void set_slopes(invcal_imu_result *out, unsigned axis, const invcal_real *a, invcal_real square)
+static void set_slopes(invcal_imu_result *out, unsigned axis, const invcal_real *a,
+                       invcal_real square)
 {
     const invcal_real *p = &a[INVCAL_PACKED(BIAS, 0)];
 
@@ -493,8 +494,7 @@ static int adapt(invcal_imu_work *w)
     const unsigned moves = w->pass.kind[INVCAL_OF_MOVES] / 2;
     const invcal_real others = w->pass.squares[INVCAL_OF_MOVES] - w->pass.worst_square;
 
-    w->is_adapted =
-        !w->is_adapted && w->passes >= SETTLED && w->passes < PASSES - 3 + 2 * w->apart;
+    w->is_adapted = !w->is_adapted && w->passes >= SETTLED && w->passes < PASSES - 3 + 2 * w->apart;
     if (!w->is_adapted) {
         return 0;
     }
@@ -604,9 +604,8 @@ static void deliver(invcal_imu_work *w)
     out->dof = (uint16_t)(w->pass.rows - w->n);
     if (out->weak != 0) {
         out->verdict = INVCAL_WEAK;
-    } else if (w->is_stated &&
-               (w->variance[INVCAL_OF_MOVES] > ROUGH_VARIANCE ||
-                (w->has_noise && w->variance[INVCAL_OF_RESTS] > ROUGH_VARIANCE))) {
+    } else if (w->is_stated && (w->variance[INVCAL_OF_MOVES] > ROUGH_VARIANCE ||
+                                (w->has_noise && w->variance[INVCAL_OF_RESTS] > ROUGH_VARIANCE))) {
         out->verdict = INVCAL_ROUGH;
     } else if (out->dof == 0) {
         out->verdict = INVCAL_NO_REDUNDANCY;

@@ -22,12 +22,13 @@ enum { FIRST_REALS = 15, LAST_REALS = 33, LAST_AT = IMU_REALS_AT + 4 * FIRST_REA
 #define IMU_WEAK 0x1FFu /* as a mask */
 
 /* The reals come first in the structure, too, and in the same order. */
-typedef char invcal_imu_is_in_order
-    [offsetof(invcal_imu_result, sigma) == FIRST_REALS * sizeof(invcal_real) &&
-             offsetof(invcal_imu_result, accelerometer) ==
-                 (FIRST_REALS + INVCAL_PARAMETERS + LAST_REALS) * sizeof(invcal_real)
-         ? 1
-         : -1];
+typedef char invcal_imu_is_in_order[offsetof(invcal_imu_result, sigma) ==
+                                                FIRST_REALS * sizeof(invcal_real) &&
+                                            offsetof(invcal_imu_result, accelerometer) ==
+                                                (FIRST_REALS + INVCAL_PARAMETERS + LAST_REALS) *
+                                                    sizeof(invcal_real)
+                                        ? 1
+                                        : -1];
 
 /* A result is WEAK if and only if it has weak parameters. */
 static int is_sensible(const invcal_imu_result *r, unsigned weak)
@@ -77,8 +78,7 @@ static void make_record(const invcal_imu_result *r, const invcal_record *about, 
 {
     if (about != NULL) {
         *a = *about;
-        if (invcal_is_same((const uint8_t *)&about->calibration,
-                           (const uint8_t *)&r->accelerometer,
+        if (invcal_is_same((const uint8_t *)&about->calibration, (const uint8_t *)&r->accelerometer,
                            (unsigned)sizeof r->accelerometer)) {
             return;
         }
@@ -110,8 +110,8 @@ invcal_status invcal_imu_encode(const invcal_imu_result *result, const invcal_re
     if (status != INVCAL_OK) {
         return status;
     }
-    uint8_t *at = invcal_put_two(bytes + IMU_WEAK_AT,
-                                 (unsigned)(result->weak >> INVCAL_PARAMETERS), result->dof);
+    uint8_t *at = invcal_put_two(bytes + IMU_WEAK_AT, (unsigned)(result->weak >> INVCAL_PARAMETERS),
+                                 result->dof);
     at = invcal_put_two(at, invcal_swap(result->verdict) | (unsigned)result->moves << 8,
                         result->g_is_used);
     at = invcal_put_reals(at, result, FIRST_REALS);

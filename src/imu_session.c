@@ -94,8 +94,7 @@ invcal_status invcal_imu_load(invcal_imu *imu, const invcal_store *store)
         return INVCAL_NOT_BEGUN;
     }
     remember(imu, &begun);
-    invcal_status status =
-        invcal_store_load(store, (uint8_t *)imu + FROM, INVCAL_IMU_SIZE, &size);
+    invcal_status status = invcal_store_load(store, (uint8_t *)imu + FROM, INVCAL_IMU_SIZE, &size);
     if (status == INVCAL_OK) {
         status = check_moves(imu, &begun, size);
     }

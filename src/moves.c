@@ -72,7 +72,8 @@ static int pack(invcal_real x, int16_t *out)
 /* Packs v and the coning kappa = rho - v: from these two the segment can be integrated again with
  * another M.
  * Returns 0 if either is too large. */
-static int pack_segment(const invcal_real rho[3], const invcal_real v[3], invcal_private_segment *out)
+static int pack_segment(const invcal_real rho[3], const invcal_real v[3],
+                        invcal_private_segment *out)
 {
     int fits = 1;
 

@@ -15,9 +15,9 @@
 #include "vector.h"
 
 #define RADIANS INVCAL_REAL(0.017453292519943296) /* in a degree */
-#define MOST_ANGLE INVCAL_REAL(12.57) /* 720 degrees */
+#define MOST_ANGLE INVCAL_REAL(12.57)             /* 720 degrees */
 #define QUARTER INVCAL_REAL(1.5707963267948966)
-#define USUAL_SECONDS INVCAL_REAL(1.5)     /* of a turn */
+#define USUAL_SECONDS INVCAL_REAL(1.5) /* of a turn */
 #define VAGUE INVCAL_REAL(0.01) /* information of a parameter that is known to 10 times the noise */
 #define HELD_BY_VAGUE INVCAL_REAL(0.1) /* open: VAGUE gives more than this share */
 #define CLEARLY INVCAL_REAL(1.001)     /* if merits differ by less, the first turn wins */

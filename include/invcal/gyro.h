@@ -40,10 +40,16 @@ extern "C" {
 /* The nine of the gyroscope follow those of invcal.h: the elements by rows of M, true rate = M
  * nominal rate, less 1 on the diagonal. */
 enum {
-    INVCAL_GYRO_XX = INVCAL_PARAMETERS, INVCAL_GYRO_XY, INVCAL_GYRO_XZ, /* scale, and from y, z */
-    INVCAL_GYRO_YX, INVCAL_GYRO_YY, INVCAL_GYRO_YZ,                     /* of y */
-    INVCAL_GYRO_ZX, INVCAL_GYRO_ZY, INVCAL_GYRO_ZZ,                     /* of z */
-    INVCAL_IMU_PARAMETERS                                               /* of both sensors: 18 */
+    INVCAL_GYRO_XX = INVCAL_PARAMETERS,
+    INVCAL_GYRO_XY,
+    INVCAL_GYRO_XZ, /* scale, and from y, z */
+    INVCAL_GYRO_YX,
+    INVCAL_GYRO_YY,
+    INVCAL_GYRO_YZ, /* of y */
+    INVCAL_GYRO_ZX,
+    INVCAL_GYRO_ZY,
+    INVCAL_GYRO_ZZ,       /* of z */
+    INVCAL_IMU_PARAMETERS /* of both sensors: 18 */
 };
 
 /* Both sensors: 3.8 kB (float). */
@@ -157,11 +163,11 @@ typedef struct {
     invcal_real noise;                /* of a position mean, used for sigma, over field */
     invcal_mask left_out; /* rests the move to which contradicts the others: INVCAL_MOVE_APART */
     invcal_mask idle;     /* rests the move to which did not turn: INVCAL_REST_SAME */
-    uint32_t weak;        /* bit r: parameter r is undetermined, or its sigma is above both 2.5 noise
+    uint32_t weak; /* bit r: parameter r is undetermined, or its sigma is above both 2.5 noise
                              and 2.5 move_noise */
-    uint16_t dof;         /* degrees of freedom of the residuals */
-    uint8_t worst;        /* the rest that the move of move_max led to */
-    uint8_t moves;        /* number of moves used */
+    uint16_t dof;  /* degrees of freedom of the residuals */
+    uint8_t worst; /* the rest that the move of move_max led to */
+    uint8_t moves; /* number of moves used */
     invcal_verdict verdict; /* good, no redundancy, rough, weak */
     uint8_t g_is_used;      /* a g-sensitivity exceeds 4 sigma: the moves were corrected for it */
 } invcal_imu_result;
