@@ -28,14 +28,14 @@ WARNINGS := -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -pedantic
 # negative number is just a NaN.
 FLAGS     = -std=$(STD) -ffp-contract=off -fno-math-errno $(WARNINGS) $(CFLAGS) -Iinclude
 
-SOURCES := $(wildcard src/*.c)
+SOURCES := $(wildcard src/*/*.c)
 HOST    := $(wildcard port/host/*.c port/host/*/*.c)
 SUITES  := $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 TOOL_SUITES := $(patsubst tests/tool/%.c,%,$(wildcard tests/tool/test_*.c))
 DATA    := $(wildcard tests/data/*_positions.csv)
 # Where a compiler does not write what an object depends on, such as tcc, each depends on every header.
 TRACK   := $(shell $(CC) -MM -MP -x c /dev/null > /dev/null 2>&1 && echo -MMD -MP)
-HEADERS := $(if $(TRACK),,$(wildcard include/invcal/*.h src/*.h port/*.h port/host/*/*.h tests/*.h tests/*/*.h))
+HEADERS := $(if $(TRACK),,$(wildcard include/invcal/*.h src/*/*.h port/*.h port/host/*/*.h tests/*.h tests/*/*.h))
 # With ASSERT=1, programming errors abort (INVCAL_ASSERT).
 ASSERT_FLAGS := $(if $(ASSERT),-DINVCAL_CONFIG_HEADER='"assert_config.h"' -Itests/unit)
 # The degree of thermal.h, for the library and its tests; without DEGREE, its default.
@@ -169,7 +169,7 @@ $(BUILD)/invcal: $(HOST:%.c=$(BUILD)/tool/%.o) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
 
 # For Windows, with MinGW-w64: port/windows supplies the POSIX functions that it lacks.
-$(BUILD)/invcal.exe: $(BUILD)/words/tool $(HOST) $(SOURCES) $(wildcard include/invcal/*.h src/*.h port/host/*/*.h port/windows/*.[ch] port/windows/*/*.h)
+$(BUILD)/invcal.exe: $(BUILD)/words/tool $(HOST) $(SOURCES) $(wildcard include/invcal/*.h src/*/*.h port/host/*/*.h port/windows/*.[ch] port/windows/*/*.h)
 	$(call need,x86_64-w64-mingw32-gcc)
 	@mkdir -p $(@D)
 	$(Q)x86_64-w64-mingw32-gcc -std=$(STD) -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Iinclude $(TOOL_FLAGS) \
@@ -182,7 +182,7 @@ windows: $(BUILD)/invcal.exe ## build/invcal.exe, the tool for Windows, with Min
 $(BUILD)/tool/tool.a: $(filter-out %/main.o,$(HOST:%.c=$(BUILD)/tool/%.o)) $(SOURCES:%.c=$(BUILD)/tool/%.o)
 	$(Q)rm -f $@ && $(AR) qcs $@ $^
 $(BUILD)/tool/tests/%.o: EXTRA += -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -I$(UNITY) \
-    -Isrc -Itests/unit -Itests/reference
+    -Itests/unit -Itests/reference
 $(BUILD)/tool/test_%: $(BUILD)/tool/tests/tool/test_%.o $(BUILD)/tool/tests/unit/support.o \
     $(BUILD)/double/unity.o $(BUILD)/tool/tool.a
 	$(Q)$(CC) $(FLAGS) $^ -lm -o $@
@@ -200,7 +200,7 @@ need_wasm = @for file in /usr/include/wasm32-wasi/stdio.h $$(clang-19 -print-res
     [ -e "$$file" ] || { echo "$${file\#\#*/} is not installed: make deps" >&2; exit 1; }; done
 WASM_HOST := $(filter-out $(patsubst %,port/host/watch/%.c,live wave interrupt screen),$(HOST))
 
-$(BUILD)/web/live.wasm: port/web/live.c $(BUILD)/words/page $(SOURCES) $(wildcard include/invcal/*.h src/*.h)
+$(BUILD)/web/live.wasm: port/web/live.c $(BUILD)/words/page $(SOURCES) $(wildcard include/invcal/*.h src/*/*.h)
 	$(call need,clang-19)
 	$(call need,wasm-ld-19)
 	$(need_wasm)
@@ -209,7 +209,7 @@ $(BUILD)/web/live.wasm: port/web/live.c $(BUILD)/words/page $(SOURCES) $(wildcar
 	    -Wl,--no-entry $(SOURCES) $< -o $@
 
 $(BUILD)/web/tool.wasm: port/web/wasi.c $(BUILD)/words/page port/web/wasi.h $(WASM_HOST) $(SOURCES) \
-    $(wildcard include/invcal/*.h src/*.h port/host/*/*.h)
+    $(wildcard include/invcal/*.h src/*/*.h port/host/*/*.h)
 	$(call need,clang-19)
 	$(call need,wasm-ld-19)
 	$(need_wasm)

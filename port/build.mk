@@ -33,7 +33,7 @@ TESTING = -DUNITY_INCLUDE_DOUBLE -DUNITY_STRICT -DUNITY_SUPPORT_64 $(SHORT) \
 $(foreach path,BUILD UNITY,$(call check_path,$(path)))
 $(call check_options,OPT,$(OPT))
 
-LIBRARY := $(patsubst %.c,$(OUT)/%.o,$(wildcard src/*.c))
+LIBRARY := $(patsubst %.c,$(OUT)/%.o,$(wildcard src/*/*.c))
 SUITES  := $(filter-out $(WITHOUT),$(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c)))
 # A suite that is too large is several images: PARTS_test_session := 0 1 2 in target.mk.
 IMAGES  := $(foreach s,$(SUITES),$(if $(PARTS_$s),$(PARTS_$s:%=$s.%),$s))

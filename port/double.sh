@@ -29,5 +29,5 @@ EOF
 set -- include/invcal/*.h
 names "$@"
 printf '\n/* Of the library alone. */\n'
-names src/*.h
+names src/*/*.h
 printf '\n#endif\n\n#endif\n'

@@ -6,7 +6,7 @@
 # contents, a line each:
 #
 #     FROM TO        FROM is a path or a glob, from the repository's root, of files. TO is a folder
-#                    in DEST if it ends in /, else a file
+#                    in DEST if it ends in /, else a file; if it ends in */, each file keeps the folder that it is in
 #     run SCRIPT TO  the shell script SCRIPT, from the repository's root, makes files in the folder
 #                    DEST/TO, its argument
 #     # ...          a comment
@@ -53,8 +53,12 @@ trap 'rm -rf "$new" "$new.old" "$new.list"' EXIT
 # ---- all files, in a folder of their own --------------------------------------------------------
 
 copy() { # FROM TO: one file
-    target=$new/$2
-    case $2 in */) target=$target${1##*/} ;; esac
+    folder=${1%/*}
+    case $2 in
+    */'*/') target=$new/${2%'*/'}${folder##*/}/${1##*/} ;;
+    */) target=$new/$2${1##*/} ;;
+    *) target=$new/$2 ;;
+    esac
     [ -f "$1" ] || fail "$list:$number: no file $1"
     [ ! -e "$target" ] || fail "$list:$number: $1 would overwrite ${target#"$new"/}"
     mkdir -p "${target%/*}" && cp "$1" "$target" || fail "$list:$number: $1 cannot be copied"

@@ -89,9 +89,9 @@ wanted_builds() { # TARGET...
 # A tree in which the two files of the amalgamation replace src and include.
 lay_amalgamation() {
     rm -rf "$tree" && mkdir -p "$tree/src" "$tree/include/invcal" &&
-        sh port/stage.sh amalgamation "$tree/staged" && mv "$tree"/staged/invcal/invcal.[ch] "$tree/src" || return
+        sh port/stage.sh amalgamation "$tree/staged" && mv "$tree/staged/invcal" "$tree/src" || return
     for header in include/invcal/*.h; do
-        cp "$tree/src/invcal.h" "$tree/$header" || return
+        cp "$tree/src/invcal/invcal.h" "$tree/$header" || return
     done
     ln -s "$PWD/port" "$PWD/tests" "$tree"
 }

@@ -79,27 +79,27 @@ cd "$copy" || exit 1
 
 # ---- tests ------------------------------------------------------------------------------------
 
-plant nan src/sums.h 's/(square >= \(.*\) && square <= \(.*\)) {/(!(square < \1 || square > \2)) {/' \
+plant nan src/core/sums.h 's/(square >= \(.*\) && square <= \(.*\)) {/(!(square < \1 || square > \2)) {/' \
     'float-sums: .* [1-9][0-9]* failed' unit sums
 plant constant port/host/fit/gravity.c 's/9\.7803253359/9.7803253459/' \
     'tool-gravity: .* [1-9][0-9]* failed' unit gravity
-plant event src/rests.c 's/report(s, INVCAL_REST_FROZEN/report(s, INVCAL_REST_SHORT/' \
+plant event src/session/rests.c 's/report(s, INVCAL_REST_FROZEN/report(s, INVCAL_REST_SHORT/' \
     'float-(faults|rests): .* [1-9][0-9]* failed' unit 'faults|rests'
 plant mirrored port/host/stand/full_vector.c 's/work) > LEAST_DET)) {/work) > -9)) {/' \
     'tool-full_vector: .* [1-9][0-9]* failed' unit full_vector
 plant dropped src/magnetometer.c 's/if (!(excess <= 0))/if (excess <= 0)/' \
     'float-magnetometer: .* [1-9][0-9]* failed' unit 'float-magnetometer'
-plant dip src/dip.c 's/(dip->count - DIP_UNKNOWNS)/(dip->count + DIP_UNKNOWNS)/' \
+plant dip src/magnetometer/dip.c 's/(dip->count - DIP_UNKNOWNS)/(dip->count + DIP_UNKNOWNS)/' \
     'float-dip: .* [1-9][0-9]* failed' unit 'float-dip'
 plant waved port/host/read/magnetometer_log.c 's/v\[2\] \* v\[2\]) - 1;/v[2] * v[2]) - 1.1;/' \
     'magnetometer: by how much samples differ: FAIL' unit '^magnetometer$'
-plant move src/moves.c 's/(rho\[i\] - th\[i\]) \/ 12/(th[i] - rho[i]) \/ 12/' \
+plant move src/imu/moves.c 's/(rho\[i\] - th\[i\]) \/ 12/(th[i] - rho[i]) \/ 12/' \
     'float-moves: .* [1-9][0-9]* failed' unit 'float-moves$'
-plant joint src/imu.c 's/invcal_cross(b, a, g)/invcal_cross(a, b, g)/' \
+plant joint src/imu/imu.c 's/invcal_cross(b, a, g)/invcal_cross(a, b, g)/' \
     'float-gyro: .* [1-9][0-9]* failed' unit 'float-gyro$'
-plant turn src/turns.c 's/invcal_cross(b, n, g)/invcal_cross(n, b, g)/' \
+plant turn src/imu/turns.c 's/invcal_cross(b, n, g)/invcal_cross(n, b, g)/' \
     'float-turns: .* [1-9][0-9]* failed' unit 'float-turns'
-plant both src/imu_record.c 's/(r->weak | r->accelerometer\.weak) > 0/r->weak > 0/' \
+plant both src/imu/imu_record.c 's/(r->weak | r->accelerometer\.weak) > 0/r->weak > 0/' \
     'float-imu_record: .* [1-9][0-9]* failed' unit 'float-imu_record'
 plant columns port/host/read/columns.c 's/{"gyrorad", "angular/{"angular/' \
     'PX4 sensor_combined by ulog2csv: .*: FAIL' unit '^input$'
@@ -114,9 +114,9 @@ plant ended tests/library.sh 's/^ *passed=.*+ 1))$/&; echo 1 passed, 0 failed; e
     'library long: 1 checks, but tests/floors.txt says' unit library
 plant fewer tests/unit/test_sums.c '/RUN_TEST(/{/the_count/!d}' \
     'unit-sums long: 1 checks, but tests/floors.txt says' unit float-sums
-plant double src/sums.c 's/first = weight \* v\[r\]/first = (invcal_real)((double)weight * (double)v[r] + 1e-9)/' \
+plant double src/core/sums.c 's/first = weight \* v\[r\]/first = (invcal_real)((double)weight * (double)v[r] + 1e-9)/' \
     'double arithmetic.*FAIL' unit library
-plant libc src/calibrate.c 's/(invcal_real)dof;/tanf((float)dof);/' \
+plant libc src/calibrate/calibrate.c 's/(invcal_real)dof;/tanf((float)dof);/' \
     'library: .*FAIL: tanf' unit library
 plant example README.md 's/invcal_session_reason_text(&session)/invcal_session_because(\&session)/' \
     'it compiles: FAIL' unit readme
@@ -128,7 +128,7 @@ plant tutorial port/manual/tutorial.md 's/328\.10/328.11/' \
     'prints what the page says: FAIL' unit tutorial
 plant message port/host/cli/options.c 's/unknown option/unknown word/' \
     'tool: .*FAIL' unit tool
-plant overrun src/sums.c 's/(sums->sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1))/(sums->sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 2))/' \
+plant overrun src/core/sums.c 's/(sums->sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1))/(sums->sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 2))/' \
     'AddressSanitizer: .*buffer-overflow' sanitizers clang-sanitizers sums
 plant words port/options.mk 's/ || echo FORCE//' 'the library follows .*: FAIL' unit '^make$'
 plant awk tests/tool/export_test.sh 's/more=$1 awk/awk -v more="$1"/; s/ENVIRON\["more"\]/more/' \
@@ -140,7 +140,7 @@ plant json port/host/result/json.c 's/"residual_rms"/"residual_RMS"/' \
 
 # ---- the sources ------------------------------------------------------------------------------
 
-plant layout src/circle.c 's/^    /   /' 'formatted by .clang-format: FAIL' make derived
+plant layout src/core/circle.c 's/^    /   /' 'formatted by .clang-format: FAIL' make derived
 plant reference tests/reference/expected.h 's/0\.4082/0.4083/' \
     'expected.h is what the reference script prints: FAIL' make derived
 plant design tests/reference/turns_design.h 's/0\.45016/0.45017/' \
@@ -150,9 +150,9 @@ plant releases tests/reference/releases/values.h 's/0xca, 0x01/0xcb, 0x01/' \
 plant gone tests/floors.txt 's/^unit-allan /unit-alan /' 'there is no tests/unit/test_alan\.c' make derived
 plant names include/invcal/double.h '/invcal_apply invcald_apply/d' 'that the headers declare: FAIL' make derived
 plant moved port/manual/migration.md '/^| `invcal_apply`/d' 'has no row for invcal_apply' make derived
-plant stale tests/gates.sh 's/^plant nan src/&_/' 'it can be planted in src_/sums\.h: FAIL' make derived
+plant stale tests/gates.sh 's/^plant nan src/&_/' 'it can be planted in src_/core/sums\.h: FAIL' make derived
 plant script tests/readme.sh 's/^root=/unused=1\n&/' 'shell scripts: FAIL' make derived
-plant spelling src/circle.c 's|^enum { TERMS|/* Sep''erate. */\n&|' 'Sep''erate ==> Separate' make derived
+plant spelling src/core/circle.c 's|^enum { TERMS|/* Sep''erate. */\n&|' 'Sep''erate ==> Separate' make derived
 plant wording README.md 's/^## Try it/&, who''ever you are/' 'README.md:[0-9]+:who''ever: better: ' make derived
 plant manual port/host/man.sh 's/\.TP\\n/.TPP\\n/' 'accept the man page: FAIL' make derived
 plant key port/host/result/json.c 's/"residual_worst"/"residual_worse"/' 'last release wrote: FAIL' make derived
@@ -160,25 +160,29 @@ plant picture port/host/sphere.svg 's/38 positions/39 positions/' 'that the tool
 plant figure port/manual/sweep.svg 's/0\.5/0.6/' 'that its commands draw: FAIL' make derived
 plant word include/invcal/store.h '/^\/\* Loads them\.$/,/\*\/$/d' \
     'accepts the headers and pages: FAIL' make manual
-plant cut include/invcal/allan.h 's/its tau, s/its tau,/' 'continues at the next: FAIL' make manual
+plant cut include/invcal/allan.h 's/adev seen, counts/adev seen,/' 'continues at the next: FAIL' make manual
 plant link port/manual/errors.md 's/(porting\.md)/(porter.md)/' \
     'link of the pages is dead: FAIL' make manual
 plant image port/manual/pages.awk 's|sub(/\.\*\\//, "", target)|target = target|' 'no picture \.\./host' make manual
 plant gate tests/manual.sh '/^gate "no Markdown/d' 'manual: 6 checks, but tests/floors.txt says 7' make manual
-plant misra src/calibrate.c 's/^    const invcal_real n = /    const unsigned long octal = 017; (void)octal;\n&/' \
+plant misra src/calibrate/calibrate.c 's/^    const invcal_real n = /    const unsigned long octal = 017; (void)octal;\n&/' \
     'misra' make rules
-plant heap src/status.c 's/^const char \*invcal_text/#include <stdlib.h>\nvoid *invcal_heap(void) { return malloc(1); }\n&/' \
+plant heap src/core/status.c 's/^const char \*invcal_text/#include <stdlib.h>\nvoid *invcal_heap(void) { return malloc(1); }\n&/' \
     'malloc' make rules
-plant loop src/circle.c 's/^    const invcal_real x = /    while (degrees > 1e9f) { degrees -= 1; }\n&/' \
+plant loop src/core/circle.c 's/^    const invcal_real x = /    while (degrees > 1e9f) { degrees -= 1; }\n&/' \
     'circle.c.*loop|loop.*circle.c' make rules
 plant folder port/host/text/figure.h 's/^#define FIGURE_H/&\n#include "plan\/words.h"/' \
-    'text comes before plan' make rules
+    'host/text comes before port/host/plan' make rules
+plant order src/core/circle.h 's/^#define INVCAL_CIRCLE_H/&\n#include "..\/plan\/guidance.h"/' \
+    'src/core comes before src/plan' make rules
+plant upward src/core/circle.c 's/^    const invcal_real x = /    (void)invcal_session_reason_text(0);\n&/' \
+    'calls one after it: FAIL: src/core calls' unit library
 
 # ---- packages and releases --------------------------------------------------------------------
 
-plant record src/record.c 's/r.weak = invcal_get_u16(bytes + WEAK_AT)/r.weak = invcal_get_u16(bytes + PRIOR_AT)/' \
+plant record src/store/record.c 's/r.weak = invcal_get_u16(bytes + WEAK_AT)/r.weak = invcal_get_u16(bytes + PRIOR_AT)/' \
     'float-compatibility: .* [1-9][0-9]* failed' unit compatibility
-plant clash src/circle.c 's/^enum { TERMS/enum { TURNS_ALL = 1 };\n&/' \
+plant clash src/core/circle.c 's/^enum { TERMS/enum { TURNS_ALL = 1 };\n&/' \
     'gcc, float: the example.*: FAIL' packages amalgamation
 plant library Makefile 's|(BUILD)/double/libinvcal.a:lib|(BUILD)/float/libinvcal.a:lib|' \
     'invcal-double: .*: FAIL' packages pkg-config
@@ -190,29 +194,29 @@ plant tree port/stage.sh 's/@VERSION@/@VERSIONS@/' 'version of invcal.h: FAIL' p
 
 # ---- proof, coverage, mutation, fuzzing, numerics -----------------------------------------------
 
-plant uninitialised src/nominal.c 's/invcal_real of_rows = .*;/invcal_real of_rows;/' \
+plant uninitialised src/core/nominal.c 's/invcal_real of_rows = .*;/invcal_real of_rows;/' \
     'initiali' sh tests/proof.sh build nominal
-plant overflow src/rests.c 's/size_of((uint32_t)x) >> bits/(uint32_t)(x < 0 ? -x : x) >> bits/' \
+plant overflow src/session/rests.c 's/size_of((uint32_t)x) >> bits/(uint32_t)(x < 0 ? -x : x) >> bits/' \
     'overflow' sh tests/proof.sh build rests
 plant behind src/directions.c 's/memcpy(x, p, INVCAL_PARAMETERS/memcpy(x, p, 10/' \
     'mem_access|out of bounds|valid' sh tests/proof.sh build linear
 plant unreached src/calibrate.c 's/^    const invcal_real n = /    if (dof == 123456) {\n        return 0;\n    }\n&/' \
     'calibrate.c:[0-9]+: line' make coverage PART=src
 plant untested tests/unit/test_allan.c '/RUN_TEST(/{/every_octave/!d}' \
-    '0 passed' make mutation ONLY=src/noise.c SAMPLE=30
-plant fuzzed src/bytes.c 's/length > size || //' 'record: .*FAIL' sh tests/fuzz.sh build 30 record
+    '0 passed' make mutation ONLY=src/allan/noise.c SAMPLE=30
+plant fuzzed src/core/bytes.c 's/length > size || //' 'record: .*FAIL' sh tests/fuzz.sh build 30 record
 plant idle tests/fuzz/record.c '/^int LLVMFuzzer/,/^}/s/^{/{\n    if (size < 9999) {\n        return 0;\n    }/' \
     'edges-record: [0-9]+ edges, but tests/floors.txt says' sh tests/fuzz.sh build 3 record
-plant rounding src/system.c 's/row\[r\] = 1 \/ INVCAL_SQRT(pivot)/& * (1 + 40 * INVCAL_EPSILON)/' \
+plant rounding src/core/system.c 's/row\[r\] = 1 \/ INVCAL_SQRT(pivot)/& * (1 + 40 * INVCAL_EPSILON)/' \
     'within its bound.*FAIL|at most.*FAIL' make numerics
 
 # ---- targets ----------------------------------------------------------------------------------
 
 plant stack src/solve.c '/^invcal_status invcal_sums_solve(/,/^}/s/^{/{\n    volatile char wide[200] = {0};\n    (void)wide;/' \
     'FAIL .*stack' m4f size
-plant time src/sums.c 's/^        const invcal_real first = /        for (volatile int i = 0; i < 9; i++) {\n        }\n&/' \
+plant time src/core/sums.c 's/^        const invcal_real first = /        for (volatile int i = 0; i < 9; i++) {\n        }\n&/' \
     'FAIL' m4f bench
-plant grown src/vector.h '/^#if !INVCAL_FAST/,/^#else/s/INVCAL_UNROLL_ROWS INVCAL_ROLL/INVCAL_UNROLL_ROWS _Pragma("GCC unroll 64")/' \
+plant grown src/core/vector.h '/^#if !INVCAL_FAST/,/^#else/s/INVCAL_UNROLL_ROWS INVCAL_ROLL/INVCAL_UNROLL_ROWS _Pragma("GCC unroll 64")/' \
     'FAIL m4f: flash.product-O2 is' m4f size
 plant cycles tests/bench/cycles.py 's/i.next % PAGE in (0, 2, PAGE - 2)/True/' \
     'instructions traced, .* counted' m4f bench
@@ -222,11 +226,11 @@ plant milliseconds port/manual/targets.md 's/^| judges 18 positions | /&1/' \
     'targets.md should say' sh tests/costs.sh "$build"
 plant promise include/invcal/invcal.h 's/Stack: about 1[0-9]0 bytes/Stack: about 100 bytes/' \
     'invcal_session_feed: stack: the header says 100' sh tests/costs.sh "$build"
-plant bits src/sums.c 's/first = weight \* v\[r\]/& * (sizeof(void *) == 4 ? 1 + INVCAL_EPSILON : 1)/' \
+plant bits src/core/sums.c 's/first = weight \* v\[r\]/& * (sizeof(void *) == 4 ? 1 + INVCAL_EPSILON : 1)/' \
     'differs' m4f targets
-plant level src/rests.c 's/^    LEAST = 4, .*/#ifdef __OPTIMIZE_SIZE__\n    LEAST = 5,\n#else\n&\n#endif/' \
+plant level src/session/rests.c 's/^    LEAST = 4, .*/#ifdef __OPTIMIZE_SIZE__\n    LEAST = 5,\n#else\n&\n#endif/' \
     'm4f separate -Os gcc: device, place 0: .*, on the host ' builds 'm4f separate -Os gcc'
-plant walk src/circle.c 's/^enum { TERMS/typedef struct {\n    int32_t x[3][4];\n    uint64_t y[3];\n} walked;\nvoid invcal_walk(const walked *w, float sum[3]);\nvoid invcal_walk(const walked *w, float sum[3])\n{\n    for (unsigned i = 0; i < 3; i++) {\n        sum[i] = (float)w->x[i][2] + (float)(uint32_t)w->y[i];\n    }\n}\n&/' \
+plant walk src/core/circle.c 's/^enum { TERMS/typedef struct {\n    int32_t x[3][4];\n    uint64_t y[3];\n} walked;\nvoid invcal_walk(const walked *w, float sum[3]);\nvoid invcal_walk(const walked *w, float sum[3])\n{\n    for (unsigned i = 0; i < 3; i++) {\n        sum[i] = (float)w->x[i][2] + (float)(uint32_t)w->y[i];\n    }\n}\n&/' \
     'm4f separate -Os gcc: a NULL memory access in invcal_walk .circle\.c' builds 'm4f separate -Os gcc'
 plant firmware port/cortex-m/firmware/main.c '/^static int handle_event/,/^}/s/event != INVCAL_TAKEN/event != INVCAL_READY/' \
     'FAIL' make firmware
@@ -248,7 +252,7 @@ plant range port/Kconfig.options 's/range 12 64/range 12 65/' \
     'INVCAL_MAX_POSITIONS must be from 12 to 64' make check-packages PACKAGES=esp-idf
 plant option port/zephyr/CMakeLists.txt '/INVCAL_ALLAN_TAUS=/d' \
     'INVCAL_ALLAN_TAUS is not as chosen' make check-packages PACKAGES=zephyr
-plant capacity src/session.c 's/size == sizeof \*session ?/size > 0 ?/' \
+plant capacity src/session/session.c 's/size == sizeof \*session ?/size > 0 ?/' \
     'MAX_POSITIONS=12: a session.*: FAIL' make check-packages PACKAGES=choices
 plant pack port/cmsis-pack/invcal.invcal.pdsc '/session\.c/d' \
     'names all sources: FAIL' make check-packages PACKAGES=cmsis-pack

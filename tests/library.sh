@@ -41,9 +41,24 @@ doubles() {
 
 # Positions are computed: no tables in these modules. Single constants are not tables.
 tables() {
-    size -A "$1/src/plan.o" "$1/src/circle.o" |
+    size -A "$1/src/plan/plan.o" "$1/src/core/circle.o" |
         awk '$1 ~ /^\.rodata/ && $1 !~ /^\.rodata\.cst/ { n += $2 }
             END { if (n > 64) printf "%d bytes of read-only data", n }'
+}
+
+# A folder of src calls, like includes, only those before it in folders.txt. What public headers declare, no include shows.
+later() {
+    nm -g "$1"/src/*/*.o | awk '
+        FILENAME != "-" { place[$1] = FNR; next }
+        /:$/ { n = split($0, part, "/"); folder = part[n - 2] "/" part[n - 1]; next }
+        $1 == "U" { calls[folder, $2]; next }
+        { home[$3] = folder }
+        END {
+            for (call in calls) {
+                split(call, part, SUBSEP)
+                if (part[2] in home && place[home[part[2]]] > place[part[1]]) printf "%s calls %s of %s; ", part[1], part[2], home[part[2]]
+            }
+        }' "${0%/*}/rules/folders.txt" -
 }
 
 for command in nm size objdump; do
@@ -69,6 +84,7 @@ for real in float double; do
     result "$real: needs nothing but $allowed" "$(undefined "$lib" "$allowed")"
     result "$real: no writable data" "$(writable "$lib")"
     result "$real: plan and circle hold no table over 64 bytes" "$(tables "$build/$real")"
+    result "$real: no folder of src calls one after it" "$(later "$build/$real")"
     result "$real: all public names begin with invcal_" "$(foreign "$lib")"
 done
 case " $CFLAGS$(uname -m)" in

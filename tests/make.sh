@@ -43,10 +43,10 @@ follows() { # host|target FILE OPTION...
 }
 keeps() { "$1" "$2" && is_current "$@"; }
 
-library=$out/float/src/noise.o
+library=$out/float/src/allan/noise.o
 tool=$out/tool/port/host/maths/median.o
 unit=$out/float/tests/unit/test_moves_few.o
-device=$out/powerpc/src/noise.o
+device=$out/powerpc/src/allan/noise.o
 
 for option in CFLAGS=-O0 CC='env cc' STD=c11 DEGREE=2 ASSERT=1 AR='env ar' ''; do
     check "the library follows ${option:-the defaults again}" follows host "$library" ${option:+"$option"}
@@ -66,7 +66,7 @@ check "the page follows STD" follows host "$out/words/page" STD=c11
 for option in OPT=-Os REAL=1 CC='env cc' ''; do
     check "a target follows ${option:-the defaults again}" follows target "$device" ${option:+"$option"}
 done
-apart() { target "$device" && target "$out/powerpc-quick/src/noise.o" QUICK=1 && is_current target "$device"; }
+apart() { target "$device" && target "$out/powerpc-quick/src/allan/noise.o" QUICK=1 && is_current target "$device"; }
 check "with QUICK it has a folder of its own" apart
 
 # Without -MMD objects depend on all headers.
@@ -74,7 +74,7 @@ check "with QUICK it has a folder of its own" apart
 echo 'for word; do case $word in -MM*) exit 1 ;; esac; done; exec cc "$@"' > "$out/plain"
 follows_headers() {
     host "$library" CC="sh $out/plain" && is_current host "$library" CC="sh $out/plain" &&
-        make -s -W src/vector.h BUILD="$out" -n "$library" CC="sh $out/plain" > "$out/said" && [ -s "$out/said" ]
+        make -s -W src/core/vector.h BUILD="$out" -n "$library" CC="sh $out/plain" > "$out/said" && [ -s "$out/said" ]
 }
 check "a compiler without -MMD builds, and follows headers" follows_headers
 
@@ -94,7 +94,7 @@ for folder in 'a b' "it's" 'a&b' 'a\b' 'a$$b' 'a=b' 'a(b'; do
     check "BUILD=$folder is refused" refuses '\*\*\* BUILD: rules of make cannot have' host all BUILD="$folder"
 done
 check "UNITY with a blank is refused" refuses '\*\*\* UNITY: rules of make cannot have' host test UNITY='a b'
-check "a BUILD beyond ASCII is not" host "$out/Übung/float/src/noise.o" BUILD="$out/Übung"
+check "a BUILD beyond ASCII is not" host "$out/Übung/float/src/allan/noise.o" BUILD="$out/Übung"
 
 # Values out of range: the compiler's message names the option.
 names() { # OPTION HEADER

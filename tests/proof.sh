@@ -25,15 +25,12 @@ cd "$(dirname "$0")/.." || exit 1
 # the code of a source that it needs.
 sources() { # MODULE
     awk -v module="$1" -v stubs="$(options stubs "$1")" '
-        BEGIN {
-            count_stubs = split(stubs, stub, " ")
-            for (i = 1; i <= count_stubs; i++) seen["src/" stub[i] ".c"] = 1
-        }
         FNR == 1 {
             base = FILENAME
             sub(/.*\//, "", base)
             is_header = base ~ /h$/
             if (is_header) defined_in[base] = FILENAME
+            if (FILENAME ~ /^src\//) file_of[base] = FILENAME
         }
         split($0, part, "\"") == 3 && /^#include/ {
             sub(/.*\//, "", part[2])
@@ -57,8 +54,13 @@ sources() { # MODULE
             for (i = 1; i <= count[file]; i++)
                 if (names[file, i] in defined_in) visit(defined_in[names[file, i]])
         }
-        END { visit("src/" module ".c"); visit("tests/proof/" module ".c") }
-    ' "tests/proof/$1.c" tests/proof/*.h include/invcal/*.h src/*
+        END {
+            count_stubs = split(stubs, stub, " ")
+            for (i = 1; i <= count_stubs; i++) seen[file_of[stub[i] ".c"]] = 1
+            visit(file_of[module ".c"])
+            visit("tests/proof/" module ".c")
+        }
+    ' "tests/proof/$1.c" tests/proof/*.h include/invcal/*.h src/*/*
 }
 
 options() { # KEY MODULE: what follows the key in the module's file

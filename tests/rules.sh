@@ -46,7 +46,7 @@ strict() { # COMPILER FLAG...
         # shellcheck disable=SC2086 # flags are words
         "$compiler" $flags -fsyntax-only -DINVCAL_DOUBLE=$real -include tests/rules/poison.h \
             -Wall -Wextra -Wconversion -Wsign-conversion -Wfloat-conversion -Wdouble-promotion -Wvla \
-            -Werror "$@" src/*.c || echo "not clean by $compiler"
+            -Werror "$@" src/*/*.c || echo "not clean by $compiler"
     done > "$out/strict-$compiler.log" 2>&1
 }
 
@@ -69,7 +69,7 @@ jobs() {
     else
         echo 'misra float -DINVCAL_DOUBLE=0'
         echo 'misra double -DINVCAL_DOUBLE=1 -DINVCAL_THERMAL_DEGREE=2 -DINVCAL_MAX_POSITIONS=64'
-        printf 'tidy library %s\n' src/*.c
+        printf 'tidy library %s\n' src/*/*.c
         # shellcheck disable=SC2086 # flags are words
         for file in port/bare.c port/semihosting.c port/cortex-m/*.c $firmware/*.c "$firmware"_imu/*.c; do
             echo "tidy firmware $file" $arm
@@ -117,10 +117,10 @@ else
     cat "$out"/tidy-*.log | report 'clang-tidy: src, the example firmware and what it is built on'
     cat "$out"/strict-*.log |
         report 'no conversion that changes a value, no poisoned name, no array of variable length'
-    awk -f tests/rules/loops.awk tests/rules/bounds.txt src/*.c src/*.h 2>&1 |
+    awk -f tests/rules/loops.awk tests/rules/bounds.txt src/*/*.c src/*/*.h 2>&1 |
         report 'every loop has a bound'
-    complex 10 src/*.c src/*.h | report 'cyclomatic complexity of src, at most 10'
-    awk -f tests/rules/includes.awk tests/rules/folders.txt port/host/*/*.[ch] 2>&1 |
-        report 'the folders of port/host know only those before them, without cycles'
+    complex 10 src/*/*.c src/*/*.h | report 'cyclomatic complexity of src, at most 10'
+    awk -f tests/rules/includes.awk tests/rules/folders.txt src/*/*.[ch] port/host/*/*.[ch] 2>&1 |
+        report 'the folders of src and of port/host know only those before them, without cycles'
 fi | awk '{ print } /: PASS$/ { p++ } /: FAIL$/ { f++ }
     END { print p + 0 " passed, " f + 0 " failed"; exit f > 0 || p == 0 }'

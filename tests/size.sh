@@ -43,11 +43,11 @@ stacks() {
     grep '^frame\.' $budgets > "$out/frames"
     case $prefix in avr-*) pushed=2 ;; *) pushed=0 ;; esac
     awk -v return_size=$pushed -v library="$out/src/" -f tests/size/stack.awk "$out/frames" \
-        "$out/public" "$out/whole.sections" "$out/code" "$out"/src/*.su
+        "$out/public" "$out/whole.sections" "$out/code" "$out"/src/*/*.su
 }
 
 undeclared() { # a global function that no header declares would escape the measurement
-    "${prefix}nm" -g --defined-only "$out"/src/*.o | awk 'FILENAME != "-" { known[$2]; next }
+    "${prefix}nm" -g --defined-only "$out"/src/*/*.o | awk 'FILENAME != "-" { known[$2]; next }
         $2 == "T" && !($3 in known) { print "fault", $3 " is global, and declared in no header" }' \
         "$out/public" "$out/declared" -
 }
@@ -78,7 +78,7 @@ program_memory() {
 }
 
 measure() {
-    "${prefix}size" -A "$out"/src/*.o | awk -f tests/size/modules.awk
+    "${prefix}size" -A "$out"/src/*/*.o | awk -f tests/size/modules.awk
     flash core
     flash judged
     flash product

@@ -11,7 +11,6 @@
 #if INVCAL_DOUBLE
 
 #define invcal_accuracy invcald_accuracy
-#define invcal_allan_apart invcald_allan_apart
 #define invcal_allan_feed invcald_allan_feed
 #define invcal_allan_gap invcald_allan_gap
 #define invcal_allan_get invcald_allan_get
@@ -19,7 +18,6 @@
 #define invcal_allan_init_taus invcald_allan_init_taus
 #define invcal_allan_solve invcald_allan_solve
 #define invcal_apply invcald_apply
-#define invcal_axis_up invcald_axis_up
 #define invcal_background_age invcald_background_age
 #define invcal_background_feed invcald_background_feed
 #define invcal_background_init invcald_background_init
@@ -43,7 +41,6 @@
 #define invcal_frame_init invcald_frame_init
 #define invcal_frame_level invcald_frame_level
 #define invcal_frame_solve invcald_frame_solve
-#define invcal_frame_turn invcald_frame_turn
 #define invcal_improves invcald_improves
 #define invcal_imu_apply invcald_imu_apply
 #define invcal_imu_decode invcald_imu_decode
@@ -64,22 +61,20 @@
 #define invcal_imu_set_limits invcald_imu_set_limits
 #define invcal_imu_solve invcald_imu_solve
 #define invcal_load invcald_load
-#define invcal_magnetometer_cell invcald_magnetometer_cell
 #define invcal_magnetometer_feed invcald_magnetometer_feed
 #define invcal_magnetometer_init invcald_magnetometer_init
 #define invcal_magnetometer_next invcald_magnetometer_next
 #define invcal_magnetometer_solve invcald_magnetometer_solve
 #define invcal_noise_dwell invcald_noise_dwell
-#define invcal_noise_sigma invcald_noise_sigma
 #define invcal_nominal invcald_nominal
 #define invcal_parameter_text invcald_parameter_text
-#define invcal_plan_check invcald_plan_check
-#define invcal_plan_position_at invcald_plan_position_at
-#define invcal_plan_starts invcald_plan_starts
+#define invcal_plan_get invcald_plan_get
+#define invcal_plan_init invcald_plan_init
 #define invcal_reaches invcald_reaches
 #define invcal_record_decode invcald_record_decode
 #define invcal_record_encode invcald_record_encode
 #define invcal_record_init invcald_record_init
+#define invcal_rotate invcald_rotate
 #define invcal_save invcald_save
 #define invcal_scale invcald_scale
 #define invcal_session_end invcald_session_end
@@ -124,6 +119,7 @@
 #define invcal_verdict_text invcald_verdict_text
 
 /* Of the library alone. */
+#define invcal_axis_up invcald_axis_up
 #define invcal_back_substitute invcald_back_substitute
 #define invcal_cell_direction invcald_cell_direction
 #define invcal_cell_of invcald_cell_of
@@ -170,15 +166,18 @@
 #define invcal_judge_parameters invcald_judge_parameters
 #define invcal_largest_diagonal invcald_largest_diagonal
 #define invcal_leverage invcald_leverage
+#define invcal_magnetometer_cell invcald_magnetometer_cell
 #define invcal_make_symmetric invcald_make_symmetric
 #define invcal_make_triangular invcald_make_triangular
 #define invcal_moves_empty invcald_moves_empty
 #define invcal_moves_restart invcald_moves_restart
 #define invcal_next invcald_next
 #define invcal_next_of_sums invcald_next_of_sums
+#define invcal_noise_sigma invcald_noise_sigma
 #define invcal_nominal_check invcald_nominal_check
 #define invcal_observe invcald_observe
 #define invcal_outliers_search invcald_outliers_search
+#define invcal_plan_check invcald_plan_check
 #define invcal_polynomials invcald_polynomials
 #define invcal_positions_calibrate invcald_positions_calibrate
 #define invcal_positions_check invcald_positions_check

@@ -2,7 +2,7 @@
  *
  * invcal/positions.h: from position means to a calibration, without a session.
  *
- *     invcal_positions positions = {0};
+ *     invcal_positions positions = {0};     in C++ = {}
  *     positions.mean = mean;                invcal_vector mean[18]: {{16402, -35, 210}}, ...
  *     positions.count = 18;
  *     positions.nominal = &nominal;

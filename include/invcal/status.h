@@ -48,7 +48,7 @@ typedef enum {
     INVCAL_BAD_FIELD = 0x43,       /* the length of the field */
     INVCAL_BAD_COUNT = 0x44,       /* of positions, or of anything else */
     INVCAL_BAD_DIRECTION = 0x45,   /* not a unit vector */
-    INVCAL_BAD_ANGLE = 0x46,       /* angles, or positions per group, of a stand's program */
+    INVCAL_BAD_ANGLE = 0x46,       /* of a turn, or of a stand's program */
     INVCAL_BAD_TEMPERATURE = 0x47, /* a temperature, its reference or its span */
     INVCAL_BAD_TIME = 0x48,        /* averaging times, a time to hold */
     INVCAL_BAD_STORE = 0x49,       /* slot size or granularity of a memory */

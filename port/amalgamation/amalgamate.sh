@@ -11,11 +11,18 @@ if [ $# -ne 1 ] || [ ! -d "$1" ]; then
 fi
 folder=$(cd "$1" && pwd)
 cd "$(dirname "$0")/../.." || exit 2
-export LC_ALL=C # the order of a glob
+export LC_ALL=C # the order of a glob, and of sort
 version=$(sh port/version.sh) || exit 2
 
 join() { # FOLDER FILE...: the files, and before each what it includes from FOLDER, include or src
     awk -v folder="$1" '
+        function beside(file, name) { # "vector.h" or "../core/vector.h"
+            sub(/[^\/]*$/, "", file)
+            if (sub(/^\.\.\//, "", name)) {
+                sub(/[^\/]*\/$/, "", file)
+            }
+            return file name
+        }
         function add(file,    line, body, part) {
             if (file in added) {
                 return
@@ -29,8 +36,10 @@ join() { # FOLDER FILE...: the files, and before each what it includes from FOLD
                     }
                 } else if (line ~ /^#include "/) {
                     split(line, part, "\"")
-                    if (folder == "include" || part[2] !~ /\//) {
-                        add(folder "/" part[2])
+                    if (folder == "include") {
+                        add("include/" part[2])
+                    } else if (part[2] !~ /^invcal\//) {
+                        add(beside(file, part[2]))
                     }
                 } else if (line != "" || body !~ /\n\n$/) {
                     sub(/SPDX-License-Identifier: MIT/, "==== " file " ====", line)
@@ -69,7 +78,9 @@ begin() { # FILE: licence and version
     begin "invcal $version, the whole library: invcal.h is its manual."
     printf '#include "invcal.h"\n\n'
     printf '#ifdef __cplusplus\n#define restrict __restrict /* no word of C++, but of its compilers */\n#endif\n\n'
-    join src src/*.c || exit 2
+    # In the order of file names: in another one, some local names would shadow types of other files.
+    # shellcheck disable=SC2046 # names without blanks
+    join src $(printf '%s\n' src/*/*.c | sort -t / -k 3) || exit 2
 } > "$folder/invcal.c"
 for header in include/invcal/*.h; do
     name=${header##*/}

@@ -9,7 +9,7 @@
 #include "invcal/plan.h"
 #include "invcal/result.h"
 #include "invcal/store.h"
-#include "system.h"
+#include "core/system.h"
 
 #define EXPORT(name) __attribute__((export_name(#name))) name
 

@@ -8,14 +8,13 @@
 
 #include "../positions.h"
 #include "../report.h"
-#include "full_vector.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 #include "invcal/allan.h"
 #include "invcal/background.h"
 #include "invcal/expert.h"
 #include "invcal/frame.h"
 #include "invcal/magnetometer.h"
-#include "turns.h"
+#include "imu/turns.h"
 #include "invcal/plan.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
@@ -63,17 +62,17 @@ static void make_positions(void)
                                              {INVCAL_REAL(0.02), 0, INVCAL_REAL(1.01)}};
     const invcal_real zero[3] = {0, 0, 0};
     const invcal_real counts[3] = {8192, 8192, 8192};
-    invcal_plan plan = {.per_group = POSITIONS / INVCAL_PLAN_GROUPS};
+    invcal_plan plan;
     invcal_plan_position p;
 
-    (void)invcal_plan_starts(plan.per_group, plan.start);
+    require(invcal_plan_init(&plan, POSITIONS / 3));
     (void)invcal_nominal(zero, counts, &nominal);
     for (unsigned i = 0; i < POSITIONS; i++) {
-        (void)invcal_plan_position_at(&plan, i, &p);
+        require(invcal_plan_get(&plan, i, &p));
         for (unsigned a = 0; a < 3; a++) {
             invcal_real sum = INVCAL_REAL(0.01);
             for (unsigned c = 0; c < 3; c++) {
-                sum += matrix[a][c] * p.vertical[c];
+                sum += matrix[a][c] * p.up[c];
             }
             /* whole counts give some noise, like a sensor's */
             raw[i][a] = (invcal_real)(int32_t)(8192 * sum);
@@ -131,7 +130,7 @@ static void bench_frame(void)
 {
     invcal_frame frame;
     invcal_frame_quality quality;
-    invcal_real rotation[3][3];
+    invcal_rotation rotation;
 
     invcal_frame_init(&frame);
     for (unsigned i = 0; i < 6; i++) {
@@ -147,7 +146,7 @@ static void bench_frame(void)
         }
     }
     begin();
-    const invcal_status status = invcal_frame_solve(&frame, rotation, &quality);
+    const invcal_status status = invcal_frame_solve(&frame, &rotation, &quality);
     report("frame_solve", end());
     if (status != INVCAL_OK) {
         board_exit(1);
@@ -169,14 +168,14 @@ static void bench_magnetometer(void)
     invcal_real along[3];
     enum { MOTION = 12000 };
 
-    (void)invcal_magnetometer_init(&magnetometer, &nominal);
+    require(invcal_magnetometer_init(&magnetometer, &nominal));
     for (unsigned i = 0; i < MOTION; i++) {
         const invcal_real t = (invcal_real)(int32_t)i / 100;
         const invcal_real s[4] = {wave(2 * t), wave(2 * t + INVCAL_REAL(1.5707963)),
                                   wave(INVCAL_REAL(0.73) * t),
                                   wave(INVCAL_REAL(0.73) * t + INVCAL_REAL(1.5707963))};
         const invcal_real field[3] = {8200 * s[0] * s[3], 8000 * s[0] * s[2], 8300 * s[1] + 3000};
-        const uint32_t due = magnetometer.due;
+        const uint32_t due = magnetometer.own.due;
         begin();
         (void)invcal_magnetometer_feed(&magnetometer, field[0], field[1], field[2]);
         const uint32_t count = end();
@@ -187,7 +186,7 @@ static void bench_magnetometer(void)
             const uint32_t once = end();
             next = once > next ? once : next;
         }
-        if (magnetometer.due == due) {
+        if (magnetometer.own.due == due) {
             samples += count;
         } else if (count > most) {
             most = count;
@@ -211,15 +210,15 @@ static void bench_dip(void)
 {
     invcal_dip dip;
     invcal_dip_quality quality;
-    invcal_real rotation[3][3];
-    invcal_plan plan = {.per_group = POSITIONS / INVCAL_PLAN_GROUPS};
+    invcal_rotation rotation;
+    invcal_plan plan;
     invcal_plan_position p;
 
-    (void)invcal_plan_starts(plan.per_group, plan.start);
+    require(invcal_plan_init(&plan, POSITIONS / 3));
     invcal_dip_init(&dip);
     for (unsigned i = 0; i < POSITIONS; i++) {
-        (void)invcal_plan_position_at(&plan, i, &p);
-        const invcal_real *const up = p.vertical;
+        require(invcal_plan_get(&plan, i, &p));
+        const invcal_real *const up = p.up;
         const invcal_real one[3] = {up[1] + INVCAL_REAL(0.1), up[2], up[0]};
         const invcal_real field[3] = {up[1] * one[2] - up[2] * one[1],
                                       up[2] * one[0] - up[0] * one[2],
@@ -232,7 +231,7 @@ static void bench_dip(void)
         }
     }
     begin();
-    const invcal_status status = invcal_dip_solve(&dip, 1, rotation, &quality);
+    const invcal_status status = invcal_dip_solve(&dip, 1, &rotation, &quality);
     report("dip_solve", end());
     if (status != INVCAL_OK) {
         board_exit(1);

@@ -4,8 +4,8 @@
  */
 #include "../positions.h"
 #include "digest.h"
-#include "guidance.h"
-#include "solve.h"
+#include "plan/guidance.h"
+#include "core/solve.h"
 
 #include "board.h"
 #include "expected.h"

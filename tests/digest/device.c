@@ -7,7 +7,7 @@
 #include "invcal/plan.h"
 #include "invcal/positions.h"
 #include "invcal/result.h"
-#include "rests.h"
+#include "session/rests.h"
 
 enum { RATE = 50, TURN = RATE, REST = 9 * RATE / 4, SHORT_REST = 6 * RATE / 5 };
 

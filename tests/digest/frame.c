@@ -3,11 +3,10 @@
  * Axes: those of the case, from its faces; those of a stand, from its program.
  */
 #include "digest.h"
-#include "directions.h"
-#include "full_vector.h"
+#include "stand/directions.h"
 
 #include "invcal/frame.h"
-#include "invcal/plan.h"
+#include "plan/plan_axes.h"
 
 static invcal_calibration nominal;
 
@@ -28,7 +27,7 @@ static void faces(void)
     invcal_frame frame;
     invcal_frame_quality quality;
     invcal_calibration calibration = nominal;
-    float rotation[3][3];
+    invcal_rotation rotation;
 
     digest_set("faces");
     invcal_frame_init(&frame);
@@ -38,11 +37,11 @@ static void faces(void)
         read_askew(up, raw);
         digest_bits("added", invcal_frame_add(&frame, &nominal, raw, up));
     }
-    digest_bits("status", invcal_frame_solve(&frame, rotation, &quality));
-    digest_reals("rotation", rotation[0], 9);
+    digest_bits("status", invcal_frame_solve(&frame, &rotation, &quality));
+    digest_reals("rotation", rotation.r[0], 9);
     digest_reals("sigma", quality.sigma, 3);
     digest_reals("scatter", &quality.scatter, 1);
-    invcal_frame_turn((const invcal_real(*)[3])rotation, &calibration);
+    invcal_rotate(&calibration, &rotation);
     digest_reals("matrix", calibration.matrix[0], 9);
 }
 
@@ -50,7 +49,8 @@ static void level(void)
 {
     static const float up[3] = {0, 0, 1};
     invcal_frame frame;
-    float rotation[3][3], raw[3];
+    invcal_rotation rotation;
+    float raw[3];
 
     digest_set("level");
     invcal_frame_init(&frame);
@@ -58,8 +58,8 @@ static void level(void)
         read_askew(up, raw);
         digest_bits("added", invcal_frame_add(&frame, &nominal, raw, up));
     }
-    digest_bits("status", invcal_frame_level(&frame, up, rotation));
-    digest_reals("rotation", rotation[0], 9);
+    digest_bits("status", invcal_frame_level(&frame, up, &rotation));
+    digest_reals("rotation", rotation.r[0], 9);
 }
 
 /* The sums of a stand whose axes are known. */
@@ -85,21 +85,21 @@ static void solve_linear(invcal_directions *linear)
 
 static void stand(void)
 {
-    invcal_plan plan = {.per_group = 6, .start = {0, 0, 0}};
+    invcal_plan plan = {.per_group = 0, .start_deg = {0, 0, 0}};
     invcal_directions linear;
 
     digest_set("stand");
     invcal_directions_init(&linear);
-    digest_bits("starts", invcal_plan_starts(plan.per_group, plan.start));
-    digest_reals("start", plan.start, INVCAL_PLAN_GROUPS);
+    digest_bits("starts", invcal_plan_init(&plan, 6));
+    digest_reals("start", plan.start_deg, INVCAL_PLAN_GROUPS);
     for (unsigned i = 0; i < 3 * plan.per_group; i++) {
         invcal_plan_position position;
-        digest_bits("status", invcal_plan_position_at(&plan, i, &position));
-        digest_reals("alpha", &position.alpha, 1);
-        digest_reals("beta", &position.beta, 1);
-        digest_reals("vertical", position.vertical, 3);
-        digest_bits("axis_up", invcal_axis_up(position.vertical));
-        add_to(&linear, position.vertical);
+        digest_bits("status", invcal_plan_get(&plan, i, &position));
+        digest_reals("alpha", &position.alpha_deg, 1);
+        digest_reals("beta", &position.beta_deg, 1);
+        digest_reals("vertical", position.up, 3);
+        digest_bits("axis_up", invcal_axis_up(position.up));
+        add_to(&linear, position.up);
     }
     solve_linear(&linear);
 }

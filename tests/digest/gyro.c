@@ -6,7 +6,7 @@
 #include "invcal/positions.h"
 
 #include "invcal/gyro_store.h"
-#include "turns.h"
+#include "imu/turns.h"
 
 enum { RATE = 100, TURN = 6 * RATE / 5, REST = 9 * RATE / 5 };
 

@@ -6,7 +6,7 @@
 #include "digest.h"
 #include "invcal/positions.h"
 
-#include "invcal/frame.h"
+#include "magnetometer/cells.h"
 #include "invcal/magnetometer.h"
 
 enum { RATE = 50, SAMPLES = 60 * RATE, ALIKE = 8 };
@@ -96,9 +96,9 @@ static void solve(invcal_calibration *calibration)
     digest_reals("rms", &found.rms, 1);
     digest_reals("alike", &found.alike, 1);
     digest_bits("samples", found.samples);
-    digest_bits("left_out", found.left_out);
+    digest_bits("left_out", found.dropped);
     digest_bits("covered", found.covered);
-    digest_bits("gap", found.gap);
+    digest_bits("gap", found.gap_deg);
     digest_bits("disturbance", found.disturbance);
 }
 
@@ -107,7 +107,7 @@ static void dip(invcal_calibration *calibration)
 {
     static const float askew[3] = {0.05f, -0.03f, 0.08f};
     float up[3] = {0, 0, 1}, field[3] = {0, 0.6f, -0.8f};
-    float rotation[3][3];
+    invcal_rotation rotation;
     invcal_dip dip;
     invcal_dip_quality quality;
 
@@ -125,13 +125,13 @@ static void dip(invcal_calibration *calibration)
             digest_bits("added", invcal_dip_add(&dip, up, seen));
         }
     }
-    digest_bits("status", invcal_dip_solve(&dip, ALIKE, rotation, &quality));
-    digest_reals("rotation", rotation[0], 9);
+    digest_bits("status", invcal_dip_solve(&dip, ALIKE, &rotation, &quality));
+    digest_reals("rotation", rotation.r[0], 9);
     digest_reals("sigma", quality.sigma, 3);
     digest_reals("sine", &quality.sine, 1);
     digest_reals("scatter", &quality.scatter, 1);
     digest_reals("heading", &quality.heading, 1);
-    invcal_frame_turn((const invcal_real(*)[3])rotation, calibration);
+    invcal_rotate(calibration, &rotation);
     digest_reals("matrix", calibration->matrix[0], 9);
 }
 

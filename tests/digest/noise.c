@@ -60,7 +60,7 @@ void part_noise(void)
     digest_bits("status", invcal_allan_solve(&allan, RATE, &noise));
     digest_reals("coefficient", noise.coefficient, INVCAL_NOISE_KINDS);
     digest_reals("relative", noise.relative, INVCAL_NOISE_KINDS);
-    digest_bits("visible", noise.visible);
+    digest_bits("visible", (uint32_t)noise.visible);
     digest_reals("misfit", &noise.misfit, 1);
     digest_reals("minimum", &noise.minimum, 1);
     digest_reals("best", &noise.best, 1);

@@ -2,11 +2,11 @@
 #include "invcal/result.h"
 #include "../positions.h"
 #include "drive.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 #include "invcal/background.h"
 #include "invcal/plan.h"
-#include "rests.h"
-#include "sums.h"
+#include "session/rests.h"
+#include "core/sums.h"
 
 #include <math.h>
 #include <string.h>

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "solve.h"
+#include "core/solve.h"
 
 uint8_t take_byte(source *s)
 {

@@ -15,9 +15,9 @@ TOOL := -Dmain=tool_main -DINVCAL_DOUBLE=1 -DINVCAL_MAX_POSITIONS=64 -DINVCAL_AL
 # Replaces what takes seconds by something quicker, see tool.c.
 QUICK := -Wl,--wrap=optimal_within,--wrap=optimal_directions,--wrap=grid_directions
 
-LIBRARY_OBJECTS := $(patsubst %.c,$(OUT)/library/%.o,$(wildcard src/*.c) tests/fuzz/fuzz.c \
+LIBRARY_OBJECTS := $(patsubst %.c,$(OUT)/library/%.o,$(wildcard src/*/*.c) tests/fuzz/fuzz.c \
     tests/fuzz/drive.c)
-TOOL_OBJECTS := $(patsubst %.c,$(OUT)/tool/%.o,$(wildcard src/*.c port/host/*.c port/host/*/*.c) tests/fuzz/tool.c)
+TOOL_OBJECTS := $(patsubst %.c,$(OUT)/tool/%.o,$(wildcard src/*/*.c port/host/*.c port/host/*/*.c) tests/fuzz/tool.c)
 
 .PHONY: all
 .SECONDARY:

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "fuzz.h"
-#include "turns.h"
+#include "imu/turns.h"
 
 enum { MOST = 40, BITS = 3 };
 

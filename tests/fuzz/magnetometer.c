@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "magnetometer/cells.h"
 #include "fuzz.h"
 #include "invcal/magnetometer.h"
 
@@ -17,10 +18,10 @@ enum { STRETCHES = 24, STRETCH = 400 };
 static void require_counts(const invcal_magnetometer *m)
 {
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
-        REQUIRE(m->early.count[k] < 16384 && m->late.count[k] < 16384);
+        REQUIRE(m->own.early.count[k] < 16384 && m->own.late.count[k] < 16384);
     }
-    REQUIRE(m->samples < m->due && m->stage <= 2 && m->has_step <= 1);
-    REQUIRE(m->squares >= 0 && m->products >= 0);
+    REQUIRE(m->own.samples < m->own.due && m->own.stage <= 2 && m->own.has_step <= 1);
+    REQUIRE(m->own.squares >= 0 && m->own.products >= 0);
 }
 
 static void require_solved(const invcal_magnetometer *m)
@@ -45,7 +46,7 @@ static void require_solved(const invcal_magnetometer *m)
     require_regular(&calibration);
     require_sigma(quality.sigma, INVCAL_PARAMETERS);
     REQUIRE(quality.positions >= INVCAL_PARAMETERS && quality.positions == found.covered);
-    REQUIRE(found.covered <= INVCAL_CELLS && found.gap <= 180);
+    REQUIRE(found.covered <= INVCAL_CELLS && found.gap_deg <= 180);
     REQUIRE(found.disturbance <= INVCAL_STEP && quality.verdict <= INVCAL_WEAK);
     REQUIRE(found.field > 0 && found.rms >= 0 && found.alike >= 0);
     unsigned covered = 0;
@@ -87,7 +88,7 @@ static void any_dip(source *s)
 {
     invcal_dip dip;
     invcal_dip_quality quality;
-    invcal_real rotation[3][3];
+    invcal_rotation rotation;
 
     invcal_dip_init(&dip);
     for (unsigned i = take_byte(s) % 32; i > 0; i--) {
@@ -102,15 +103,15 @@ static void any_dip(source *s)
         REQUIRE(invcal_dip_add(&dip, up, field) == INVCAL_OK ||
                 memcmp(&before, &dip, sizeof dip) == 0);
     }
-    mark(rotation, sizeof rotation);
+    mark(&rotation, sizeof rotation);
     mark(&quality, sizeof quality);
-    if (invcal_dip_solve(&dip, take_real(s, 10), rotation, &quality) == INVCAL_OK) {
+    if (invcal_dip_solve(&dip, take_real(s, 10), &rotation, &quality) == INVCAL_OK) {
         for (unsigned i = 0; i < 3; i++) {
-            require_direction(rotation[i]);
+            require_direction(rotation.r[i]);
         }
         REQUIRE(quality.sine > -1 && quality.sine < 1 && quality.scatter >= 0);
     } else {
-        require_mark(rotation, sizeof rotation);
+        require_mark(&rotation, sizeof rotation);
         require_mark(&quality, sizeof quality);
     }
 }
@@ -122,9 +123,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     invcal_magnetometer m;
 
     any_dip(&s);
-    mark(&m, sizeof m);
     if (invcal_magnetometer_init(&m, &c.nominal) != INVCAL_OK) {
-        require_mark(&m, sizeof m);
+        REQUIRE(invcal_magnetometer_feed(&m, 1, 2, 3) == INVCAL_REFUSED);
         return 0;
     }
     for (unsigned i = 0; i < STRETCHES && s.left > 0; i++) {

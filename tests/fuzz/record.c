@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "../positions.h"
-#include "bytes.h"
+#include "core/bytes.h"
 #include "drive.h"
 #include "invcal/gyro_store.h"
 #include "invcal/thermal_store.h"

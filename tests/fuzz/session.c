@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "drive.h"
-#include "rests.h"
+#include "session/rests.h"
 
 enum { NOISE = 1, HOLD = 2, RAILS = 4, RATE = 8, COUNTS = 16, BACKGROUND = 32 };
 

@@ -10,17 +10,18 @@
 #include <string.h>
 
 #include "../positions.h"
-#include "directions.h"
-#include "full_vector.h"
+#include "stand/directions.h"
 #include "fuzz.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 #include "invcal/allan.h"
 #include "invcal/plan.h"
 #include "invcal/thermal_store.h"
-#include "judge.h"
-#include "solve.h"
-#include "sums.h"
-#include "vector.h"
+#include "calibrate/judge.h"
+#include "allan/noise.h"
+#include "plan/plan_axes.h"
+#include "core/solve.h"
+#include "core/sums.h"
+#include "core/vector.h"
 
 enum { MOST = 40 }; /* positions */
 
@@ -487,9 +488,8 @@ static unsigned begin_allan(invcal_allan *allan, source *s)
         m[i] =
             step > 250 ? take_u32(s) : (i > 0 ? m[i - 1] : 0) + (step & 15u) * (1u << (step >> 4));
     }
-    mark(allan, sizeof *allan);
-    if (invcal_allan_init_taus(allan, sizeof *allan, m, count) != INVCAL_OK) {
-        require_mark(allan, sizeof *allan);
+    if (invcal_allan_init_taus(allan, sizeof *allan, m, count, take_byte(s) % 2) != INVCAL_OK) {
+        REQUIRE(allan->taus == 0);
         return 0;
     }
     return count;
@@ -503,9 +503,6 @@ static void look_at_allan(source *s)
 
     if (count == 0) {
         return;
-    }
-    if (take_byte(s) % 2) {
-        invcal_allan_apart(&allan);
     }
     while (s->left > 8) {
         push_samples(&allan, s);
@@ -546,20 +543,20 @@ static void look_at_plan(source *s)
     invcal_plan_position position;
 
     for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
-        plan.start[g] = take_real(s, 30);
+        plan.start_deg[g] = take_real(s, 30);
     }
     mark(&position, sizeof position);
-    if (invcal_plan_position_at(&plan, take_byte(s), &position) == INVCAL_OK) {
-        require_direction(position.vertical);
+    if (invcal_plan_get(&plan, take_byte(s), &position) == INVCAL_OK) {
+        require_direction(position.up);
         REQUIRE(position.group >= 1 && position.group <= INVCAL_PLAN_GROUPS);
-        REQUIRE(position.alpha > -180 && position.alpha <= 180);
-        REQUIRE(position.beta > -180 && position.beta <= 180);
+        REQUIRE(position.alpha_deg > -180 && position.alpha_deg <= 180);
+        REQUIRE(position.beta_deg > -180 && position.beta_deg <= 180);
     } else {
         require_mark(&position, sizeof position);
     }
-    const uint8_t axes = invcal_axis_up(position.vertical); /* be it what it may */
+    const uint8_t axes = invcal_axis_up(position.up); /* be it what it may */
     REQUIRE((axes & (axes - 1)) == 0 && axes < 1u << INVCAL_AXES);
-    if (invcal_plan_starts(plan.per_group, plan.start) == INVCAL_OK) {
+    if (invcal_plan_init(&plan, plan.per_group) == INVCAL_OK) {
         REQUIRE(invcal_plan_check(&plan) == INVCAL_OK);
     }
 }

@@ -43,6 +43,9 @@ def name_of(path):
     return os.path.splitext(os.path.basename(path))[0]
 
 
+SOURCES = {name_of(path): path for path in glob.glob("src/*/*.c")}
+
+
 def read(path):
     with open(path, encoding="utf-8") as file:
         return file.read()
@@ -51,9 +54,9 @@ def read(path):
 # ---- building and running ------------------------------------------------------------------------
 
 def compiled(folder, module, flags):
-    """The object of folder/src/module.c, or None if that does not compile."""
+    """The object of a module of folder, or None if that does not compile."""
     path = "%s/%s.o" % (folder, module)
-    done = subprocess.run([*CC, *flags, "-c", "-o", path, "%s/src/%s.c" % (folder, module)],
+    done = subprocess.run([*CC, *flags, "-c", "-o", path, "%s/%s" % (folder, SOURCES[module])],
                           stderr=subprocess.DEVNULL, check=False)
     return path if done.returncode == 0 else None
 
@@ -139,8 +142,8 @@ class Workshop:
                 if None in objects:
                     return "invalid", ""
                 if ROUNDS.index((kind, real, options)) < 2:
-                    if all(same_bytes(o, "%s/src/%s" % (tests, os.path.basename(o)))
-                           for o in objects):
+                    if all(same_bytes(o, "%s/%s.o" % (tests, SOURCES[m][:-2]))
+                           for o, m in zip(objects, modules)):
                         continue
                     differs = True
                 if not differs:
@@ -153,24 +156,28 @@ class Workshop:
         return "survived" if differs else "same", ""
 
 
+def included(file):
+    """The names of the internal headers that a source includes."""
+    return set(re.findall(r'#include "(?:\.\./\w+/)?(\w+)\.h"', read(file)))
+
+
 def neighbours(file):
     """The names of the modules that use a source, directly or not, and of what those include."""
-    includes = {f: set(re.findall(r'#include "(\w+)\.h"', read(f))) for f in glob.glob("src/*.[ch]")}
+    includes = {f: included(f) for f in glob.glob("src/*/*.[ch]")}
     users, found = set(), {name_of(file)}
     while found - users:
         users |= found
         found = {name_of(f) for f in includes if includes[f] & users}
     users.discard(name_of(file))
-    return sorted(users.union(*(includes["src/%s.c" % u] for u in users if "src/%s.c" % u in includes)))
+    return sorted(users.union(*(includes[SOURCES[u]] for u in users if u in SOURCES)))
 
 
 def modules_with(file):
     """The modules that a source is compiled into: itself, or those that include a header."""
-    found = {os.path.basename(file)}
-    for _ in range(3):  # headers include headers
-        for other in glob.glob("src/*.[ch]"):
-            if found & set(re.findall(r'#include "(\w+\.h)"', read(other))):
-                found.add(os.path.basename(other))
+    found = {file}
+    for _ in range(4):  # headers include headers
+        headers = {name_of(f) for f in found if f.endswith(".h")}
+        found |= {f for f in glob.glob("src/*/*.[ch]") if headers & included(f)}
     return frozenset(name_of(f) for f in found if f.endswith(".c"))
 
 
@@ -221,7 +228,7 @@ def enough(possible):
 
 def main():
     build, sample, seed = sys.argv[1], int(sys.argv[2]), sys.argv[3]
-    files = sys.argv[4:] or sorted(glob.glob("src/*.[ch]"))
+    files = sys.argv[4:] or sorted(glob.glob("src/*/*.[ch]"))
     header = read("include/invcal/invcal.h").split("INVCAL_STATUS_END")[0]
     statuses = set(re.findall(r"^    (INVCAL_\w+)", header.rsplit("typedef enum {")[-1], re.M))
     everything = [m for f in files for m in mutants.mutants_of(f, statuses, seed)]

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 #include "support.h"
-#include "system.h"
+#include "core/system.h"
 #include "unity.h"
 
 void setUp(void)

@@ -11,9 +11,9 @@
  */
 #include <stdio.h>
 
-#include "solve.h"
+#include "core/solve.h"
 #include "support.h"
-#include "system.h"
+#include "core/system.h"
 #include "unity.h"
 
 void setUp(void)

@@ -105,7 +105,7 @@ static void try_allan(void)
     const uint32_t one = 1;
 
     expect(invcal_allan_init(allan, sizeof *allan) == INVCAL_OTHER_BUILD, "allan_init");
-    expect(invcal_allan_init_taus(allan, sizeof *allan, &one, 1) == INVCAL_OTHER_BUILD,
+    expect(invcal_allan_init_taus(allan, sizeof *allan, &one, 1, 0) == INVCAL_OTHER_BUILD,
            "allan_init_taus");
     for (int i = 0; i < 1000; i++) {
         invcal_allan_feed(allan, i);

@@ -41,7 +41,7 @@ names_what_is_there() {
 
 names_all_sources() {
     chosen '//file[@category = "source"]/@name' | LC_ALL=C sort > "$out/sources" &&
-        printf '%s\n' src/*.c | LC_ALL=C sort | diff - "$out/sources"
+        printf '%s\n' src/*/*.c | LC_ALL=C sort | diff - "$out/sources"
 }
 
 # Like a tool that puts the component into a project: sources and include folders as listed.

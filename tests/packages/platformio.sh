@@ -4,7 +4,7 @@
 #
 # The PlatformIO library: its manifest by the rules of the documentation, and by `pio pkg pack` where
 # that is installed (pip install platformio). Compiled as PlatformIO, which would download a platform,
-# compiles it: the folder src, with include, src and the manifest's flags.
+# compiles it: the folders of src, with include, src and the manifest's flags.
 . "$(dirname "$0")/../package.sh"
 need cc avr-gcc python3
 library=$out/platformio
@@ -40,14 +40,14 @@ packs() {
     cp -R "$library" "$out/unlicensed" &&
         sed -i '/"license"/d' "$out/unlicensed/library.json" &&
         (cd "$out/unlicensed" && pio pkg pack -o "$out") &&
-        tar -tzf "$out/invcal-$(sh port/version.sh).tar.gz" | grep -qx src/session.c
+        tar -tzf "$out/invcal-$(sh port/version.sh).tar.gz" | grep -qx src/session/session.c
 }
 
 compiles() { # FOLDER COMPILER FLAG...
     folder=$out/$1
     shift
     mkdir -p "$folder"
-    flags=$(manifest) && for source in "$library"/src/*.c; do
+    flags=$(manifest) && for source in "$library"/src/*/*.c; do
         # shellcheck disable=SC2086 # flags are words
         "$@" $flags -I"$library/include" -I"$library/src" -c "$source" \
             -o "$folder/$(basename "$source").o" || return

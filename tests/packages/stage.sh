@@ -17,6 +17,8 @@ echo 'echo made > "$1/made.txt"' > "$tree/port/toy/make.sh"
 echo 'exit 3' > "$tree/port/toy/fail.sh"
 echo 'not @VERSION@' > "$tree/src/one.c"
 touch "$tree/src/two.c"
+mkdir "$tree/src/part"
+touch "$tree/src/part/three.c"
 
 lists() { # LINE...: what the package's files says
     printf '%s\n' '# a comment' '' "$@" > "$tree/port/toy/files"
@@ -28,10 +30,11 @@ stages() {
 }
 
 lays_out() {
-    lists 'src/*.c ./' 'src/one.c deep/er/' 'port/toy/manifest renamed' 'run port/toy/make.sh deep'
+    lists 'src/*.c ./' 'src/one.c deep/er/' 'port/toy/manifest renamed' 'run port/toy/make.sh deep' \
+        'src/*/*.c all/*/'
     stages || return
     (cd "$dest" && find . -type f | sort | tr '\n' ' ') > "$out/found"
-    echo './.invcal-toy ./deep/er/one.c ./deep/made.txt ./one.c ./renamed ./two.c ' | tr -d '\n' | diff - "$out/found"
+    echo './.invcal-toy ./all/part/three.c ./deep/er/one.c ./deep/made.txt ./one.c ./renamed ./two.c ' | tr -d '\n' | diff - "$out/found"
 }
 
 substitutes() { # in its own files only
@@ -90,7 +93,7 @@ make_says_where() {
         [ -e "$out/made/README.md" ]
 }
 
-check "it copies, renames and makes" lays_out
+check "it copies, with folders and without, renames and makes" lays_out
 check "a package's own files get the version of invcal.h" substitutes
 check "a later version replaces it, and leaves other files alone" upgrades
 check "foreign files and changed ones are left alone" keeps_others

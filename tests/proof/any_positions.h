@@ -6,7 +6,7 @@
 #define ANY_POSITIONS_H
 
 #include "arbitrary.h"
-#include "judge.h"
+#include "calibrate/judge.h"
 
 /* May look at any reading; raises an alarm if there are more than the mask has bits. */
 static void look_at(const invcal_selection *selection)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "vector.h"
+#include "core/vector.h"
 
 void main(void)
 {

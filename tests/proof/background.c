@@ -2,7 +2,7 @@
 #include <limits.h>
 
 #include "arbitrary.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 #include "invcal/background.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 40 -eva-split-return full

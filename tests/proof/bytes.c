@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "bytes.h"
+#include "core/bytes.h"
 
 // eva: -eva-auto-loop-unroll 10 -eva-slevel-function invcal_crc32:0
 // dead: bits_of 2

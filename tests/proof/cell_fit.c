@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "cells.h"
-#include "judge.h"
+#include "magnetometer/cells.h"
+#include "calibrate/judge.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 60 -eva-slevel 300 -eva-split-return full
 // stubs: judge
@@ -33,8 +33,8 @@ void invcal_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
 
 void main(void)
 {
-    invcal_cells early;
-    invcal_cells late;
+    invcal_private_cells early;
+    invcal_private_cells late;
     invcal_cell_fit fit;
     invcal_real power;
     unsigned worst;

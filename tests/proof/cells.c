@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "cells.h"
+#include "magnetometer/cells.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 20 -eva-slevel 100 -eva-split-return full
 
 void main(void)
 {
-    invcal_cells cells;
-    invcal_cells other;
+    invcal_private_cells cells;
+    invcal_private_cells other;
     invcal_real h[INVCAL_PARAMETERS];
     invcal_real shift[3];
     invcal_real scale;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "circle.h"
+#include "core/circle.h"
 #include "arbitrary.h"
 
 // eva: -eva-auto-loop-unroll 20 -eva-slevel 20

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "diagnosis.h"
+#include "diagnose/diagnosis.h"
 
 #include <stddef.h>
 

@@ -11,7 +11,7 @@ void main(void)
     invcal_real up[3];
     invcal_real field[3];
     invcal_real alike;
-    invcal_real rotation[3][3];
+    invcal_rotation rotation;
 
     invcal_dip_init(&dip);
     ANY(up);
@@ -21,6 +21,6 @@ void main(void)
     ANY(dip);
     (void)invcal_dip_add(&dip, up, field);
     ANY(dip);
-    (void)invcal_dip_solve(&dip, alike, rotation, &quality);
-    (void)invcal_dip_solve(&dip, alike, rotation, 0);
+    (void)invcal_dip_solve(&dip, alike, &rotation, &quality);
+    (void)invcal_dip_solve(&dip, alike, &rotation, 0);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fit.h"
+#include "diagnose/fit.h"
 
 #include "arbitrary.h"
 

@@ -11,7 +11,7 @@ void main(void)
     invcal_calibration calibration;
     invcal_real raw[3];
     invcal_real up[3];
-    invcal_real rotation[3][3];
+    invcal_rotation rotation;
 
     invcal_frame_init(&frame);
     ANY(calibration);
@@ -21,9 +21,9 @@ void main(void)
     ANY(frame);
     (void)invcal_frame_add(&frame, &calibration, raw, up);
     ANY(frame);
-    (void)invcal_frame_solve(&frame, rotation, &quality);
-    (void)invcal_frame_solve(&frame, rotation, 0);
-    (void)invcal_frame_level(&frame, up, rotation);
+    (void)invcal_frame_solve(&frame, &rotation, &quality);
+    (void)invcal_frame_solve(&frame, &rotation, 0);
+    (void)invcal_frame_level(&frame, up, &rotation);
     ANY(rotation);
-    invcal_frame_turn((const invcal_real(*)[3])rotation, &calibration);
+    invcal_rotate(&calibration, &rotation);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../positions.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 
 #include <stddef.h>
 

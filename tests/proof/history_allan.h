@@ -3,7 +3,7 @@
 #define HISTORY_ALLAN_H
 
 #include "history.h"
-#include "invcal/allan.h"
+#include "allan/noise.h"
 
 /* Any state of one axis. */
 static void any_allan(invcal_allan *a)
@@ -11,7 +11,7 @@ static void any_allan(invcal_allan *a)
     ANY(*a);
     a->taus = (uint8_t)BETWEEN(0, INVCAL_ALLAN_TAUS);
     for (unsigned k = 0; k < INVCAL_ALLAN_TAUS; k++) {
-        a->tau[k].m = UINT32_BETWEEN(0, INVCAL_ALLAN_LONGEST);
+        a->own[k].m = UINT32_BETWEEN(0, INVCAL_ALLAN_LONGEST);
     }
 }
 
@@ -19,7 +19,7 @@ static void check_allan(const invcal_allan *a)
 {
     HOLDS(a->taus <= INVCAL_ALLAN_TAUS);
     for (unsigned k = 0; k < INVCAL_ALLAN_TAUS; k++) {
-        HOLDS(a->tau[k].m <= INVCAL_ALLAN_LONGEST);
+        HOLDS(a->own[k].m <= INVCAL_ALLAN_LONGEST);
     }
 }
 

@@ -4,7 +4,7 @@
 
 #include "history.h"
 #include "invcal/expert.h"
-#include "rests.h"
+#include "session/rests.h"
 
 #define LEVEL_MAX 16383
 

@@ -2,10 +2,10 @@
 #include <stddef.h>
 
 #include "arbitrary.h"
-#include "imu.h"
-#include "rotation.h"
-#include "solve.h"
-#include "sums.h"
+#include "imu/imu.h"
+#include "imu/rotation.h"
+#include "core/solve.h"
+#include "core/sums.h"
 
 // trusted: 2
 // eva: -eva-precision 0 -eva-auto-loop-unroll 24 -eva-slevel 0 -eva-split-return full

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "turns.h"
+#include "imu/turns.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 60 -eva-split-return full
 // stubs: turns imu rests words

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
 #include "invcal/gyro_store.h"
-#include "solve.h"
+#include "core/solve.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 60 -eva-slevel 60 -eva-slevel-function invcal_crc32:0 -eva-split-return full
 // stubs: record store nominal

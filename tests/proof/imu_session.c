@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "imu.h"
+#include "imu/imu.h"
 #include "invcal/gyro_store.h"
 
 // eva: -eva-precision 2 -eva-slevel 40 -eva-split-return full

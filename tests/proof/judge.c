@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../positions.h"
-#include "judge.h"
+#include "calibrate/judge.h"
 
 #include <stddef.h>
 

@@ -3,7 +3,7 @@
 
 #include "../positions.h"
 #include "any_positions.h"
-#include "diagnosis.h"
+#include "diagnose/diagnosis.h"
 
 // eva: -eva-precision 0 -eva-slevel 10 -eva-split-return full
 // config: -DINVCAL_FAST=1

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "cells.h"
-#include "judge.h"
+#include "magnetometer/cells.h"
+#include "calibrate/judge.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 20 -eva-slevel 100 -eva-slevel-function invcal_text:2000 -eva-split-return full
 // stubs: cell_fit
@@ -103,6 +103,7 @@ void main(void)
     ANY(calibration);
     ANY(raw);
     (void)invcal_magnetometer_init(&magnetometer, &calibration);
+    (void)invcal_magnetometer_init(&magnetometer, 0);
     ANY(magnetometer);
     (void)invcal_magnetometer_feed(&magnetometer, raw[0], raw[1], raw[2]);
     ANY(magnetometer);
@@ -111,8 +112,8 @@ void main(void)
     (void)invcal_magnetometer_solve(&magnetometer, &calibration, &quality, 0);
     ANY(calibration);
     (void)invcal_magnetometer_cell(&magnetometer, &calibration, BETWEEN(0, INVCAL_CELLS - 1), raw);
-    for (unsigned n = 0; n <= INVCAL_STEP; n++) {
-        (void)invcal_disturbance_text((invcal_disturbance)n);
+    for (uint8_t n = 0; n <= INVCAL_STEP; n++) {
+        (void)invcal_disturbance_text(n);
     }
-    (void)invcal_disturbance_text((invcal_disturbance)BETWEEN(INVCAL_STEP + 1, 0xFFFFFFFF));
+    (void)invcal_disturbance_text((uint8_t)BETWEEN(INVCAL_STEP + 1, UINT8_MAX));
 }

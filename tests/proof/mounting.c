@@ -2,7 +2,7 @@
 #include <stddef.h>
 
 #include "arbitrary.h"
-#include "imu.h"
+#include "imu/imu.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 40 -eva-split-return full
 // stubs: imu

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "imu.h"
+#include "imu/imu.h"
 
 // trusted: 1
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 60 -eva-slevel-function drop_oldest:2000,keep_move:2000,measure_bias:200 -eva-split-return full

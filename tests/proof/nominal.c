@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
 #include "invcal/positions.h"
-#include "solve.h"
+#include "core/solve.h"
 
 void main(void)
 {

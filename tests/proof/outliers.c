@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "outliers.h"
+#include "diagnose/outliers.h"
 
 #include "arbitrary.h"
 

@@ -2,7 +2,7 @@
 #include "arbitrary.h"
 #include "invcal/background.h"
 #include "invcal/expert.h"
-#include "solve.h"
+#include "core/solve.h"
 
 // eva: -eva-auto-loop-unroll 12 -eva-slevel 50
 

@@ -2,13 +2,13 @@
 #include <limits.h>
 
 #include "arbitrary.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 #include "invcal/plan.h"
 #include "invcal/store.h"
-#include "judge.h"
-#include "rests.h"
-#include "session.h"
-#include "texts.h"
+#include "calibrate/judge.h"
+#include "session/rests.h"
+#include "session/session.h"
+#include "core/texts.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 32 -eva-slevel 100 -eva-split-return full
 // trusted: 1

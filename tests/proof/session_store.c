@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arbitrary.h"
-#include "session.h"
+#include "session/session.h"
 
 // stubs: store session
 

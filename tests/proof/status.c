@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/result.h"
-#include "texts.h"
+#include "core/texts.h"
 
 #include "arbitrary.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "sums.h"
+#include "core/sums.h"
 
 #include <stddef.h>
 

@@ -2,7 +2,7 @@
 #include "arbitrary.h"
 #include "invcal/expert.h"
 #include "invcal/thermal.h"
-#include "system.h"
+#include "core/system.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 30
 // config: -DINVCAL_FAST=1 -DINVCAL_THERMAL_DEGREE=0

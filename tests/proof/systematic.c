@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "systematic.h"
+#include "diagnose/systematic.h"
 
 #include "arbitrary.h"
 

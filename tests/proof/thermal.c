@@ -2,7 +2,7 @@
 #include <stddef.h>
 
 #include "arbitrary.h"
-#include "polynomials.h"
+#include "thermal/polynomials.h"
 
 // eva: -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-split-return-function invcal_thermal_find:0,invcal_thermal_triad:0
 // config: -DINVCAL_THERMAL_DEGREE=2

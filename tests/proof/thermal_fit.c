@@ -3,9 +3,9 @@
 
 #include "../positions.h"
 #include "arbitrary.h"
-#include "judge.h"
-#include "polynomials.h"
-#include "sums.h"
+#include "calibrate/judge.h"
+#include "thermal/polynomials.h"
+#include "core/sums.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 30 -eva-slevel 12 -eva-slevel-merge-after-loop @all -eva-split-return full
 // trusted: 1

@@ -3,7 +3,7 @@
 
 #include "arbitrary.h"
 #include "invcal/thermal_store.h"
-#include "polynomials.h"
+#include "thermal/polynomials.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcal_crc32:0 -eva-split-return full
 // stubs: record solve nominal store

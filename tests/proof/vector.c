@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "vector.h"
+#include "core/vector.h"
 
 #include "arbitrary.h"
 

@@ -2,7 +2,7 @@
  *
  * Prints tests/unit/gyro_logs.h: what the library keeps of real logs, which are not carried with the project.
  *
- *     gcc -DINVCAL_DOUBLE=1 -Iinclude -Isrc tests/reference/gyro_logs.c src/?*.c -lm -o gyro_logs
+ *     gcc -DINVCAL_DOUBLE=1 -Iinclude -Isrc tests/reference/gyro_logs.c $(find src -name '*.c') -lm -o gyro_logs
  *     ./gyro_logs xsens_mti_acc.txt xsens_mti_gyro.txt mpu9150_0.txt mpu9150_1.txt > tests/unit/gyro_logs.h
  *
  * Xsens MTi: imu_tk, bin/test_data (BSD), until the table of segments is full; MPU-9150: mikoff/imu-calib,
@@ -12,7 +12,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "imu.h"
+#include "imu/imu.h"
 
 #define RAD (3.14159265358979324 / 180)
 
@@ -62,8 +62,7 @@ static int read_rows(FILE *file)
     double x[6];
     int rows = 0;
 
-    while (rows < ROWS &&
-           fscanf(file, "%lf %lf %lf %lf %lf %lf", x, x + 1, x + 2, x + 3, x + 4, x + 5) == 6) {
+    while (rows < ROWS && fscanf(file, "%lf %lf %lf %lf %lf %lf", x, x + 1, x + 2, x + 3, x + 4, x + 5) == 6) {
         for (int i = 0; i < 3; i++) {
             row[rows][i] = x[i] * 16384 / 9.81;
             row[rows][3 + i] = x[3 + i] * 131 / RAD;
@@ -192,15 +191,12 @@ int main(int count, char **names)
     double x[6], time;
 
     if (!m1) {
-        fputs("usage: gyro_logs XSENS_ACC XSENS_GYRO MPU_0 MPU_1, as the head of this source says; "
-              "each must be "
-              "readable\n",
-              stderr);
+        fputs("usage: gyro_logs XSENS_ACC XSENS_GYRO MPU_0 MPU_1, as the head of this source says; each must be "
+              "readable\n", stderr);
         return 3;
     }
     printf("/* SPDX-License-Identifier: MIT\n *\n"
-           " * Made by tests/reference/gyro_logs.c, which names the logs. */\n/* clang-format off "
-           "*/\n");
+           " * Made by tests/reference/gyro_logs.c, which names the logs. */\n/* clang-format off */\n");
     begin(32768, 1 / (414.4 * 9.81744), 1 / 4772.0);
     while (both.rests < 16 && fscanf(a, "%lf %lf %lf %lf", &time, x, x + 1, x + 2) == 4 &&
            fscanf(g, "%lf %lf %lf %lf", &time, x + 3, x + 4, x + 5) == 4) {

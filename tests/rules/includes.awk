@@ -1,35 +1,46 @@
 # SPDX-License-Identifier: MIT
 #
-# The tool's includes: awk -f includes.awk folders.txt port/host/*/*.[ch]
+# The includes of the library and of the tool: awk -f includes.awk folders.txt src/*/*.[ch] port/host/*/*.[ch]
 #
 # A file includes headers of its own folder or of those before it in folders.txt, and includes within
 # a folder form no cycle. A file is its .c and its .h together.
 FNR == 1 && FILENAME ~ /folders[.]txt$/ { reading = 1 }
 FNR == 1 && FILENAME !~ /folders[.]txt$/ {
     reading = 0
-    n = split(FILENAME, names, "/")
-    folder = names[n - 1]
-    module = folder "/" names[n]
+    folder = tree = FILENAME
+    sub(/\/[^\/]*$/, "", folder)
+    sub(/\/[^\/]*\/[^\/]*$/, "", tree)
+    module = FILENAME
     sub(/[.][ch]$/, "", module)
     if (!(folder in place)) {
         print FILENAME ": its folder is not in folders.txt"
     }
     modules[module] = folder
+    base = module
+    sub(/.*\//, "", base)
+    if (tree == "src" && base in path_of && path_of[base] != module) {
+        print FILENAME ": has the name of " path_of[base] ", but objects of a static library have no folder"
+    }
+    path_of[base] = module
 }
 reading && !/^#/ && NF > 0 {
     place[$1] = ++places
 }
-!reading && /^#include "[a-z_]+\/[a-z_0-9]+[.]h"/ {
+# "../core/vector.h" in src, "text/figure.h" in port/host, "fit.h" of the same folder.
+!reading && /^#include "/ && !/^#include "invcal\// {
     split($2, quoted, "\"")
     to = quoted[2]
+    sub(/^[.][.]\//, "", to)
     sub(/[.]h$/, "", to)
-    split(to, parts, "/")
-    if (parts[1] == "invcal" || to == module) {
+    to = (to ~ /\// ? tree : folder) "/" to
+    to_folder = to
+    sub(/\/[^\/]*$/, "", to_folder)
+    if (to == module) {
         next
     }
-    if (place[parts[1]] > place[folder]) {
-        print FILENAME ":" FNR ": " folder " comes before " parts[1] " in folders.txt"
-    } else if (parts[1] == folder) {
+    if (!(to_folder in place) || place[to_folder] > place[folder]) {
+        print FILENAME ":" FNR ": " folder " comes before " to_folder " in folders.txt"
+    } else if (to_folder == folder) {
         includes[module, ++count[module]] = to
     }
 }

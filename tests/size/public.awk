@@ -5,7 +5,7 @@
 # begins at the left margin; the name may be on its second line.
 /^# [0-9]+ "/ {
     header = ""
-    if ($3 ~ /(include\/invcal|src)\/[a-z_]+\.h"$/) {
+    if ($3 ~ /(include\/invcal|src\/.*)\/[a-z_]+\.h"$/) {
         header = $3
         gsub(/.*\/|\.h"$/, "", header)
     }

@@ -40,9 +40,9 @@ $(OUT)/public: $(wildcard include/invcal/*.h)
 	    awk -f tests/size/public.awk > $@
 
 # The same for functions that the library's private headers declare, with the public ones.
-$(OUT)/declared: $(wildcard src/*.h include/invcal/*.h)
+$(OUT)/declared: $(wildcard src/*/*.h include/invcal/*.h)
 	@mkdir -p $(@D)
-	$(Q)printf '#include "%s"\n' $(wildcard src/*.h) | $(CC) $(filter-out -MMD -MP,$(FLAGS)) -I. -E -x c - | \
+	$(Q)printf '#include "%s"\n' $(wildcard src/*/*.h) | $(CC) $(filter-out -MMD -MP,$(FLAGS)) -I. -E -x c - | \
 	    awk -f tests/size/public.awk > $@
 
 .PHONY: programs

@@ -2,7 +2,6 @@
  *
  * The sizes of the structures that firmware keeps, for nm: an array as large as each.
  */
-#include "full_vector.h"
 #include "invcal/allan.h"
 #include "invcal/background.h"
 #include "invcal/expert.h"
@@ -11,7 +10,7 @@
 #include "invcal/magnetometer.h"
 #include "invcal/store.h"
 #include "invcal/thermal.h"
-#include "sums.h"
+#include "core/sums.h"
 
 #define SIZE_OF(name)                                                                              \
     extern char size_of_##name[sizeof(name)];                                                      \

@@ -12,7 +12,7 @@
 #include "maths/matrix.h"
 #include "support.h"
 #include "invcal/result.h"
-#include "solve.h"
+#include "core/solve.h"
 #include "unity.h"
 
 enum { TRIALS = 4000 };

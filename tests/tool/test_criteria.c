@@ -7,8 +7,9 @@
 #include "expected.h"
 #include "invcal/plan.h"
 #include "invcal/positions.h"
+#include "plan/plan_axes.h"
 #include "support.h"
-#include "system.h"
+#include "core/system.h"
 #include "unity.h"
 
 /* Slow machines may take fewer; the bounds follow. */
@@ -58,8 +59,8 @@ static invcal_sums design_of_plan(const invcal_plan *plan)
 
     invcal_sums_init(&design);
     for (unsigned i = 0; i < 3 * plan->per_group; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_position_at(plan, i, &p));
-        criteria_add(&design, p.vertical);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_get(plan, i, &p));
+        criteria_add(&design, p.up);
     }
     return design;
 }
@@ -70,7 +71,7 @@ static invcal_plan random_plan(random_source *random, unsigned per_group)
 
     plan.per_group = per_group;
     for (int g = 0; g < 3; g++) {
-        plan.start[g] = random_uniform(random, -360, 360);
+        plan.start_deg[g] = random_uniform(random, -360, 360);
     }
     return plan;
 }
@@ -828,12 +829,12 @@ static void assert_promise_of_a_program_is_kept(unsigned per_group)
     double v[18][3];
 
     plan.per_group = per_group;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_starts(per_group, plan.start));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_init(&plan, per_group));
     for (unsigned i = 0; i < 3 * per_group; i++) {
         invcal_plan_position p;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_position_at(&plan, i, &p));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_get(&plan, i, &p));
         for (int k = 0; k < 3; k++) {
-            v[i][k] = p.vertical[k];
+            v[i][k] = p.up[k];
         }
     }
     assert_promise_is_kept((const double(*)[3])v, 3 * per_group, root_k);

@@ -6,7 +6,7 @@
 #include "maths/eigen.h"
 #include "expected.h"
 #include "support.h"
-#include "system.h"
+#include "core/system.h"
 #include "unity.h"
 
 void setUp(void)

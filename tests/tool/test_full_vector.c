@@ -9,9 +9,9 @@
 #include <string.h>
 
 #include "expected.h"
-#include "full_vector.h"
+#include "stand/full_vector.h"
 #include "support.h"
-#include "system.h"
+#include "core/system.h"
 #include "unity.h"
 
 void setUp(void)

@@ -40,16 +40,16 @@ static fit_settings settings_of(double noise)
 static unsigned measure(random_source *random, const triad_truth *truth, unsigned per_group,
                         unsigned degree, double noise)
 {
-    invcal_plan plan = {.per_group = per_group};
+    invcal_plan plan;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_starts(per_group, plan.start));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_init(&plan, per_group));
     for (unsigned i = 0; i < 3 * per_group; i++) {
         invcal_plan_position p;
         double *u = &raw[3 * (size_t)i];
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_position_at(&plan, i, &p));
-        triad_read(truth, p.vertical, u);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_get(&plan, i, &p));
+        triad_read(truth, p.up, u);
         for (unsigned a = 0; a < 3; a++) {
-            const double eta = p.vertical[a];
+            const double eta = p.up[a];
             u[a] += TRUTH[a] * eta * eta + (degree > 2 ? TRUTH[3 + a] * eta * eta * eta : 0) +
                     (noise > 0 ? noise * random_normal(random) : 0);
         }
@@ -69,11 +69,10 @@ static void programs_have_the_figures_of_the_reference(void)
                 {8, 3, expected_nonlinear24_3}};
 
     for (unsigned i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        invcal_plan plan = {.per_group = rows[i].per_group};
+        const invcal_plan plan = stand_plan_make(rows[i].per_group);
         const unsigned n = 9 + 3 * (rows[i].degree - 1);
         nonlinearity_prospect p;
         double direction[24][3];
-        (void)invcal_plan_starts(plan.per_group, plan.start);
         design_stand(&set, &plan);
         for (unsigned k = 0; k < set.count; k++) {
             for (unsigned a = 0; a < 3; a++) {

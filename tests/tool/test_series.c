@@ -5,7 +5,7 @@
 
 #include "expected.h"
 #include "design/series.h"
-#include "sums.h"
+#include "core/sums.h"
 #include "support.h"
 #include "unity.h"
 
@@ -39,9 +39,9 @@ static program program_of(unsigned per_group, const double start[3])
     p.plan.per_group = per_group;
     p.count = 3 * per_group;
     for (unsigned g = 0; g < 3; g++) {
-        p.plan.start[g] = start[g];
+        p.plan.start_deg[g] = start[g];
         for (unsigned k = 0; k < per_group; k++) {
-            const double turned = (p.plan.start[g] / 360 + (double)k / per_group) * TURN;
+            const double turned = (p.plan.start_deg[g] / 360 + (double)k / per_group) * TURN;
             const double alpha = g == 1 ? -TURN / 4 : turned;
             const double beta = g == 0 ? 0 : g == 1 ? turned : TURN / 4;
             double *eta = p.eta[g * per_group + k];
@@ -494,8 +494,8 @@ static void one_position_too_many_is_refused(void)
             add(&s, random_normal(&random));
         }
         const series before = s;
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, series_add(&s, 0));
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, series_add(&s, 1));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT, series_add(&s, 0));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT, series_add(&s, 1));
         TEST_ASSERT_EQUAL_MEMORY(&before, &s, sizeof before);
         TEST_ASSERT_EQUAL_UINT(p.count, s.next);
     }
@@ -545,8 +545,8 @@ static void an_unusable_plan_is_refused_by_the_series(void)
         invcal_status expected;
     } bad[] = {{0, 0, INVCAL_TOO_FEW},
                {4, 0, INVCAL_TOO_FEW},
-               {INVCAL_PLAN_PER_GROUP_MAX + 1, 0, INVCAL_BAD_ANGLE},
-               {UINT_MAX, 0, INVCAL_BAD_ANGLE},
+               {INVCAL_PLAN_PER_GROUP_MAX + 1, 0, INVCAL_BAD_COUNT},
+               {UINT_MAX, 0, INVCAL_BAD_COUNT},
                {6, 361, INVCAL_BAD_ANGLE},
                {6, -361, INVCAL_BAD_ANGLE},
                {6, NOT_A_NUMBER, INVCAL_BAD_ANGLE},
@@ -559,7 +559,7 @@ static void an_unusable_plan_is_refused_by_the_series(void)
             series series_before;
             double a[PACKED];
             double a_before[PACKED];
-            plan.start[g] = bad[i].start;
+            plan.start_deg[g] = bad[i].start;
             memset(&s, 7, sizeof s);
             memset(a, 7, sizeof a);
             series_before = s;

@@ -45,7 +45,7 @@
 #define invcal_imu_solve other_solve
 #undef invcal_imu_solve_of
 #define invcal_imu_solve_of other_solve_of
-#include "imu.c"
-#include "moves.c"
+#include "imu/imu.c"
+#include "imu/moves.c"
 
 #endif

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "imu.h"
+#include "imu/imu.h"
 #include "invcal/gyro_store.h"
 #include "invcal/result.h"
 #include "support.h"

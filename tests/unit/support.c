@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "support.h"
-#include "system.h"
+#include "core/system.h"
 
 #include <float.h>
 #include <math.h>
 
 #include "invcal/positions.h"
-#include "system.h"
+#include "core/system.h"
 #include "unity.h"
 
 static const double TURN = 6.283185307179586;

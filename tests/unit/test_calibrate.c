@@ -7,9 +7,9 @@
 #include <string.h>
 
 #include "expected.h"
-#include "judge.h"
+#include "calibrate/judge.h"
 #include "positions.h"
-#include "solve.h"
+#include "core/solve.h"
 #include "support.h"
 #include "unity.h"
 

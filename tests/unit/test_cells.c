@@ -5,13 +5,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "cells.h"
-#include "sums.h"
+#include "magnetometer/cells.h"
+#include "core/sums.h"
 #include "support.h"
 #include "unity.h"
 
 /* Early, late, and the memory after them, which nothing may read. */
-static invcal_cells table[3];
+static invcal_private_cells table[3];
 static const invcal_cell_tables both = {&table[0], &table[1]};
 
 void setUp(void)
@@ -65,7 +65,7 @@ static void cells_have_equal_size(void)
     }
 }
 
-static void fill(invcal_cells *cells, double shift, double scale)
+static void fill(invcal_private_cells *cells, double shift, double scale)
 {
     random_source random = random_start(2);
 
@@ -86,8 +86,8 @@ static void fill(invcal_cells *cells, double shift, double scale)
 static void moved_rows_are_those_of_moved_readings(void)
 {
     static const invcal_real shift[3] = {INVCAL_REAL(0.3), INVCAL_REAL(0.6), INVCAL_REAL(0.9)};
-    invcal_cells moved;
-    invcal_cells expected;
+    invcal_private_cells moved;
+    invcal_private_cells expected;
     unsigned count = 0;
 
     fill(&moved, 0, 1);
@@ -110,8 +110,8 @@ static void moved_rows_are_those_of_moved_readings(void)
 
 static void a_full_cell_keeps_its_mean(void)
 {
-    invcal_cells *const cells = &table[0];
-    invcal_cells *const other = &table[1];
+    invcal_private_cells *const cells = &table[0];
+    invcal_private_cells *const other = &table[1];
     const invcal_real h[INVCAL_PARAMETERS] = {1, 0, 0, 1, 0, 0, 0, 0, 0};
 
     for (long i = 0; i < 40000; i++) {
@@ -323,7 +323,7 @@ static void cells_that_scatter_much_more_count_alone(void)
  * as it was. */
 static void what_shows_no_scatter_is_not_weighted(void)
 {
-    static invcal_cells cells;
+    static invcal_private_cells cells;
     invcal_cell_fit fit = {.tables = {&cells, &cells}};
     random_source random = random_start(4);
 
@@ -352,7 +352,7 @@ static void what_shows_no_scatter_is_not_weighted(void)
     TEST_ASSERT_EQUAL_UINT(found.quality.sigma_dof, fit.quality.sigma_dof);
 }
 
-static void add_along(invcal_cells *cells, const double d[3], double shift, int samples)
+static void add_along(invcal_private_cells *cells, const double d[3], double shift, int samples)
 {
     invcal_real h[INVCAL_PARAMETERS] = {(invcal_real)(d[0] + shift), (invcal_real)d[1],
                                         (invcal_real)d[2]};

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "circle.h"
+#include "core/circle.h"
 #include "support.h"
 #include "unity.h"
 

@@ -56,7 +56,7 @@ static void a_rotation_of_up_to_90_degrees_comes_back(void)
     for (int n = 0; n < SOME(50); n++) {
         invcal_dip dip;
         invcal_dip_quality quality;
-        invcal_real found[3][3];
+        invcal_rotation found;
         double r[3][3];
         const double angle = random_uniform(&random, 0, 1.57);
         const double down = random_uniform(&random, -1.2, 1.2);
@@ -68,11 +68,11 @@ static void a_rotation_of_up_to_90_degrees_comes_back(void)
             read_both(down, (const double(*)[3])r, 0, &random, up, field);
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, up, field));
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_solve(&dip, 1, found, NULL));
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_solve(&dip, 1, found, &quality));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_solve(&dip, 1, &found, NULL));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_solve(&dip, 1, &found, &quality));
         for (int i = 0; i < 9; i++) {
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-5, 1e-7), r[i / 3][i % 3],
-                                      (double)found[i / 3][i % 3]);
+                                      (double)found.r[i / 3][i % 3]);
         }
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-5, 1e-7), -sin(down), (double)quality.sine);
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-3, 1e-7), 0, (double)quality.scatter);
@@ -93,7 +93,7 @@ static void sigma_is_the_scatter_of_the_angles(void)
     for (int n = 0; n < runs; n++) {
         invcal_dip dip;
         invcal_dip_quality quality;
-        invcal_real found[3][3];
+        invcal_rotation found;
         invcal_dip_init(&dip);
         for (int i = 0; i < 100; i++) {
             invcal_real up[3];
@@ -104,9 +104,9 @@ static void sigma_is_the_scatter_of_the_angles(void)
             }
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_dip_solve(&dip, (invcal_real)alike, found, &quality));
+                              invcal_dip_solve(&dip, (invcal_real)alike, &found, &quality));
         for (int i = 0; i < 3; i++) {
-            const double angle = (double)found[(i + 2) % 3][(i + 1) % 3];
+            const double angle = (double)found.r[(i + 2) % 3][(i + 1) % 3];
             squares += angle * angle / (3 * runs);
             sigma += (double)(quality.sigma[i] * quality.sigma[i]) / (3 * runs);
         }
@@ -163,10 +163,10 @@ static void the_quality_is_that_of_closed_form(void)
     }
     for (unsigned k = 0; k < sizeof alike / sizeof alike[0]; k++) {
         invcal_dip_quality quality;
-        invcal_real found[3][3];
+        invcal_rotation found;
         const double sigma = cos(d) * sin(e) * sqrt(alike[k].counted / third / (48 - 4));
         TEST_ASSERT_EQUAL_INT(
-            INVCAL_OK, invcal_dip_solve(&dip, (invcal_real)alike[k].stated, found, &quality));
+            INVCAL_OK, invcal_dip_solve(&dip, (invcal_real)alike[k].stated, &found, &quality));
         TEST_ASSERT_DOUBLE_WITHIN(1e-6, -sin(d) * cos(e), (double)quality.sine);
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(5e-6, 1e-12), cos(d) * sin(e),
                                   (double)quality.scatter);
@@ -178,7 +178,7 @@ static void the_quality_is_that_of_closed_form(void)
                                   sigma / sqrt(1 - pow(sin(d) * cos(e), 2)),
                                   (double)quality.heading);
         for (int i = 0; i < 9; i++) {
-            TEST_ASSERT_DOUBLE_WITHIN(1e-6, i % 4 == 0, (double)found[i / 3][i % 3]);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, i % 4 == 0, (double)found.r[i / 3][i % 3]);
         }
     }
 }
@@ -188,7 +188,7 @@ static void five_instants_are_enough(void)
 {
     static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     random_source random = random_start(5);
-    invcal_real found[3][3];
+    invcal_rotation found;
     invcal_dip dip;
 
     invcal_dip_init(&dip);
@@ -198,25 +198,25 @@ static void five_instants_are_enough(void)
         read_both(0.5, same, 0.01, &random, up, field);
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, up, field));
         TEST_ASSERT_EQUAL_INT(n < 5 ? INVCAL_TOO_FEW : INVCAL_OK,
-                              invcal_dip_solve(&dip, 1, found, NULL));
+                              invcal_dip_solve(&dip, 1, &found, NULL));
     }
 }
 
 static void what_leaves_an_angle_open_is_refused(void)
 {
     invcal_dip dip;
-    invcal_real found[3][3] = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}};
+    invcal_rotation found = {{{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
 
     invcal_dip_init(&dip);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_dip_solve(&dip, 1, found, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_dip_solve(&dip, 1, &found, NULL));
     for (int i = 0; i < 100; i++) { /* it lies flat, and turns about the vertical */
         const double t = i * 0.1;
         const invcal_real up[3] = {0, 0, 1};
         const invcal_real field[3] = {(invcal_real)cos(t), (invcal_real)sin(t), -1};
         invcal_dip_add(&dip, up, field);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_dip_solve(&dip, 1, found, NULL));
-    TEST_ASSERT_TRUE(found[0][0] == 7 && found[2][2] == 7);
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_dip_solve(&dip, 1, &found, NULL));
+    TEST_ASSERT_TRUE(found.r[0][0] == 7 && found.r[2][2] == 7);
 }
 
 /* Up and an unrelated field have no constant angle between them. */
@@ -226,7 +226,7 @@ static void what_is_not_of_one_instant_is_refused(void)
 
     for (int n = 0; n < SOME(50); n++) {
         invcal_dip dip;
-        invcal_real found[3][3] = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}};
+        invcal_rotation found = {{{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
         invcal_dip_init(&dip);
         for (int i = 0; i < 200; i++) {
             double d[2][3];
@@ -238,8 +238,8 @@ static void what_is_not_of_one_instant_is_refused(void)
                                           (invcal_real)d[1][2]};
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_dip_add(&dip, up, field));
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_dip_solve(&dip, 1, found, NULL));
-        TEST_ASSERT_TRUE(found[0][0] == 7 && found[2][2] == 7);
+        TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_dip_solve(&dip, 1, &found, NULL));
+        TEST_ASSERT_TRUE(found.r[0][0] == 7 && found.r[2][2] == 7);
     }
 }
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "directions.h"
+#include "stand/directions.h"
 #include "expected.h"
 #include "support.h"
 #include "unity.h"

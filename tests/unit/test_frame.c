@@ -57,7 +57,7 @@ static void any_rotation_comes_back_from_two_faces_and_from_more(void)
 
     for (int n = 0; n < SOME(300); n++) {
         invcal_frame frame;
-        invcal_real found[3][3];
+        invcal_rotation found;
         double r[3][3];
         random_rotation(&random, r);
         invcal_frame_init(&frame);
@@ -66,8 +66,8 @@ static void any_rotation_comes_back_from_two_faces_and_from_more(void)
             TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                                   add(&frame, (const double(*)[3])r, faces[k], faces[k]));
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_solve(&frame, found, NULL));
-        is_rotation((const double(*)[3])r, (const invcal_real(*)[3])found,
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_solve(&frame, &found, NULL));
+        is_rotation((const double(*)[3])r, (const invcal_real(*)[3])found.r,
                     FLOAT_OR_DOUBLE(1e-6, 1e-14));
     }
 }
@@ -84,12 +84,12 @@ static void sigma_is_that_of_closed_form(void)
     for (int n = 0; n < 3; n++) {
         invcal_frame frame;
         invcal_frame_quality quality;
-        invcal_real found[3][3];
+        invcal_rotation found;
         invcal_frame_init(&frame);
         for (int k = 0; k < counts[n]; k++) {
             add(&frame, same, faces[k], faces[k]);
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_solve(&frame, found, &quality));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_solve(&frame, &found, &quality));
         for (int i = 0; i < 3; i++) {
             TEST_ASSERT_DOUBLE_WITHIN(1e-6, expected[n][i], (double)quality.sigma[i]);
         }
@@ -108,7 +108,7 @@ static void sigma_is_the_scatter_of_the_angles(void)
 
     for (int n = 0; n < runs; n++) {
         invcal_frame frame;
-        invcal_real found[3][3];
+        invcal_rotation found;
         invcal_frame_init(&frame);
         for (int k = 0; k < 3; k++) {
             double up[3];
@@ -117,9 +117,9 @@ static void sigma_is_the_scatter_of_the_angles(void)
             }
             add(&frame, same, up, faces[k]);
         }
-        invcal_frame_solve(&frame, found, NULL);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_solve(&frame, &found, NULL));
         for (int i = 0; i < 3; i++) {
-            const double angle = (double)found[(i + 2) % 3][(i + 1) % 3];
+            const double angle = (double)found.r[(i + 2) % 3][(i + 1) % 3];
             squares[i] += angle * angle / runs;
         }
     }
@@ -135,7 +135,7 @@ static void the_tilt_of_a_table_cancels_in_pairs(void)
     random_source random = random_start(3);
     invcal_frame frame;
     invcal_frame_quality quality;
-    invcal_real found[3][3];
+    invcal_rotation found;
     double r[3][3];
 
     random_rotation(&random, r);
@@ -150,8 +150,8 @@ static void the_tilt_of_a_table_cancels_in_pairs(void)
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&frame, (const double(*)[3])r, up, faces[k]));
         }
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_solve(&frame, found, &quality));
-    is_rotation((const double(*)[3])r, (const invcal_real(*)[3])found,
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_solve(&frame, &found, &quality));
+    is_rotation((const double(*)[3])r, (const invcal_real(*)[3])found.r,
                 FLOAT_OR_DOUBLE(1e-6, 1e-12));
     TEST_ASSERT_DOUBLE_WITHIN(3e-5, t, (double)quality.scatter);
 }
@@ -160,24 +160,24 @@ static void one_way_up_is_refused_and_so_is_its_opposite_or_a_mirror(void)
 {
     static const double same[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     static const double mirror[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
-    invcal_real found[3][3] = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}};
+    invcal_rotation found = {{{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
     invcal_frame frame;
 
     invcal_frame_init(&frame);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_frame_solve(&frame, found, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_frame_solve(&frame, &found, NULL));
     add(&frame, same, faces[0], faces[0]);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_frame_solve(&frame, found, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_frame_solve(&frame, &found, NULL));
     add(&frame, same, faces[0], faces[0]);
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_solve(&frame, found, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_solve(&frame, &found, NULL));
     add(&frame, same, faces[3], faces[3]);
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_solve(&frame, found, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_solve(&frame, &found, NULL));
     invcal_frame_init(&frame);
     for (int k = 0; k < 3; k++) {
         add(&frame, mirror, faces[k], faces[k]);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_solve(&frame, found, NULL));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_solve(&frame, &found, NULL));
     for (int i = 0; i < 9; i++) {
-        TEST_ASSERT_TRUE(found[i / 3][i % 3] == 7); /* untouched */
+        TEST_ASSERT_TRUE(found.r[i / 3][i % 3] == 7); /* untouched */
     }
 }
 
@@ -189,13 +189,13 @@ static void two_faces_may_be_26_degrees_apart(void)
     for (int n = 0; n < 2; n++) {
         const double t = (n == 0 ? 25.5 : 26.0) * 3.14159265358979324 / 180;
         const double other[3] = {sin(t), 0, cos(t)};
-        invcal_real found[3][3];
+        invcal_rotation found;
         invcal_frame frame;
         invcal_frame_init(&frame);
         add(&frame, same, faces[0], faces[0]);
         add(&frame, same, other, other);
         TEST_ASSERT_EQUAL_INT(n == 0 ? INVCAL_UNDETERMINED : INVCAL_OK,
-                              invcal_frame_solve(&frame, found, NULL));
+                              invcal_frame_solve(&frame, &found, NULL));
     }
 }
 
@@ -230,22 +230,22 @@ static void a_single_face_is_levelled_the_shortest_way(void)
     const double lean[3][3] = {{cos(t), 0, sin(t)}, {0, 1, 0}, {-sin(t), 0, cos(t)}};
     static const invcal_real up[3] = {0, 0, 1};
     static const invcal_real down[3] = {0, 0, -1};
-    invcal_real found[3][3];
+    invcal_rotation found;
     invcal_frame frame;
 
     invcal_frame_init(&frame);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_frame_level(&frame, up, found));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_frame_level(&frame, up, &found));
     add(&frame, lean, faces[0], faces[0]);
     add(&frame, lean, faces[0], faces[0]);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_level(&frame, up, found));
-    is_rotation(lean, (const invcal_real(*)[3])found, FLOAT_OR_DOUBLE(3e-7, 1e-15));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_level(&frame, up, &found));
+    is_rotation(lean, (const invcal_real(*)[3])found.r, FLOAT_OR_DOUBLE(3e-7, 1e-15));
     invcal_frame_init(&frame);
     add(&frame, lean, faces[3], faces[0]);
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_level(&frame, up, found));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_level(&frame, up, &found));
     invcal_frame_init(&frame);
     add(&frame, lean, faces[3], faces[3]);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_level(&frame, down, found));
-    is_rotation(lean, (const invcal_real(*)[3])found, FLOAT_OR_DOUBLE(3e-7, 1e-15));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_level(&frame, down, &found));
+    is_rotation(lean, (const invcal_real(*)[3])found.r, FLOAT_OR_DOUBLE(3e-7, 1e-15));
 }
 
 /* Also if that is not a face: (2 1 2) / 3 is perpendicular to the axis (1 0 -1) of the turn, so
@@ -255,21 +255,21 @@ static void any_orientation_is_levelled_the_shortest_way(void)
     const double turn[3] = {0.3, 0, -0.3};
     static const double up[3] = {2.0 / 3, 1.0 / 3, 2.0 / 3};
     const invcal_real stated[3] = {(invcal_real)up[0], (invcal_real)up[1], (invcal_real)up[2]};
-    invcal_real found[3][3];
+    invcal_rotation found;
     invcal_frame frame;
     double r[3][3];
 
     rotation_by(turn, r);
     invcal_frame_init(&frame);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&frame, (const double(*)[3])r, up, up));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_level(&frame, stated, found));
-    is_rotation((const double(*)[3])r, (const invcal_real(*)[3])found,
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_frame_level(&frame, stated, &found));
+    is_rotation((const double(*)[3])r, (const invcal_real(*)[3])found.r,
                 FLOAT_OR_DOUBLE(5e-7, 1e-15));
     invcal_frame_init(&frame);
     for (int k = 0; k < 3; k++) { /* by three faces, each along its axis */
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, add(&frame, (const double(*)[3])r, faces[k], faces[k]));
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_level(&frame, stated, found));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_level(&frame, stated, &found));
 }
 
 /* Two directions 2 t apart have a mean of length cos t: 0.9 at 25.84 degrees. Three of which one is
@@ -284,20 +284,20 @@ static void rests_that_contradict_each_other_are_not_levelled(void)
     for (int n = 0; n < 7; n++) {
         const double t = apart[n] * 3.14159265358979324 / 180;
         const double other[3] = {sin(t), 0, cos(t)};
-        invcal_real found[3][3] = {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}};
+        invcal_rotation found = {{{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
         invcal_frame_init(&frame);
         add(&frame, same, faces[0], faces[0]);
         add(&frame, same, other, faces[0]);
         TEST_ASSERT_EQUAL_INT(n < 3 ? INVCAL_OK : INVCAL_UNDETERMINED,
-                              invcal_frame_level(&frame, up, found));
-        TEST_ASSERT_TRUE(n < 3 || found[0][0] == 7); /* untouched */
+                              invcal_frame_level(&frame, up, &found));
+        TEST_ASSERT_TRUE(n < 3 || found.r[0][0] == 7); /* untouched */
     }
-    invcal_real found[3][3];
+    invcal_rotation found;
     invcal_frame_init(&frame);
     add(&frame, same, faces[0], faces[0]);
     add(&frame, same, faces[0], faces[0]);
     add(&frame, same, faces[3], faces[0]);
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_level(&frame, up, found));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_frame_level(&frame, up, &found));
 }
 
 /* Half and twice the field are the limits. */
@@ -316,11 +316,11 @@ static void lengths_at_the_limit_count(void)
 
 static void a_calibration_is_turned_from_the_left(void)
 {
-    static const invcal_real all_axes[3][3] = {{2, -1, 2}, {2, 2, -1}, {-1, 2, 2}};
+    static const invcal_rotation all_axes = {{{2, -1, 2}, {2, 2, -1}, {-1, 2, 2}}};
     invcal_calibration c = {{1, 2, 3}, {{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}};
     static const double expected[3][3] = {{12, 15, 20}, {3, 6, 8}, {21, 24, 29}};
 
-    invcal_frame_turn(all_axes, &c);
+    invcal_rotate(&c, &all_axes);
     is_rotation(expected, (const invcal_real(*)[3])c.matrix, 0);
     TEST_ASSERT_TRUE(c.offset[0] == 1 && c.offset[1] == 2 && c.offset[2] == 3);
 }

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "guidance.h"
+#include "plan/guidance.h"
 #include "invcal/expert.h"
 #include "invcal/plan.h"
 #include "support.h"

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "gyro_world.h"
-#include "turns.h"
-#include "solve.h"
+#include "imu/turns.h"
+#include "core/solve.h"
 #include "turns_design.h"
 #include "unity.h"
 

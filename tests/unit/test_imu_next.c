@@ -7,7 +7,7 @@
 
 #include "gyro_world.h"
 #include "invcal/plan.h"
-#include "turns.h"
+#include "imu/turns.h"
 #include "unity.h"
 
 void setUp(void)

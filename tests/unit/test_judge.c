@@ -7,7 +7,7 @@
 
 #include "expected.h"
 #include "invcal/result.h"
-#include "judge.h"
+#include "calibrate/judge.h"
 #include "support.h"
 #include "unity.h"
 

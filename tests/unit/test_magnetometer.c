@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "magnetometer/cells.h"
 #include "invcal/magnetometer.h"
 #include "invcal/result.h"
 #include "invcal/store.h"
@@ -125,7 +126,7 @@ static void live(const scene *s, uint32_t seed, double size, minute *m)
     random_direction(&random, step);
     random_rotation(&random, r);
     invcal_nominal(zero, counts, &nominal);
-    invcal_magnetometer_init(&m->magnetometer, &nominal);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&m->magnetometer, &nominal));
     for (int n = 0; n < (int)(s->seconds * s->rate); n++) {
         const double t = n * dt;
         double seen[3];
@@ -184,8 +185,8 @@ static void a_magnetometer_without_noise_is_found_exactly(void)
                                       error[i] * (double)the.quality.sigma[i]);
         }
         TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS, the.found.covered);
-        TEST_ASSERT_EQUAL_UINT(0, the.found.gap);
-        TEST_ASSERT_EQUAL_UINT(0, the.found.left_out);
+        TEST_ASSERT_EQUAL_UINT(0, the.found.gap_deg);
+        TEST_ASSERT_EQUAL_UINT(0, the.found.dropped);
     }
 }
 
@@ -275,7 +276,7 @@ static void a_real_one_agrees_with_fits_to_all_samples(void)
 {
     const invcal_calibration nominal = unit_nominal();
 
-    invcal_magnetometer_init(&the.magnetometer, &nominal);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &nominal));
     for (unsigned n = 0; n < sizeof reference_means / sizeof reference_means[0]; n++) {
         invcal_real raw[3];
         for (int i = 0; i < 3; i++) {
@@ -310,7 +311,7 @@ static void half_a_sphere_is_weak(void)
     for (int n = 0; n < SOME(50); n++) {
         live(&s, 1 + (uint32_t)n, 0.05, &the);
         TEST_ASSERT_TRUE(the.status != INVCAL_OK || the.quality.verdict == INVCAL_WEAK);
-        TEST_ASSERT_TRUE(the.status != INVCAL_OK || the.found.gap >= 60);
+        TEST_ASSERT_TRUE(the.status != INVCAL_OK || the.found.gap_deg >= 60);
         invcal_real along[3];
         invcal_magnetometer_next(&the.magnetometer, along);
         TEST_ASSERT_TRUE(along[2] < 0); /* the other half */
@@ -356,7 +357,7 @@ static void less_than_half_a_sphere_is_weak(void)
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
-    TEST_ASSERT_EQUAL_UINT(90, found.gap);
+    TEST_ASSERT_EQUAL_UINT(90, found.gap_deg);
     TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
     TEST_ASSERT_TRUE(quality.weak >> INVCAL_DELTA_Z & 1 && quality.weak >> INVCAL_DK_Z & 1);
     invcal_magnetometer_next(&the.magnetometer, along);
@@ -384,19 +385,19 @@ static void gaps_are_reported(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
     TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - 1, found.covered);
-    TEST_ASSERT_EQUAL_UINT(45, found.gap);
+    TEST_ASSERT_EQUAL_UINT(45, found.gap_deg);
     TEST_ASSERT_TRUE(quality.verdict != INVCAL_WEAK);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) { /* and neither +x nor what is between */
         invcal_real v[3] = {0, 0, 0};
         (void)invcal_magnetometer_cell(&the.magnetometer, &c, k, v);
         if (v[0] + v[2] > INVCAL_REAL(0.8) && fabs((double)v[1]) < 0.3) {
-            the.magnetometer.early.count[k] = the.magnetometer.late.count[k] = 0;
+            the.magnetometer.own.early.count[k] = the.magnetometer.own.late.count[k] = 0;
         }
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
     TEST_ASSERT_EQUAL_UINT(INVCAL_CELLS - 3, found.covered);
-    TEST_ASSERT_EQUAL_UINT(60, found.gap);
+    TEST_ASSERT_EQUAL_UINT(60, found.gap_deg);
     TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, quality.verdict);
     TEST_ASSERT_EQUAL_UINT(1u << INVCAL_DELTA_X | 1u << INVCAL_DELTA_Z | 1u << INVCAL_DK_X |
                                1u << INVCAL_DK_Z | 1u << INVCAL_GAMMA_XZ,
@@ -449,7 +450,7 @@ static void it_goes_on_after_a_reset(void)
     invcal_quality quality;
     uint32_t size = 0;
 
-    (void)invcal_magnetometer_init(&whole, &nominal);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&whole, &nominal));
     again = whole;
     for (int n = 0; n < 4000; n++) {
         invcal_real raw[3];
@@ -492,7 +493,7 @@ static void a_magnet_that_passes_is_named_and_does_no_harm(void)
         s.at = 20 + 38.0 * n / logs;
         live(&s, 1 + (uint32_t)n, 0.05, &the);
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
-        named += the.found.disturbance != INVCAL_UNDISTURBED && the.found.left_out > 0;
+        named += the.found.disturbance != INVCAL_UNDISTURBED && the.found.dropped > 0;
         harmed += !(errors(&the, error) <= 3);
     }
     TEST_ASSERT_TRUE(named >= logs - logs / 50);
@@ -553,7 +554,7 @@ static void what_keeps_contradicting_is_a_step(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
     TEST_ASSERT_EQUAL_INT(INVCAL_STEP, the.found.disturbance);
     TEST_ASSERT_EQUAL_INT(INVCAL_ROUGH, the.quality.verdict);
-    TEST_ASSERT_TRUE(the.found.left_out > 1000);
+    TEST_ASSERT_TRUE(the.found.dropped > 1000);
 }
 
 /* That many left out are not a harmless passing magnet. */
@@ -632,12 +633,12 @@ static invcal_magnetometer *begin_settled(void)
     const invcal_calibration nominal = unit_nominal();
     invcal_magnetometer *const m = &the.magnetometer;
 
-    (void)invcal_magnetometer_init(m, &nominal);
-    m->stage = SECOND;
-    m->samples = 1;
-    m->due = FULL;
-    m->squares = 1000;
-    m->p[INVCAL_DK_X] = m->p[INVCAL_DK_Y] = m->p[INVCAL_DK_Z] = INVCAL_REAL(0.5);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(m, &nominal));
+    m->own.stage = SECOND;
+    m->own.samples = 1;
+    m->own.due = FULL;
+    m->own.squares = 1000;
+    m->own.p[INVCAL_DK_X] = m->own.p[INVCAL_DK_Y] = m->own.p[INVCAL_DK_Z] = INVCAL_REAL(0.5);
     return m;
 }
 
@@ -646,17 +647,17 @@ static void forget_compared(unsigned samples)
 {
     invcal_magnetometer *const m = &the.magnetometer;
 
-    m->squares = m->products = m->before = 0;
-    memset(m->block, 0, sizeof m->block);
-    m->blocked = 0;
-    m->in_block = 0;
-    m->samples = samples;
+    m->own.squares = m->own.products = m->own.before = 0;
+    memset(m->own.block, 0, sizeof m->own.block);
+    m->own.blocked = 0;
+    m->own.in_block = 0;
+    m->own.samples = samples;
 }
 
 static void make_early(void)
 {
-    the.magnetometer.early = the.magnetometer.late;
-    memset(&the.magnetometer.late, 0, sizeof the.magnetometer.late);
+    the.magnetometer.own.early = the.magnetometer.own.late;
+    memset(&the.magnetometer.own.late, 0, sizeof the.magnetometer.own.late);
 }
 
 /* A log of n samples in each cell, of a sphere. */
@@ -670,7 +671,7 @@ static invcal_magnetometer *settle(const double centre[3], double radius, unsign
     return m;
 }
 
-static unsigned samples_in(const invcal_cells *cells)
+static unsigned samples_in(const invcal_private_cells *cells)
 {
     unsigned sum = 0;
 
@@ -682,7 +683,7 @@ static unsigned samples_in(const invcal_cells *cells)
 
 static void look(void)
 {
-    the.magnetometer.due = the.magnetometer.samples + 1;
+    the.magnetometer.own.due = the.magnetometer.own.samples + 1;
     TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(0, 0, 1));
 }
 
@@ -701,24 +702,24 @@ static void more_than_five_times_the_rms_is_left_out(void)
 
     for (unsigned k = 0; k < 3; k++) {
         invcal_magnetometer *const m = settle(origin, 1, 10);
-        m->blocked = compared[k];
-        m->squares = (invcal_real)(0.01 * compared[k]);
+        m->own.blocked = compared[k];
+        m->own.squares = (invcal_real)(0.01 * compared[k]);
         TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, feed_at(sqrt(2.03), 0, 0));
         TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, feed_at(0, 0, -sqrt(2.03)));
-        TEST_ASSERT_EQUAL_UINT(2, m->left_out);
-        TEST_ASSERT_EQUAL_UINT(180, m->samples);
+        TEST_ASSERT_EQUAL_UINT(2, m->own.dropped);
+        TEST_ASSERT_EQUAL_UINT(180, m->own.samples);
         TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(0, sqrt(1.98), 0));
-        TEST_ASSERT_EQUAL_UINT(181, m->samples);
-        TEST_ASSERT_EQUAL_UINT(2, m->left_out);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.01 * compared[k] + 0.49 * 0.49, (double)m->squares);
+        TEST_ASSERT_EQUAL_UINT(181, m->own.samples);
+        TEST_ASSERT_EQUAL_UINT(2, m->own.dropped);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.01 * compared[k] + 0.49 * 0.49, (double)m->own.squares);
     }
     invcal_magnetometer *const m = settle(origin, 1, 10);
-    m->blocked = 92;
-    m->squares = INVCAL_REAL(0.92);
+    m->own.blocked = 92;
+    m->own.squares = INVCAL_REAL(0.92);
     TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(1, 1, 0)); /* 1/2 of 5 times 1/10 */
-    m->blocked = 392; /* with squares of 4 in all the same limit */
-    m->in_block = 0;
-    m->squares = INVCAL_REAL(3.92);
+    m->own.blocked = 392; /* with squares of 4 in all the same limit */
+    m->own.in_block = 0;
+    m->own.squares = INVCAL_REAL(3.92);
     TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, feed_at(sqrt(2.03), 0, 0));
 }
 
@@ -730,22 +731,22 @@ static void blocks_are_a_sixteenth_of_all(void)
 
     for (unsigned k = 0; k < 2; k++) {
         invcal_magnetometer *const m = settle(origin, 1, 10);
-        m->samples = samples[k];
-        m->in_block = (uint16_t)(last[k] - 2);
-        m->squares = 100; /* so that nothing is left out */
+        m->own.samples = samples[k];
+        m->own.in_block = (uint16_t)(last[k] - 2);
+        m->own.squares = 100; /* so that nothing is left out */
         TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(0.48 * 1.1, 0.6 * 1.1, 0.64 * 1.1));
-        TEST_ASSERT_EQUAL_UINT(last[k] - 1, m->in_block);
-        TEST_ASSERT_EQUAL_UINT(0, m->blocked);
+        TEST_ASSERT_EQUAL_UINT(last[k] - 1, m->own.in_block);
+        TEST_ASSERT_EQUAL_UINT(0, m->own.blocked);
         const double r = (1.21 - 1) / 2;
-        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * 0.48 * 1.1, (double)m->block[0]);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * 0.6 * 1.1, (double)m->block[1]);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * 0.64 * 1.1, (double)m->block[2]);
-        m->samples = samples[k];
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * 0.48 * 1.1, (double)m->own.block[0]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * 0.6 * 1.1, (double)m->own.block[1]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * 0.64 * 1.1, (double)m->own.block[2]);
+        m->own.samples = samples[k];
         TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(1, 0, 0));
-        TEST_ASSERT_EQUAL_UINT(0, m->in_block);
-        TEST_ASSERT_EQUAL_UINT(last[k], m->blocked);
-        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * r * 1.21, (double)m->products);
-        TEST_ASSERT_TRUE(m->block[0] == 0 && m->block[1] == 0 && m->block[2] == 0);
+        TEST_ASSERT_EQUAL_UINT(0, m->own.in_block);
+        TEST_ASSERT_EQUAL_UINT(last[k], m->own.blocked);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-6, r * r * 1.21, (double)m->own.products);
+        TEST_ASSERT_TRUE(m->own.block[0] == 0 && m->own.block[1] == 0 && m->own.block[2] == 0);
     }
 }
 
@@ -756,16 +757,16 @@ static void looks_come_with_five_eighths_more(void)
     const invcal_calibration nominal = unit_nominal();
     unsigned next = 0;
 
-    (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &nominal));
     for (unsigned n = 1; n <= 500; n++) {
         const double z = 1 - (2 * n % 97) / 48.5;
         const double across = sqrt(1 - z * z);
-        TEST_ASSERT_EQUAL_UINT(at[next], the.magnetometer.due);
+        TEST_ASSERT_EQUAL_UINT(at[next], the.magnetometer.own.due);
         (void)feed_at(across * cos(2.4 * n), across * sin(2.4 * n), z);
         next += n == at[next];
-        TEST_ASSERT_EQUAL_UINT(at[next], the.magnetometer.due);
+        TEST_ASSERT_EQUAL_UINT(at[next], the.magnetometer.own.due);
     }
-    TEST_ASSERT_EQUAL_UINT(SECOND, the.magnetometer.stage);
+    TEST_ASSERT_EQUAL_UINT(SECOND, the.magnetometer.own.stage);
 }
 
 /* Counters of 24 bits: the samples are halved when the next look would come after 2^24, and no sooner. */
@@ -773,18 +774,18 @@ static void full_counters_stay_in_their_range(void)
 {
     invcal_magnetometer *const m = settle(origin, 1, 10);
 
-    m->samples = UINT32_C(10324440); /* this and 5/8 of it, without the fraction, make 2^24 */
+    m->own.samples = UINT32_C(10324440); /* this and 5/8 of it, without the fraction, make 2^24 */
     look();
-    TEST_ASSERT_EQUAL_UINT32(UINT32_C(10324441), m->samples);
-    TEST_ASSERT_EQUAL_UINT32(FULL, m->due);
-    m->samples = FULL - 1;
+    TEST_ASSERT_EQUAL_UINT32(UINT32_C(10324441), m->own.samples);
+    TEST_ASSERT_EQUAL_UINT32(FULL, m->own.due);
+    m->own.samples = FULL - 1;
     look();
-    TEST_ASSERT_EQUAL_UINT32(FULL / 2, m->samples);
-    TEST_ASSERT_EQUAL_UINT32(FULL, m->due);
-    m->left_out = FULL - 1;
+    TEST_ASSERT_EQUAL_UINT32(FULL / 2, m->own.samples);
+    TEST_ASSERT_EQUAL_UINT32(FULL, m->own.due);
+    m->own.dropped = FULL - 1;
     for (int i = 0; i < 2; i++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, feed_at(3, 0, 0));
-        TEST_ASSERT_EQUAL_UINT32(FULL, m->left_out);
+        TEST_ASSERT_EQUAL_UINT32(FULL, m->own.dropped);
     }
 }
 
@@ -793,20 +794,20 @@ static void a_look_halves_what_is_against_an_older_solution(void)
 {
     invcal_magnetometer *const m = settle(origin, 1, 10);
 
-    m->blocked = 128;
-    m->products = 128;
-    m->squares = 4;
-    m->in_block = 3;
-    m->block[0] = 1;
-    m->block[1] = m->block[2] = 2;
+    m->own.blocked = 128;
+    m->own.products = 128;
+    m->own.squares = 4;
+    m->own.in_block = 3;
+    m->own.block[0] = 1;
+    m->own.block[1] = m->own.block[2] = 2;
     look();
-    TEST_ASSERT_EQUAL_UINT(0, m->in_block);
-    TEST_ASSERT_EQUAL_UINT((128 + 4) / 2, m->blocked);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 137.0 / 2, (double)m->products);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 137.0 / 132, (double)m->before);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 2, (double)m->squares);
-    TEST_ASSERT_EQUAL_UINT(0, samples_in(&m->late));
-    TEST_ASSERT_EQUAL_UINT(181, samples_in(&m->early));
+    TEST_ASSERT_EQUAL_UINT(0, m->own.in_block);
+    TEST_ASSERT_EQUAL_UINT((128 + 4) / 2, m->own.blocked);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 137.0 / 2, (double)m->own.products);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 137.0 / 132, (double)m->own.before);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 2, (double)m->own.squares);
+    TEST_ASSERT_EQUAL_UINT(0, samples_in(&m->own.late));
+    TEST_ASSERT_EQUAL_UINT(181, samples_in(&m->own.early));
 }
 
 /* The box: its middle is the centre, half its longest edge the unit. Two points give no solution. */
@@ -818,33 +819,33 @@ static void the_box_gives_centre_and_unit(void)
     const invcal_magnetometer *const m = &the.magnetometer;
 
     for (unsigned k = 0; k < 2; k++) {
-        (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &nominal));
         for (int n = 0; n < 100; n++) {
             const double side = (n % 2 ? 1 : -1) * units[k];
             (void)feed_at(side * half[0], side * (half[1] + 3), side * (half[2] - 5));
         }
-        TEST_ASSERT_EQUAL_UINT(0, m->stage);
-        TEST_ASSERT_EQUAL_UINT(162, m->due);
+        TEST_ASSERT_EQUAL_UINT(0, m->own.stage);
+        TEST_ASSERT_EQUAL_UINT(162, m->own.due);
         if (k == 0) { /* the middle is 0: 4.4 is the longest half */
-            TEST_ASSERT_DOUBLE_WITHIN(1e-6, 4.4, (double)m->unit);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, 4.4, (double)m->own.unit);
             for (int i = 0; i < 3; i++) {
-                TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0, (double)m->work.offset[i]);
+                TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0, (double)m->own_work.offset[i]);
             }
-            TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1.2 / 4.4, (double)m->p[3]);
-            TEST_ASSERT_DOUBLE_WITHIN(1e-6, -4 / 4.4, (double)m->p[2]);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1.2 / 4.4, (double)m->own.p[3]);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-6, -4 / 4.4, (double)m->own.p[2]);
         } else { /* so it stays what it was, from the first sample on */
-            TEST_ASSERT_TRUE(m->unit == 1);
-            TEST_ASSERT_DOUBLE_WITHIN(1e-17, 2.4e-12, (double)m->p[3]);
+            TEST_ASSERT_TRUE(m->own.unit == 1);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-17, 2.4e-12, (double)m->own.p[3]);
         }
     }
-    (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &nominal));
     for (int n = 0; n < 100; n++) {
         const double side = n % 2 ? 1 : -1;
         (void)feed_at(7 + side * half[0], side * half[1] - 2, side * half[2]);
     }
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1.4, (double)m->unit);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 7, (double)m->work.offset[0]);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-6, -2, (double)m->work.offset[1]);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1.4, (double)m->own.unit);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, 7, (double)m->own_work.offset[0]);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-6, -2, (double)m->own_work.offset[1]);
 }
 
 /* Without a solution the box may be wider than the samples. Of 100 on two points, a at one end, the mean square
@@ -855,18 +856,18 @@ static void a_few_far_away_begin_again(void)
     const invcal_magnetometer *const m = &the.magnetometer;
 
     for (unsigned far = 8; far <= 9; far++) {
-        (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &nominal));
         for (unsigned n = 0; n < 100; n++) {
             (void)feed_at(n % 11 == 1 && n / 11 < far ? 1 : -1, 3, 0);
         }
-        TEST_ASSERT_EQUAL_UINT(far == 8 ? 0 : 100, m->samples);
-        TEST_ASSERT_EQUAL_UINT(far == 8 ? 0 : 100, samples_in(&m->early));
-        TEST_ASSERT_EQUAL_UINT(0, samples_in(&m->late));
-        TEST_ASSERT_EQUAL_UINT(162, m->due);
+        TEST_ASSERT_EQUAL_UINT(far == 8 ? 0 : 100, m->own.samples);
+        TEST_ASSERT_EQUAL_UINT(far == 8 ? 0 : 100, samples_in(&m->own.early));
+        TEST_ASSERT_EQUAL_UINT(0, samples_in(&m->own.late));
+        TEST_ASSERT_EQUAL_UINT(162, m->own.due);
         (void)feed_at(3, 4, 5); /* is the first now, or not */
-        TEST_ASSERT_EQUAL_INT(far == 8, m->work.offset[1] == 4);
+        TEST_ASSERT_EQUAL_INT(far == 8, m->own_work.offset[1] == 4);
         for (int i = 0; i < 3 && far == 8; i++) {
-            TEST_ASSERT_TRUE(m->p[i] == 0 && m->p[3 + i] == 0);
+            TEST_ASSERT_TRUE(m->own.p[i] == 0 && m->own.p[3 + i] == 0);
         }
     }
 }
@@ -885,18 +886,18 @@ static void what_is_on_an_ellipsoid_stays(void)
             (void)feed_at(sqrt(1 - up * up) * cos(around), sqrt(1 - up * up) * sin(around), up);
         }
         if (cells == 9) {
-            memset(&m->late.count[0], 0, sizeof m->late.count[0]);
-            memset(m->late.sum[0], 0, sizeof m->late.sum[0]);
+            memset(&m->own.late.count[0], 0, sizeof m->own.late.count[0]);
+            memset(m->own.late.sum[0], 0, sizeof m->own.late.sum[0]);
         }
-        forget_compared(samples_in(&m->late));
-        m->stage = 0;
+        forget_compared(samples_in(&m->own.late));
+        m->own.stage = 0;
         for (int i = 0; i < 3; i++) {
-            m->p[i] = -1;
-            m->p[3 + i] = 1;
+            m->own.p[i] = -1;
+            m->own.p[3 + i] = 1;
         }
         look();
-        TEST_ASSERT_EQUAL_UINT(0, m->stage);
-        TEST_ASSERT_EQUAL_UINT(cells == 9 ? 0 : 413, samples_in(&m->early));
+        TEST_ASSERT_EQUAL_UINT(0, m->own.stage);
+        TEST_ASSERT_EQUAL_UINT(cells == 9 ? 0 : 413, samples_in(&m->own.early));
     }
 }
 
@@ -910,7 +911,7 @@ static void a_wild_sample_is_forgotten(void)
 
     for (unsigned k = 0; k < 25; k++) {
         random_source random = random_start(k + 1);
-        (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &nominal));
         for (int n = 0; n < 1500; n++) {
             double d[3];
             random_direction(&random, d);
@@ -939,16 +940,16 @@ static void a_hundredth_moves_the_readings(void)
         const double far[3] = {0, 0.0105 * sign, 0};
         invcal_magnetometer *const m = settle(near, 1, 100);
         look();
-        TEST_ASSERT_TRUE(m->work.offset[1] == 0 && m->unit == 1);
+        TEST_ASSERT_TRUE(m->own_work.offset[1] == 0 && m->own.unit == 1);
         (void)settle(far, 1, 100);
         look();
-        TEST_ASSERT_DOUBLE_WITHIN(2e-4, far[1], (double)m->work.offset[1]);
+        TEST_ASSERT_DOUBLE_WITHIN(2e-4, far[1], (double)m->own_work.offset[1]);
         (void)settle(origin, 1 + 0.0095 * sign, 100);
         look();
-        TEST_ASSERT_TRUE(m->work.offset[1] == 0 && m->unit == 1);
+        TEST_ASSERT_TRUE(m->own_work.offset[1] == 0 && m->own.unit == 1);
         (void)settle(origin, 1 + 0.0105 * sign, 100);
         look();
-        TEST_ASSERT_DOUBLE_WITHIN(2e-4, 1 + 0.0105 * sign, (double)m->unit);
+        TEST_ASSERT_DOUBLE_WITHIN(2e-4, 1 + 0.0105 * sign, (double)m->own.unit);
     }
 }
 
@@ -964,21 +965,21 @@ static void a_wide_gap_gives_no_solution(void)
     (void)feed_at(0, 0.74, 0.74);
     forget_compared(63);
     look();
-    TEST_ASSERT_DOUBLE_WITHIN(0.01, 1.05, (double)m->unit);
+    TEST_ASSERT_DOUBLE_WITHIN(0.01, 1.05, (double)m->own.unit);
 
     m = settle(origin, 1.05, 10);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
-        const double x = (double)m->early.sum[k][0];
-        const double y = (double)m->early.sum[k][1];
-        if (x + y > 9.9 && (double)m->early.sum[k][2] == 0) {
-            memset(m->early.sum[k], 0, sizeof m->early.sum[k]);
-            m->early.count[k] = 0;
+        const double x = (double)m->own.early.sum[k][0];
+        const double y = (double)m->own.early.sum[k][1];
+        if (x + y > 9.9 && (double)m->own.early.sum[k][2] == 0) {
+            memset(m->own.early.sum[k], 0, sizeof m->own.early.sum[k]);
+            m->own.early.count[k] = 0;
         }
     }
-    TEST_ASSERT_EQUAL_UINT(150, samples_in(&m->early));
+    TEST_ASSERT_EQUAL_UINT(150, samples_in(&m->own.early));
     look();
-    TEST_ASSERT_TRUE(m->unit == 1);
-    TEST_ASSERT_TRUE(m->p[INVCAL_DK_X] == INVCAL_REAL(0.5));
+    TEST_ASSERT_TRUE(m->own.unit == 1);
+    TEST_ASSERT_TRUE(m->own.p[INVCAL_DK_X] == INVCAL_REAL(0.5));
 }
 
 /* Without a first solution 11 cells with gaps of 45 degrees suffice, two more than the parameters; 10 do not. */
@@ -994,9 +995,9 @@ static void two_cells_more_than_parameters_give_a_first_solution(void)
                           edges[i][2] * sqrt(0.5));
         }
         forget_compared(60 + count);
-        m->stage = FIRST;
+        m->own.stage = FIRST;
         look();
-        TEST_ASSERT_EQUAL_UINT(count < 5 ? FIRST : SECOND, m->stage);
+        TEST_ASSERT_EQUAL_UINT(count < 5 ? FIRST : SECOND, m->own.stage);
     }
 }
 
@@ -1013,18 +1014,18 @@ static void early_samples_stay_if_they_differ_by_chance(void)
             for (unsigned k = 0; k < INVCAL_CELLS; k++) {
                 const double r = sqrt(sum / (cell < INVCAL_CELLS ? 1 : INVCAL_CELLS) / n);
                 if (cell == k || cell == INVCAL_CELLS) {
-                    m->early.sum[k][INVCAL_DK_X] += (invcal_real)(2 * n * r);
+                    m->own.early.sum[k][INVCAL_DK_X] += (invcal_real)(2 * n * r);
                 }
             }
-            m->stage = FIRST;
+            m->own.stage = FIRST;
             feed_cells(origin, 1, 25, ALL);
             forget_compared(810);
-            m->blocked = 1000;
-            m->products = (invcal_real)(1000 * power);
+            m->own.blocked = 1000;
+            m->own.products = (invcal_real)(1000 * power);
             look();
-            TEST_ASSERT_EQUAL_UINT(SECOND, m->stage);
-            TEST_ASSERT_EQUAL_UINT(451 + (is_more ? 0 : 360), samples_in(&m->early));
-            TEST_ASSERT_EQUAL_UINT(0, samples_in(&m->late));
+            TEST_ASSERT_EQUAL_UINT(SECOND, m->own.stage);
+            TEST_ASSERT_EQUAL_UINT(451 + (is_more ? 0 : 360), samples_in(&m->own.early));
+            TEST_ASSERT_EQUAL_UINT(0, samples_in(&m->own.late));
         }
     }
 }
@@ -1034,13 +1035,13 @@ static void single_early_samples_are_compared(void)
 {
     invcal_magnetometer *const m = settle(origin, 1.1, 1);
 
-    m->stage = FIRST;
+    m->own.stage = FIRST;
     feed_cells(origin, 1, 60, ALL);
     forget_compared(1098);
-    m->blocked = 1000;
-    m->products = 1; /* 0.001; n r^2 is 0.011 */
+    m->own.blocked = 1000;
+    m->own.products = 1; /* 0.001; n r^2 is 0.011 */
     look();
-    TEST_ASSERT_EQUAL_UINT(1081, samples_in(&m->early));
+    TEST_ASSERT_EQUAL_UINT(1081, samples_in(&m->own.early));
 }
 
 /* Before the second solution the late samples are kept apart; with it p is that of the late ones alone, around
@@ -1050,28 +1051,28 @@ static void late_samples_give_a_solution_of_their_own(void)
     static const double centre[3] = {0.05, 0, 0};
     invcal_magnetometer *const m = settle(origin, 1, 50);
 
-    m->stage = FIRST;
+    m->own.stage = FIRST;
     feed_cells(origin, 1, 10, FACES); /* no edges yet */
     forget_compared(960);
     look();
-    TEST_ASSERT_EQUAL_UINT(FIRST, m->stage);
-    TEST_ASSERT_EQUAL_UINT(61, samples_in(&m->late));
-    TEST_ASSERT_EQUAL_UINT(900, samples_in(&m->early));
+    TEST_ASSERT_EQUAL_UINT(FIRST, m->own.stage);
+    TEST_ASSERT_EQUAL_UINT(61, samples_in(&m->own.late));
+    TEST_ASSERT_EQUAL_UINT(900, samples_in(&m->own.early));
 
     (void)settle(origin, 1, 50);
-    m->stage = FIRST;
-    m->squares = 1000;
+    m->own.stage = FIRST;
+    m->own.squares = 1000;
     feed_cells(centre, 1, 100, ALL);
     forget_compared(2700);
-    m->due = m->samples + 1;
+    m->own.due = m->own.samples + 1;
     TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING, feed_at(1.05, 0, 0));
-    TEST_ASSERT_EQUAL_UINT(SECOND, m->stage);
-    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.05, (double)m->work.offset[0]);
+    TEST_ASSERT_EQUAL_UINT(SECOND, m->own.stage);
+    TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0.05, (double)m->own_work.offset[0]);
     for (int i = 0; i < 9; i++) {
         const double sphere = i >= INVCAL_DK_X && i <= INVCAL_DK_Z ? 0.5 : 0;
-        TEST_ASSERT_DOUBLE_WITHIN(1e-4, sphere, (double)m->p[i]);
+        TEST_ASSERT_DOUBLE_WITHIN(1e-4, sphere, (double)m->own.p[i]);
     }
-    TEST_ASSERT_EQUAL_UINT(1801, samples_in(&m->early));
+    TEST_ASSERT_EQUAL_UINT(1801, samples_in(&m->own.early));
 }
 
 /* A solution that a calibration cannot store is not used. */
@@ -1082,15 +1083,15 @@ static void a_solution_out_of_range_does_not_count(void)
     feed_cells(origin, 0.5, 10, ALL);
     forget_compared(180);
     for (int i = 0; i < 3; i++) {
-        m->work.matrix[i][i] = INVCAL_REAL(0.9e10); /* at most 1e10 */
+        m->own_work.matrix[i][i] = INVCAL_REAL(0.9e10); /* at most 1e10 */
     }
-    m->stage = FIRST;
-    m->due = 181;
+    m->own.stage = FIRST;
+    m->own.due = 181;
     (void)feed_at(0.5 / 0.9e10, 0, 0);
-    TEST_ASSERT_EQUAL_UINT(181, m->samples);
-    TEST_ASSERT_EQUAL_UINT(FIRST, m->stage);
-    TEST_ASSERT_TRUE(m->unit == 1);
-    TEST_ASSERT_TRUE(m->p[INVCAL_DK_X] == INVCAL_REAL(0.5));
+    TEST_ASSERT_EQUAL_UINT(181, m->own.samples);
+    TEST_ASSERT_EQUAL_UINT(FIRST, m->own.stage);
+    TEST_ASSERT_TRUE(m->own.unit == 1);
+    TEST_ASSERT_TRUE(m->own.p[INVCAL_DK_X] == INVCAL_REAL(0.5));
 }
 
 /* Late samples in nine cells, so that P alone decides, shifted by s along x: with w = n m / (n + m)
@@ -1103,7 +1104,7 @@ static invcal_magnetometer *step_along_x(double before, double since)
     invcal_magnetometer *const m = settle(origin, 1, n);
     const double q = n / 2.0 * s * s * (2 + 0.5 + 0.5);
 
-    m->squares = 1000;
+    m->own.squares = 1000;
     feed_cells(shifted, 1, n, FACES);
     for (unsigned i = 0; i < n; i++) {
         (void)feed_at(s + sqrt(0.5), sqrt(0.5), 0);
@@ -1111,10 +1112,10 @@ static invcal_magnetometer *step_along_x(double before, double since)
         (void)feed_at(s, sqrt(0.5), -sqrt(0.5));
     }
     forget_compared(27 * n);
-    m->blocked = 1000;
-    m->before = (invcal_real)(before * q / 28);
-    m->products = (invcal_real)(since * q / 28) * 1000;
-    m->squares = m->products;
+    m->own.blocked = 1000;
+    m->own.before = (invcal_real)(before * q / 28);
+    m->own.products = (invcal_real)(since * q / 28) * 1000;
+    m->own.squares = m->own.products;
     return m;
 }
 
@@ -1133,9 +1134,9 @@ static void a_step_is_measured_by_what_came_before(void)
         TEST_ASSERT_EQUAL_INT(cases[k].is_step ? INVCAL_STEP : INVCAL_UNDISTURBED,
                               the.found.disturbance);
         look();
-        TEST_ASSERT_EQUAL_UINT(cases[k].is_step, m->has_step);
+        TEST_ASSERT_EQUAL_UINT(cases[k].is_step, m->own.has_step);
         look(); /* it is not forgotten */
-        TEST_ASSERT_EQUAL_UINT(cases[k].is_step, m->has_step);
+        TEST_ASSERT_EQUAL_UINT(cases[k].is_step, m->own.has_step);
         solve_the();
         TEST_ASSERT_EQUAL_INT(cases[k].is_step ? INVCAL_STEP : INVCAL_UNDISTURBED,
                               the.found.disturbance);
@@ -1148,14 +1149,14 @@ static void a_step_before_the_second_solution_is_seen(void)
     static const double shifted[3] = {0.05, 0, 0};
     invcal_magnetometer *const m = settle(origin, 1, 50);
 
-    m->stage = FIRST;
-    m->squares = 1000;
+    m->own.stage = FIRST;
+    m->own.squares = 1000;
     feed_cells(shifted, 1, 50, ALL);
     forget_compared(1800);
-    m->before = INVCAL_REAL(1e-4); /* Q = 25 s^2 6 = 0.375 */
+    m->own.before = INVCAL_REAL(1e-4); /* Q = 25 s^2 6 = 0.375 */
     look();
-    TEST_ASSERT_EQUAL_UINT(SECOND, m->stage);
-    TEST_ASSERT_EQUAL_UINT(1, m->has_step);
+    TEST_ASSERT_EQUAL_UINT(SECOND, m->own.stage);
+    TEST_ASSERT_EQUAL_UINT(1, m->own.has_step);
 }
 
 /* What a result says about its samples, on both sides of each limit. */
@@ -1186,16 +1187,16 @@ static void limits_of_judgement_are_kept(void)
     for (unsigned k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         invcal_magnetometer *const m = settle(origin, 1, 10);
         const double square = cases[k].rms * cases[k].rms;
-        m->blocked = cases[k].compared;
-        m->squares = (invcal_real)(cases[k].compared * square);
-        m->products = (invcal_real)(cases[k].compared * square * cases[k].alike);
-        m->left_out = cases[k].left_out;
-        m->has_step = (uint8_t)cases[k].has_step;
+        m->own.blocked = cases[k].compared;
+        m->own.squares = (invcal_real)(cases[k].compared * square);
+        m->own.products = (invcal_real)(cases[k].compared * square * cases[k].alike);
+        m->own.dropped = cases[k].left_out;
+        m->own.has_step = (uint8_t)cases[k].has_step;
         solve_the();
         TEST_ASSERT_EQUAL_INT(cases[k].disturbance, the.found.disturbance);
         TEST_ASSERT_EQUAL_INT(cases[k].verdict, the.quality.verdict);
         TEST_ASSERT_EQUAL_UINT(180, the.found.samples);
-        TEST_ASSERT_EQUAL_UINT(cases[k].left_out, the.found.left_out);
+        TEST_ASSERT_EQUAL_UINT(cases[k].left_out, the.found.dropped);
         TEST_ASSERT_DOUBLE_WITHIN(1e-6, cases[k].rms, (double)the.found.rms);
         TEST_ASSERT_DOUBLE_WITHIN(1e-4, cases[k].compared < 64 ? 0 : cases[k].alike,
                                   (double)the.found.alike);
@@ -1210,9 +1211,9 @@ static void without_residuals_nothing_is_alike(void)
 
     for (unsigned k = 0; k < 3; k++) {
         invcal_magnetometer *const m = settle(origin, 1, 10);
-        m->in_block = (uint16_t)(compared[k] % 100);
-        m->blocked = compared[k] - m->in_block;
-        m->squares = (invcal_real)squares[k];
+        m->own.in_block = (uint16_t)(compared[k] % 100);
+        m->own.blocked = compared[k] - m->own.in_block;
+        m->own.squares = (invcal_real)squares[k];
         solve_the();
         TEST_ASSERT_DOUBLE_WITHIN(1e-6, k == 1 ? 0.2 : 0, (double)the.found.rms);
         TEST_ASSERT_TRUE(the.found.alike == 0);
@@ -1228,7 +1229,7 @@ static void sigma_is_over_the_field(void)
     for (unsigned k = 0; k < 2; k++) {
         const double radius = k ? 2 : 1;
         invcal_magnetometer *const m = begin_settled();
-        m->squares = 1000000;
+        m->own.squares = 1000000;
         feed_cells(origin, radius, 10, ALL);
         feed_cells(origin, radius * 1.02, 5, FACES); /* so that the cells scatter */
         feed_cells(origin, radius * 0.97, 3, EDGES);
@@ -1236,7 +1237,7 @@ static void sigma_is_over_the_field(void)
         forget_compared(247);
         solve_the();
         TEST_ASSERT_DOUBLE_WITHIN(0.05 * radius, radius, (double)the.found.field);
-        TEST_ASSERT_TRUE(m->unit == 1);
+        TEST_ASSERT_TRUE(m->own.unit == 1);
         for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
             TEST_ASSERT_TRUE(the.quality.sigma[i] > INVCAL_REAL(1e-5));
             if (k) {
@@ -1259,15 +1260,15 @@ static void an_empty_edge_leaves_its_axes(void)
         const unsigned j = pairs[k][1];
         invcal_magnetometer *const m = settle(origin, 1, 10);
         for (unsigned cell = 0; cell < INVCAL_CELLS; cell++) {
-            const double a = (double)m->early.sum[cell][i];
-            const double b = (double)m->early.sum[cell][j];
+            const double a = (double)m->own.early.sum[cell][i];
+            const double b = (double)m->own.early.sum[cell][j];
             if (a + b > 9.9 && a > -1 && b > -1) {
-                m->early.count[cell] = 0;
+                m->own.early.count[cell] = 0;
             }
         }
         solve_the();
         TEST_ASSERT_EQUAL_UINT(15, the.found.covered);
-        TEST_ASSERT_EQUAL_UINT(60, the.found.gap);
+        TEST_ASSERT_EQUAL_UINT(60, the.found.gap_deg);
         TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, the.quality.verdict);
         TEST_ASSERT_EQUAL_UINT(1u << (INVCAL_DELTA_X + i) | 1u << (INVCAL_DELTA_X + j) |
                                    1u << (INVCAL_DK_X + i) | 1u << (INVCAL_DK_X + j) |
@@ -1294,7 +1295,7 @@ static void a_cell_has_the_length_of_its_calibrated_samples(void)
     double mean[3];
     unsigned found = 0;
 
-    m->work = mixed;
+    m->own_work = mixed;
     for (int n = 0; n < 2; n++) {
         (void)feed_at(reading[n][0], reading[n][1], reading[n][2]);
     }
@@ -1338,7 +1339,7 @@ static void one_sample_is_a_cell(void)
         invcal_real raw[3];
         TEST_ASSERT_EQUAL_UINT(1, invcal_magnetometer_cell(m, &the.calibration, k, raw));
         for (int i = 0; i < 3; i++) {
-            TEST_ASSERT_DOUBLE_WITHIN(1e-5, (double)m->early.sum[k][i], (double)raw[i]);
+            TEST_ASSERT_DOUBLE_WITHIN(1e-5, (double)m->own.early.sum[k][i], (double)raw[i]);
             sum[i] += (double)raw[i];
         }
     }
@@ -1358,8 +1359,8 @@ static void guidance_covers_every_cell(void)
 
     s.seconds = 20; /* so that the cells are in their places */
     live(&s, 11, 0, &the);
-    memset(&the.magnetometer.early, 0, sizeof the.magnetometer.early);
-    memset(&the.magnetometer.late, 0, sizeof the.magnetometer.late);
+    memset(&the.magnetometer.own.early, 0, sizeof the.magnetometer.own.early);
+    memset(&the.magnetometer.own.late, 0, sizeof the.magnetometer.own.late);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         invcal_real raw[3];
         invcal_magnetometer_next(&the.magnetometer, along);
@@ -1425,7 +1426,7 @@ static unsigned left_of_600(uint32_t seed, double spoilt)
     random_source random = random_start(seed);
     unsigned left = 0;
 
-    (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &nominal));
     for (int n = 0; n < 600; n++) {
         invcal_real raw[3];
         double d[3];
@@ -1444,7 +1445,7 @@ static unsigned left_of_600(uint32_t seed, double spoilt)
                          INVCAL_REFUSED);
     }
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
-        left += (unsigned)the.magnetometer.early.count[k] + the.magnetometer.late.count[k];
+        left += (unsigned)the.magnetometer.own.early.count[k] + the.magnetometer.own.late.count[k];
     }
     return left;
 }
@@ -1506,7 +1507,7 @@ static void independent_noise_is_recognized_as_such(void)
     invcal_calibration c;
     invcal_quality quality;
 
-    (void)invcal_magnetometer_init(&the.magnetometer, &nominal);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &nominal));
     for (int n = 0; n < 6000; n++) {
         invcal_real raw[3];
         double d[3];
@@ -1520,7 +1521,7 @@ static void independent_noise_is_recognized_as_such(void)
                           invcal_magnetometer_solve(&the.magnetometer, &c, &quality, &found));
     TEST_ASSERT_DOUBLE_WITHIN(0.001, 0.02, (double)found.rms);
     TEST_ASSERT_DOUBLE_WITHIN(0.6, 1, (double)found.alike);
-    TEST_ASSERT_EQUAL_UINT(0, found.gap);
+    TEST_ASSERT_EQUAL_UINT(0, found.gap_deg);
     TEST_ASSERT_EQUAL_INT(INVCAL_UNDISTURBED, found.disturbance);
     TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, quality.verdict);
 }
@@ -1533,26 +1534,26 @@ static void a_session_of_days_stays_as_good(void)
     const scene s = usual;
 
     live(&s, 12, 0.05, &the);
-    the.magnetometer.samples = most - 10000; /* as if by then */
-    the.magnetometer.due = most - 4000;
-    the.magnetometer.left_out = most / 20;
+    the.magnetometer.own.samples = most - 10000; /* as if by then */
+    the.magnetometer.own.due = most - 4000;
+    the.magnetometer.own.dropped = most / 20;
     for (long n = 0; n < 40000; n++) {
         const unsigned k = (unsigned)n % INVCAL_CELLS;
         invcal_real raw[3] = {0, 0, 0};
         (void)invcal_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
         TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING,
                               invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]));
-        TEST_ASSERT_TRUE(the.magnetometer.samples < most);
-        TEST_ASSERT_TRUE(the.magnetometer.left_out < the.magnetometer.samples / 16);
+        TEST_ASSERT_TRUE(the.magnetometer.own.samples < most);
+        TEST_ASSERT_TRUE(the.magnetometer.own.dropped < the.magnetometer.own.samples / 16);
     }
     the.status =
         invcal_magnetometer_solve(&the.magnetometer, &the.calibration, &the.quality, &the.found);
     TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, the.quality.verdict);
-    the.magnetometer.left_out = most;
+    the.magnetometer.own.dropped = most;
     const invcal_real far[3] = {30000, 0, 0};
     TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED,
                           invcal_magnetometer_feed(&the.magnetometer, far[0], far[1], far[2]));
-    TEST_ASSERT_TRUE(the.magnetometer.left_out == most);
+    TEST_ASSERT_TRUE(the.magnetometer.own.dropped == most);
     the.status =
         invcal_magnetometer_solve(&the.magnetometer, &the.calibration, &the.quality, &the.found);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, the.status);
@@ -1562,24 +1563,51 @@ static void a_session_of_days_stays_as_good(void)
     }
 }
 
+static invcal_magnetometer before;
+
+/* Refused at the beginning, or all bytes zero. */
+static void one_that_was_not_begun_takes_nothing(void)
+{
+    static const invcal_calibration singular = {{0, 0, 0}, {{1, 0, 0}, {1, 0, 0}, {0, 0, 1}}};
+    invcal_calibration c = {{7, 7, 7}, {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
+    invcal_quality quality;
+
+    memset(&the.magnetometer, 7, sizeof the.magnetometer);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
+                          invcal_magnetometer_init(&the.magnetometer, &singular));
+    for (int i = 0; i < 2; i++) {
+        before = the.magnetometer;
+        TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_magnetometer_feed(&the.magnetometer, 1, 2, 3));
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN,
+                              invcal_magnetometer_solve(&the.magnetometer, &c, &quality, NULL));
+        TEST_ASSERT_EQUAL_MEMORY(&before, &the.magnetometer, sizeof before);
+        TEST_ASSERT_TRUE(c.offset[0] == 7 && c.matrix[2][2] == 7);
+        memset(&the.magnetometer, 0, sizeof the.magnetometer);
+    }
+}
+
+/* Without a data sheet, as with a zero of 0 and one count for each unit. */
+static void it_may_begin_without_a_data_sheet(void)
+{
+    const invcal_calibration nominal = unit_nominal();
+
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&before, &nominal));
+    memset(&the.magnetometer, 7, sizeof the.magnetometer);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, NULL));
+    TEST_ASSERT_EQUAL_MEMORY(&before, &the.magnetometer, sizeof before);
+}
+
 static void bad_input_changes_nothing(void)
 {
     static const invcal_real zero[3] = {0, 0, 0};
     static const invcal_real counts[3] = {10, 10, 10};
-    static const invcal_calibration singular = {{0, 0, 0}, {{1, 0, 0}, {1, 0, 0}, {0, 0, 1}}};
     const invcal_real bad[3][3] = {
         {(invcal_real)NAN, 0, 0}, {0, (invcal_real)INFINITY, 0}, {0, 0, INVCAL_REAL_MAX}};
     const invcal_real good[3] = {100, 200, 300};
-    static invcal_magnetometer before;
     invcal_calibration c = {{7, 7, 7}, {{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}};
     invcal_quality quality;
     invcal_calibration nominal;
 
-    memset(&the.magnetometer, 7, sizeof the.magnetometer);
-    before = the.magnetometer;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
-                          invcal_magnetometer_init(&the.magnetometer, &singular));
-    TEST_ASSERT_EQUAL_MEMORY(&before, &the.magnetometer, sizeof the.magnetometer);
     invcal_nominal(zero, counts, &nominal);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &nominal));
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
@@ -1614,7 +1642,7 @@ static void a_circle_determines_nothing(void)
     invcal_calibration c;
     invcal_quality quality;
 
-    invcal_magnetometer_init(&the.magnetometer, &nominal);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_magnetometer_init(&the.magnetometer, &nominal));
     for (int i = 0; i < 2000; i++) {
         const double angle = i * 0.01;
         const invcal_real raw[3] = {(invcal_real)(5 + cos(angle)), (invcal_real)sin(angle), 3};
@@ -1630,7 +1658,8 @@ static void disturbances_have_words(void)
     TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_PASSING), "magnet"));
     TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_PLACES), "place"));
     TEST_ASSERT_NOT_NULL(strstr(invcal_disturbance_text(INVCAL_STEP), "begin again"));
-    TEST_ASSERT_EQUAL_STRING("unknown disturbance", invcal_disturbance_text((invcal_disturbance)4));
+    TEST_ASSERT_EQUAL_STRING("unknown disturbance", invcal_disturbance_text(INVCAL_STEP + 1));
+    TEST_ASSERT_EQUAL_STRING("unknown disturbance", invcal_disturbance_text(UINT8_MAX));
 }
 
 int main(void)
@@ -1685,6 +1714,8 @@ int main(void)
     RUN_TEST(cells_lie_on_the_sphere_whatever_is_nominal);
     RUN_TEST(independent_noise_is_recognized_as_such);
     RUN_LONG_TEST(a_session_of_days_stays_as_good);
+    RUN_TEST(one_that_was_not_begun_takes_nothing);
+    RUN_TEST(it_may_begin_without_a_data_sheet);
     RUN_TEST(bad_input_changes_nothing);
     RUN_TEST(a_circle_determines_nothing);
     RUN_TEST(disturbances_have_words);

@@ -7,7 +7,7 @@
 #include "expected.h"
 #include "invcal/expert.h"
 #include "invcal/plan.h"
-#include "judge.h"
+#include "calibrate/judge.h"
 #include "positions.h"
 #include "support.h"
 #include "unity.h"
@@ -56,18 +56,18 @@ static void assert_set(invcal_mask expected, invcal_mask actual)
 
 static unsigned program_of(unsigned count, double v[][3])
 {
-    invcal_plan plan = {count / 3, {0, 0, 0}};
+    invcal_plan plan;
     invcal_plan_position position;
 
     if (count == 18) {
         memcpy(v, expected_plan18, sizeof expected_plan18);
         return count;
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_starts(plan.per_group, plan.start));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_init(&plan, count / 3));
     for (unsigned i = 0; i < count; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_position_at(&plan, i, &position));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_get(&plan, i, &position));
         for (int k = 0; k < 3; k++) {
-            v[i][k] = (double)position.vertical[k];
+            v[i][k] = (double)position.up[k];
         }
     }
     return count;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "expected.h"
-#include "invcal/plan.h"
+#include "plan/plan_axes.h"
 #include "support.h"
 #include "unity.h"
 
@@ -47,7 +47,7 @@ static invcal_plan random_plan(random_source *random, unsigned per_group)
     invcal_plan plan = plan_of(per_group, 0, 0, 0);
 
     for (int g = 0; g < 3; g++) {
-        plan.start[g] = (invcal_real)random_uniform(random, -360, 360);
+        plan.start_deg[g] = (invcal_real)random_uniform(random, -360, 360);
     }
     return plan;
 }
@@ -56,7 +56,7 @@ static invcal_plan_position position_at(const invcal_plan *plan, unsigned i)
 {
     invcal_plan_position position;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_position_at(plan, i, &position));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_get(plan, i, &position));
     return position;
 }
 
@@ -65,7 +65,7 @@ static void table_1(const invcal_plan *plan, unsigned group, unsigned l, long do
                     long double *beta)
 {
     const long double turned =
-        (long double)plan->start[group - 1] + 360.0L * (l - 1) / plan->per_group;
+        (long double)plan->start_deg[group - 1] + 360.0L * (l - 1) / plan->per_group;
 
     *alpha = group == 2 ? -90.0L : turned;
     *beta = group == 1 ? 0.0L : group == 2 ? turned : 90.0L;
@@ -105,13 +105,13 @@ static void assert_follows_table_1(const invcal_plan *plan)
             TEST_ASSERT_EQUAL_UINT(group, p.group);
             TEST_ASSERT_EQUAL_UINT(l, p.index);
             table_1(plan, group, l, &alpha, &beta);
-            assert_wrapped(alpha, p.alpha);
-            assert_wrapped(beta, p.beta);
-            TEST_ASSERT_TRUE(group != 2 || p.alpha == -90);
-            TEST_ASSERT_TRUE(group == 2 || p.beta == (group == 1 ? 0 : 90));
+            assert_wrapped(alpha, p.alpha_deg);
+            assert_wrapped(beta, p.beta_deg);
+            TEST_ASSERT_TRUE(group != 2 || p.alpha_deg == -90);
+            TEST_ASSERT_TRUE(group == 2 || p.beta_deg == (group == 1 ? 0 : 90));
             eta_of(alpha, beta, eta);
             for (int k = 0; k < 3; k++) {
-                TEST_ASSERT_DOUBLE_WITHIN(component, eta[k], (double)p.vertical[k]);
+                TEST_ASSERT_DOUBLE_WITHIN(component, eta[k], (double)p.up[k]);
             }
         }
     }
@@ -170,9 +170,9 @@ static void starts_a_whole_turn_apart_are_the_same_program(void)
             for (unsigned k = 0; k < 3 * n; k++) {
                 const invcal_plan_position p = position_at(&a, k);
                 const invcal_plan_position q = position_at(&b, k);
-                TEST_ASSERT_TRUE(p.alpha == q.alpha && p.beta == q.beta);
+                TEST_ASSERT_TRUE(p.alpha_deg == q.alpha_deg && p.beta_deg == q.beta_deg);
                 for (int c = 0; c < 3; c++) {
-                    TEST_ASSERT_TRUE(p.vertical[c] == q.vertical[c]);
+                    TEST_ASSERT_TRUE(p.up[c] == q.up[c]);
                 }
             }
         }
@@ -190,11 +190,11 @@ static void the_papers_table_2_is_the_program_of_18(void)
 
     for (unsigned i = 0; i < 18; i++) {
         const invcal_plan_position p = position_at(&plan, i);
-        TEST_ASSERT_TRUE((double)p.alpha == angles[i][0]);
-        TEST_ASSERT_TRUE((double)p.beta == angles[i][1]);
+        TEST_ASSERT_TRUE((double)p.alpha_deg == angles[i][0]);
+        TEST_ASSERT_TRUE((double)p.beta_deg == angles[i][1]);
         for (int k = 0; k < 3; k++) {
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(2e-7, 6e-16), expected_plan18[i][k],
-                                      (double)p.vertical[k]);
+                                      (double)p.up[k]);
         }
     }
 }
@@ -230,7 +230,7 @@ static void multiples_of_90_degrees_give_exactly_0_and_1(void)
                     const invcal_plan_position p =
                         position_at(&plan, (unsigned)((group - 1) * n + k));
                     for (int c = 0; c < 3; c++) {
-                        TEST_ASSERT_TRUE((double)p.vertical[c] == exact[c]);
+                        TEST_ASSERT_TRUE((double)p.up[c] == exact[c]);
                     }
                     seen++;
                 }
@@ -255,7 +255,7 @@ static void quarter_turns_are_exact_whatever_the_step(void)
                 for (unsigned g = 0; g < 3; g++) {
                     const invcal_plan_position p = position_at(&plan, g * n + n / parts * part);
                     for (int k = 0; k < 3; k++) {
-                        TEST_ASSERT_TRUE((double)p.vertical[k] == exact[g][k]);
+                        TEST_ASSERT_TRUE((double)p.up[k] == exact[g][k]);
                     }
                 }
             }
@@ -271,8 +271,7 @@ static void every_vertical_is_a_unit_vector(void)
         const invcal_plan plan = random_plan(&random, n);
         for (unsigned i = 0; i < 3 * n; i++) {
             const invcal_plan_position p = position_at(&plan, i);
-            const double v[3] = {(double)p.vertical[0], (double)p.vertical[1],
-                                 (double)p.vertical[2]};
+            const double v[3] = {(double)p.up[0], (double)p.up[1], (double)p.up[2]};
             /* the length is rounded, too, which shows if double is float */
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1.5e-7 + DBL_EPSILON, 5e-16), 1, length3(v));
         }
@@ -287,7 +286,7 @@ static void assert_refused(invcal_status expected, const invcal_plan *plan, unsi
 
     memset(&position, 7, sizeof position);
     before = position;
-    TEST_ASSERT_EQUAL_INT(expected, invcal_plan_position_at(plan, i, &position));
+    TEST_ASSERT_EQUAL_INT(expected, invcal_plan_get(plan, i, &position));
     TEST_ASSERT_EQUAL_MEMORY(&before, &position, sizeof before);
 }
 
@@ -299,9 +298,9 @@ static void a_position_beyond_the_program_is_refused(void)
         const unsigned n = per_group[k];
         const invcal_plan plan = plan_of(n, 1, 2, 3);
         TEST_ASSERT_EQUAL_UINT(n, position_at(&plan, 3 * n - 1).index);
-        assert_refused(INVCAL_BAD_ANGLE, &plan, 3 * n);
-        assert_refused(INVCAL_BAD_ANGLE, &plan, 3 * n + 1);
-        assert_refused(INVCAL_BAD_ANGLE, &plan, UINT_MAX);
+        assert_refused(INVCAL_BAD_COUNT, &plan, 3 * n);
+        assert_refused(INVCAL_BAD_COUNT, &plan, 3 * n + 1);
+        assert_refused(INVCAL_BAD_COUNT, &plan, UINT_MAX);
     }
 }
 
@@ -322,13 +321,14 @@ static void absurd_numbers_of_positions_are_refused_with_a_reason(void)
 
     for (unsigned k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
         const unsigned n = numbers[k];
-        const invcal_status expected = n < 5 ? INVCAL_TOO_FEW : INVCAL_BAD_ANGLE;
+        const invcal_status expected = n < 5 ? INVCAL_TOO_FEW : INVCAL_BAD_COUNT;
         const invcal_plan plan = plan_of(n, 0, 0, 0);
-        invcal_real start[3] = {7, 8, 9};
+        invcal_plan made = plan_of(6, 7, 8, 9);
         TEST_ASSERT_EQUAL_INT(expected, invcal_plan_check(&plan));
         assert_refused(expected, &plan, 0);
-        TEST_ASSERT_EQUAL_INT(expected, invcal_plan_starts(n, start));
-        TEST_ASSERT_TRUE(start[0] == 7 && start[1] == 8 && start[2] == 9);
+        TEST_ASSERT_EQUAL_INT(expected, invcal_plan_init(&made, n));
+        TEST_ASSERT_TRUE(made.per_group == 6 && made.start_deg[0] == 7 && made.start_deg[1] == 8 &&
+                         made.start_deg[2] == 9);
     }
     for (unsigned n = 5; n <= MOST; n++) {
         const invcal_plan plan = plan_of(n, 360, -360, 0);
@@ -344,7 +344,7 @@ static void starts_that_are_not_angles_are_refused(void)
     for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         for (unsigned group = 0; group < 3; group++) {
             invcal_plan plan = plan_of(6, 30, 30, 120);
-            plan.start[group] = (invcal_real)bad[i];
+            plan.start_deg[group] = (invcal_real)bad[i];
             TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_plan_check(&plan));
             for (unsigned k = 0; k < 18; k++) {
                 assert_refused(INVCAL_BAD_ANGLE, &plan, k);
@@ -373,9 +373,9 @@ static unsigned axes_of(const invcal_plan *plan, unsigned first, unsigned last)
 
     for (unsigned i = first; i < last; i++) {
         const invcal_plan_position p = position_at(plan, i);
-        const unsigned up = invcal_axis_up(p.vertical);
-        TEST_ASSERT_EQUAL_HEX8(axes_within(0.095, p.vertical), up & axes_within(0.095, p.vertical));
-        TEST_ASSERT_EQUAL_HEX8(up, up & axes_within(0.105, p.vertical));
+        const unsigned up = invcal_axis_up(p.up);
+        TEST_ASSERT_EQUAL_HEX8(axes_within(0.095, p.up), up & axes_within(0.095, p.up));
+        TEST_ASSERT_EQUAL_HEX8(up, up & axes_within(0.105, p.up));
         axes |= up;
     }
     return axes;
@@ -383,10 +383,11 @@ static unsigned axes_of(const invcal_plan *plan, unsigned first, unsigned last)
 
 static void assert_starts_point(unsigned per_group, unsigned expected)
 {
-    invcal_plan plan = plan_of(per_group, 0, 0, 0);
+    invcal_plan plan = plan_of(0, NOT_A_NUMBER, NOT_A_NUMBER, NOT_A_NUMBER);
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_starts(per_group, plan.start));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_init(&plan, per_group));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_check(&plan));
+    TEST_ASSERT_EQUAL_UINT(per_group, plan.per_group);
     TEST_ASSERT_EQUAL_HEX8(expected, axes_of(&plan, 0, 3 * per_group));
 }
 
@@ -404,8 +405,8 @@ static void each_group_of_an_even_program_holds_its_own_axis_both_ways(void)
                                     1u << INVCAL_AXIS_PLUS_Y | 1u << INVCAL_AXIS_MINUS_Y};
 
     for (unsigned n = 6; n <= 64; n += 2) {
-        invcal_plan plan = plan_of(n, 0, 0, 0);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_starts(n, plan.start));
+        invcal_plan plan;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_init(&plan, n));
         for (unsigned g = 0; g < 3; g++) {
             TEST_ASSERT_EQUAL_HEX8(own[g], axes_of(&plan, g * n, (g + 1) * n) & own[g]);
         }
@@ -425,10 +426,11 @@ static void the_starts_for_an_odd_number_give_plus_z_minus_x_minus_y(void)
 
 static void the_starts_for_six_are_the_papers(void)
 {
-    invcal_real start[3];
+    invcal_plan plan;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_starts(6, start));
-    TEST_ASSERT_TRUE(start[0] == 30 && start[1] == 30 && start[2] == 120);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_init(&plan, 6));
+    TEST_ASSERT_TRUE(plan.start_deg[0] == 30 && plan.start_deg[1] == 30 &&
+                     plan.start_deg[2] == 120);
 }
 
 /* How many axes a group can point to at best: its starts repeat after a step, and are tried four

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "solve.h"
+#include "core/solve.h"
 #include "support.h"
 #include "unity.h"
 

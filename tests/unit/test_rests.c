@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "invcal/expert.h"
-#include "rests.h"
+#include "session/rests.h"
 #include "support.h"
 #include "unity.h"
 

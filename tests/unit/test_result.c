@@ -4,7 +4,7 @@
 
 #include "expected.h"
 #include "invcal/background.h"
-#include "solve.h"
+#include "core/solve.h"
 #include "support.h"
 #include "unity.h"
 

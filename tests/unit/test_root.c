@@ -2,7 +2,7 @@
  *
  * invcal_root has the bits of libm's square root.
  */
-#include "vector.h"
+#include "core/vector.h"
 
 #include "support.h"
 #include "unity.h"

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "expected.h"
-#include "solve.h"
+#include "core/solve.h"
 #include "support.h"
 #include "unity.h"
 

@@ -3,7 +3,7 @@
 
 #include "invcal/result.h"
 #include "support.h"
-#include "texts.h"
+#include "core/texts.h"
 #include "unity.h"
 
 void setUp(void)
@@ -46,7 +46,7 @@ static const struct {
     {INVCAL_BAD_FIELD, 0x43, "the field is not a length"},
     {INVCAL_BAD_COUNT, 0x44, "the count is out of range"},
     {INVCAL_BAD_DIRECTION, 0x45, "the direction is not a unit vector"},
-    {INVCAL_BAD_ANGLE, 0x46, "the program has no such position"},
+    {INVCAL_BAD_ANGLE, 0x46, "the angle is out of range"},
     {INVCAL_BAD_TEMPERATURE, 0x47, "the temperature is invalid"},
     {INVCAL_BAD_TIME, 0x48, "the time is out of range"},
     {INVCAL_BAD_STORE, 0x49, "the memory's slot or granularity is invalid"},

@@ -9,7 +9,7 @@
 #include "support.h"
 #include "unity.h"
 
-#include "../../src/bytes.h"
+#include "core/bytes.h"
 
 /* ---- the memory ------------------------------------------------------------------------------- */
 

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "sums.h"
+#include "core/sums.h"
 #include "support.h"
-#include "system.h"
+#include "core/system.h"
 #include "unity.h"
 
 void setUp(void)

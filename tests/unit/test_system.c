@@ -4,7 +4,7 @@
 
 #include "expected.h"
 #include "support.h"
-#include "system.h"
+#include "core/system.h"
 #include "unity.h"
 
 void setUp(void)

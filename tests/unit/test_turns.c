@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "gyro_world.h"
-#include "turns.h"
+#include "imu/turns.h"
 #include "turns_design.h"
 #include "unity.h"
 

@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "read/columns.h"
-#include "invcal/allan.h"
+#include "allan/noise.h"
 
 #define ALLAN_MICRO_G (1e-6 * UNIT_STANDARD_GRAVITY) /* m/s^2 */
 

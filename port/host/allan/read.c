@@ -70,15 +70,12 @@ static int begin_streams(const allan_settings *settings, double rate)
     }
     for (unsigned i = 0; i < 3; i++) {
         const invcal_status status =
-            settings->taus > 0
-                ? invcal_allan_init_taus(&stream[i], sizeof stream[i], m, settings->taus)
-                : invcal_allan_init(&stream[i], sizeof stream[i]);
+            settings->taus > 0 ? invcal_allan_init_taus(&stream[i], sizeof stream[i], m,
+                                                        settings->taus, settings->is_apart)
+                               : invcal_allan_init(&stream[i], sizeof stream[i]);
         if (status != INVCAL_OK) {
             return message_usage("allan", "--tau: must ascend, at most %u times",
                                  (unsigned)INVCAL_ALLAN_TAUS);
-        }
-        if (settings->is_apart) {
-            invcal_allan_apart(&stream[i]);
         }
     }
     return EXIT_GOOD;
@@ -230,7 +227,7 @@ static int find_dwell(const invcal_noise *n, double wanted, allan_dwell *out)
 {
     static const allan_end ends[] = {ALLAN_REACHED, ALLAN_BEYOND, ALLAN_FLOOR};
     invcal_dwell d = {n->longest, invcal_noise_sigma(n, n->longest), INVCAL_DWELL_REACHED};
-    const int has_floor = (n->visible & ~(1u << INVCAL_NOISE_WHITE)) != 0;
+    const int has_floor = (n->visible >> INVCAL_NOISE_WHITE) > 1;
 
     if (wanted > 0 || has_floor) {
         if (invcal_noise_dwell(n, wanted > 0 ? wanted : UNREACHABLE * n->minimum, &d) !=

@@ -7,7 +7,7 @@
 #include "cli/command.h"
 #include "maths/eigen.h"
 #include "maths/matrix.h"
-#include "system.h"
+#include "core/system.h"
 
 #define ACCELEROMETER ((1u << INVCAL_PARAMETERS) - 1) /* its parameters */
 

@@ -219,7 +219,7 @@ static int find_case(const request *r, calibrate_result *result)
     if (status != INVCAL_OK) {
         return calibrate_refuse_case(result, status);
     }
-    invcal_frame_turn((const double(*)[3])result->frame.rotation, &result->solution.calibration);
+    invcal_rotate(&result->solution.calibration, &result->frame.rotation);
     return EXIT_GOOD;
 }
 
@@ -282,7 +282,7 @@ static int find_axes(const request *r, calibrate_result *result)
         return calibrate_refuse_axes(result);
     }
     if (r->wants_accelerometer_axes) {
-        invcal_frame_turn((const double(*)[3])dip->rotation, &result->solution.calibration);
+        invcal_rotate(&result->solution.calibration, &dip->rotation);
         result->is_dip_frame = 1;
     }
     return EXIT_GOOD;

@@ -6,7 +6,7 @@
 
 #include "design/covariance.h"
 #include "maths/matrix.h"
-#include "system.h"
+#include "core/system.h"
 
 enum { P = INVCAL_PARAMETERS };
 

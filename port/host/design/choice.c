@@ -43,9 +43,8 @@ static unsigned positions_allowed(const choice_request *request)
 
 static int stand(design *d, unsigned per_group)
 {
-    invcal_plan plan = {.per_group = per_group};
+    const invcal_plan plan = stand_plan_make(per_group);
 
-    (void)invcal_plan_starts(per_group, plan.start);
     design_stand(d, &plan);
     return 1;
 }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "system.h"
+#include "core/system.h"
 
 enum { P = INVCAL_PARAMETERS, SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
 

@@ -6,7 +6,7 @@
 
 #include "maths/eigen.h"
 #include "maths/matrix.h"
-#include "sums.h"
+#include "core/sums.h"
 
 enum { P = INVCAL_PARAMETERS, SUMS = INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) };
 

@@ -10,7 +10,7 @@
 #define CRITERIA_H
 
 #include "invcal/expert.h"
-#include "system.h"
+#include "core/system.h"
 
 /* Optimality criteria of a design. */
 typedef struct {

@@ -18,7 +18,7 @@
 #include "design/parameters.h"
 #include "read/positions.h"
 #include "design/weights.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 
 #define SAME 1e-9 /* directions that differ by less */
 
@@ -208,13 +208,12 @@ void design_stand(design *d, const invcal_plan *plan)
     d->is_stand = 1;
     d->count = INVCAL_PLAN_GROUPS * plan->per_group;
     for (unsigned i = 0; i < d->count; i++) {
-        invcal_plan_position p;
-        (void)invcal_plan_position_at(plan, i, &p); /* the plan is usable */
+        const invcal_plan_position p = stand_plan_at(plan, i);
         d->position[i].group = p.group;
-        d->position[i].alpha = p.alpha;
-        d->position[i].beta = p.beta;
+        d->position[i].alpha = p.alpha_deg;
+        d->position[i].beta = p.beta_deg;
         d->position[i].share = 1;
-        memcpy(d->position[i].vertical, p.vertical, sizeof p.vertical);
+        memcpy(d->position[i].vertical, p.up, sizeof p.up);
     }
     evaluate(d);
 }
@@ -357,29 +356,29 @@ static int read_starts(const char *command, const char *text, double start[3])
 static int make_stand(design *d, const char *command, const char *text)
 {
     invcal_plan plan = {0};
+    unsigned per_group;
     char count[64];
     const size_t length = strcspn(text, ":");
 
     snprintf(count, sizeof count, "%.*s", (int)length, text);
-    int failure =
-        read_count(command, "per-group", count, 1, INVCAL_PLAN_PER_GROUP_MAX, &plan.per_group);
+    int failure = read_count(command, "per-group", count, 1, INVCAL_PLAN_PER_GROUP_MAX, &per_group);
     if (!failure && text[length] == ':') {
-        failure = read_starts(command, text + length + 1, plan.start);
+        plan.per_group = per_group;
+        failure = read_starts(command, text + length + 1, plan.start_deg);
     } else if (!failure) {
-        (void)invcal_plan_starts(plan.per_group, plan.start); /* per_group is checked below */
+        plan = stand_plan_make(per_group); /* per_group is checked below */
     }
     if (failure) {
         return failure;
     }
-    if (plan.per_group < INVCAL_PLAN_PER_GROUP_MIN) {
+    if (per_group < INVCAL_PLAN_PER_GROUP_MIN) {
         d->count = 0;
         d->is_solvable = 0;
         d->undetermined = (1u << INVCAL_PARAMETERS) - 1;
         snprintf(d->refusal, sizeof d->refusal,
                  "%u position%s in a group %s too few: a group determines five coefficients, so it "
                  "needs 5 or more",
-                 plan.per_group, plan.per_group == 1 ? "" : "s",
-                 plan.per_group == 1 ? "is" : "are");
+                 per_group, per_group == 1 ? "" : "s", per_group == 1 ? "is" : "are");
         return EXIT_DATA;
     }
     design_stand(d, &plan);
@@ -389,10 +388,9 @@ static int make_stand(design *d, const char *command, const char *text)
 /* The 18 positions of the paper without those on the axes. */
 static void make_stand_12(design *d, const char *name)
 {
-    invcal_plan plan = {.per_group = 6};
+    const invcal_plan plan = stand_plan_make(6);
     unsigned count = 0;
 
-    (void)invcal_plan_starts(plan.per_group, plan.start);
     design_stand(d, &plan);
     for (unsigned n = 0; n < d->count; n++) {
         if (!invcal_axis_up(d->position[n].vertical)) {
@@ -408,9 +406,8 @@ static void make_stand_12(design *d, const char *name)
 /* Three groups in steps of 45 degrees. */
 static void make_stand_24(design *d, const char *name)
 {
-    invcal_plan plan = {.per_group = 8};
+    const invcal_plan plan = stand_plan_make(8);
 
-    (void)invcal_plan_starts(plan.per_group, plan.start);
     design_stand(d, &plan);
     snprintf(d->name, sizeof d->name, "%s", name);
 }

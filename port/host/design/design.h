@@ -6,8 +6,7 @@
 #define DESIGN_H
 
 #include "design/criteria.h"
-#include "invcal/expert.h"
-#include "invcal/plan.h"
+#include "design/stand_plan.h"
 
 #define DESIGN_MAX (INVCAL_PLAN_GROUPS * INVCAL_PLAN_PER_GROUP_MAX)
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "design/covariance.h"
-#include "invcal/plan.h"
+#include "design/stand_plan.h"
 
 enum { P = INVCAL_PARAMETERS };
 
@@ -273,13 +273,11 @@ static void scatter(unsigned n, unsigned seed, vectors x)
 /* The paper's program of the same size, so that the result is never worse. */
 static void stand_program(unsigned n, vectors x)
 {
-    invcal_plan plan = {.per_group = n / INVCAL_PLAN_GROUPS};
-    invcal_plan_position position;
+    const invcal_plan plan = stand_plan_make(n / INVCAL_PLAN_GROUPS);
 
-    (void)invcal_plan_starts(plan.per_group, plan.start);
     for (unsigned i = 0; i < n; i++) {
-        (void)invcal_plan_position_at(&plan, i, &position);
-        memcpy(x[i], position.vertical, sizeof position.vertical);
+        const invcal_plan_position position = stand_plan_at(&plan, i);
+        memcpy(x[i], position.up, sizeof position.up);
     }
 }
 

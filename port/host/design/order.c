@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "system.h"
+#include "core/system.h"
 
 enum { NINE = INVCAL_PARAMETERS, ALL = NINE + 3 };
 

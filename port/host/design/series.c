@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "design/stand_plan.h"
+
 #define LARGEST_SIGNAL 100.0 /* j of a reading ten times the field is 49.5 */
 
 void series_terms(unsigned group, const double vertical[3], double terms[SERIES_TERMS])
@@ -37,11 +39,11 @@ invcal_status series_add(series *s, double j)
     if (!(fabs(j) <= LARGEST_SIGNAL)) {
         return isfinite(j) ? INVCAL_OUT_OF_RANGE : INVCAL_NOT_FINITE;
     }
-    const invcal_status status = invcal_plan_position_at(&s->plan, s->next, &position);
+    const invcal_status status = invcal_plan_get(&s->plan, s->next, &position);
     if (status != INVCAL_OK) {
         return status;
     }
-    series_terms(position.group, position.vertical, t);
+    series_terms(position.group, position.up, t);
     for (unsigned i = 0; i < SERIES_TERMS; i++) {
         s->sum[position.group - 1][i] += t[i] * j;
     }
@@ -108,7 +110,6 @@ invcal_status series_solve(const series *s, double x[INVCAL_PARAMETERS])
 invcal_status series_information(const invcal_plan *plan, unsigned group,
                                  double information[INVCAL_PACKED_SIZE(SERIES_TERMS)])
 {
-    invcal_plan_position position;
     double t[SERIES_TERMS];
 
     const invcal_status status = invcal_plan_check(plan);
@@ -122,8 +123,9 @@ invcal_status series_information(const invcal_plan *plan, unsigned group,
         information[i] = 0;
     }
     for (unsigned k = 0; k < plan->per_group; k++) {
-        (void)invcal_plan_position_at(plan, (group - 1) * plan->per_group + k, &position);
-        series_terms(position.group, position.vertical, t);
+        const invcal_plan_position position =
+            stand_plan_at(plan, (group - 1) * plan->per_group + k);
+        series_terms(position.group, position.up, t);
         for (unsigned r = 0; r < SERIES_TERMS; r++) {
             for (unsigned c = 0; c <= r; c++) {
                 information[INVCAL_PACKED(r, c)] += t[r] * t[c];

@@ -27,7 +27,8 @@
 #define SERIES_H
 
 #include "invcal/plan.h"
-#include "system.h"
+#include "plan/plan_axes.h"
+#include "core/system.h"
 
 #define SERIES_TERMS 5u /* 1, cos, sin, cos 2, sin 2 */
 
@@ -45,13 +46,13 @@ void series_terms(unsigned group, const double vertical[3], double terms[SERIES_
 
 /* Begins with the first position of a program.
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_ANGLE by invcal_plan_check. */
+ * Returns as invcal_plan_check. */
 invcal_status series_init(series *s, const invcal_plan *plan);
 
 /* Adds the composition J of the next position, J1 or J2.
  *
  * Returns INVCAL_OK; INVCAL_NOT_FINITE; INVCAL_OUT_OF_RANGE if |j| is above 100, impossible for a
- * reading of this field; INVCAL_BAD_ANGLE if the program is complete. */
+ * reading of this field; INVCAL_BAD_COUNT if the program is complete. */
 invcal_status series_add(series *s, double j);
 
 /* The coefficients a0 a1 b1 a2 b2 of each group.
@@ -68,8 +69,7 @@ invcal_status series_solve(const series *s, double x[INVCAL_PARAMETERS]);
  *
  * group  1 ... 3.
  *
- * Returns INVCAL_OK; INVCAL_TOO_FEW, INVCAL_BAD_ANGLE by invcal_plan_check or for another
- * group. */
+ * Returns as invcal_plan_check; INVCAL_BAD_ANGLE for another group. */
 invcal_status series_information(const invcal_plan *plan, unsigned group,
                                  double information[INVCAL_PACKED_SIZE(SERIES_TERMS)]);
 

@@ -5,7 +5,7 @@
 #ifndef TURN_WORDS_H
 #define TURN_WORDS_H
 
-#include "turns.h"
+#include "imu/turns.h"
 
 #define TURNS_WORDS_MAX 160
 #define TURNS_UP_MAX 80

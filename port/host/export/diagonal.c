@@ -7,7 +7,7 @@
 #include "export/text.h"
 #include "maths/matrix.h"
 #include "cli/message.h"
-#include "system.h"
+#include "core/system.h"
 
 #define MG 1000.0
 #define RINGS 1000u

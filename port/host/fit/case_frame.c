@@ -90,7 +90,7 @@ static double level_scatter(const invcal_frame *frame, const double up[3])
         return NUMBER_UNKNOWN;
     }
     for (unsigned i = 0; i < 9; i++) {
-        mean[i % 3] += up[i / 3] * frame->sum[i / 3][i % 3] / frame->count;
+        mean[i % 3] += up[i / 3] * frame->own_sum[i / 3][i % 3] / frame->count;
     }
     const double length = sqrt(mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]);
     return sqrt(fmax(2 - 2 * length, 0));
@@ -111,16 +111,16 @@ invcal_status case_solve(const invcal_frame *frame, const case_axes *stated, dou
         out->is_level = 1;
         out->scatter = level_scatter(frame, up);
         status = out->scatter >= SCATTER_MAX ? INVCAL_BAD_DIRECTION
-                                             : invcal_frame_level(frame, up, out->rotation);
+                                             : invcal_frame_level(frame, up, &out->rotation);
     } else {
-        status = invcal_frame_solve(frame, out->rotation, &quality);
+        status = invcal_frame_solve(frame, &out->rotation, &quality);
         if (status == INVCAL_OK) {
             find_sigma(&quality, noise, out);
             status = out->scatter < SCATTER_MAX ? INVCAL_OK : INVCAL_BAD_DIRECTION;
         }
     }
     if (status == INVCAL_OK) {
-        rotation_vector((const double(*)[3])out->rotation, out->angle);
+        rotation_vector((const double(*)[3])out->rotation.r, out->angle);
     }
     return status;
 }

@@ -18,12 +18,12 @@ typedef struct {
 } case_axes;
 
 typedef struct {
-    unsigned used;         /* positions used; 0: it was not asked for */
-    int is_level;          /* all had the same axis up: the rotation about it is unchanged */
-    double rotation[3][3]; /* from the calibrated axes to those of the case */
-    double angle[3];       /* the same as a rotation vector, rad */
-    double sigma[3];       /* standard deviations of angle; NaN: not known */
-    double scatter;        /* deviation from the stated directions, rad, root mean square */
+    unsigned used;            /* positions used; 0: it was not asked for */
+    int is_level;             /* all had the same axis up: the rotation about it is unchanged */
+    invcal_rotation rotation; /* from the calibrated axes to those of the case */
+    double angle[3];          /* the same as a rotation vector, rad */
+    double sigma[3];          /* standard deviations of angle; NaN: not known */
+    double scatter;           /* deviation from the stated directions, rad, root mean square */
 } case_frame;
 
 /* Parses a list such as "+z,-x,.,y". Returns 1; 0 if it is malformed, longer than CASE_MAX, or all

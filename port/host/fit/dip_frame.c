@@ -96,26 +96,26 @@ static axis_permutation permutation_of(unsigned n)
 static invcal_dip sums_permuted(const invcal_dip *sums, const axis_permutation *p)
 {
     invcal_dip out = *sums;
-    unsigned from[INVCAL_DIP_ROW];
-    int sign[INVCAL_DIP_ROW];
+    unsigned from[INVCAL_PRIVATE_DIP];
+    int sign[INVCAL_PRIVATE_DIP];
 
-    for (unsigned k = 0; k < INVCAL_DIP_ROW; k++) {
+    for (unsigned k = 0; k < INVCAL_PRIVATE_DIP; k++) {
         from[k] = k < 9 ? 3 * (k / 3) + p->from[k % 3] : k;
         sign[k] = k < 9 ? p->sign[k % 3] : 1;
     }
-    for (unsigned r = 0; r < INVCAL_DIP_ROW; r++) {
+    for (unsigned r = 0; r < INVCAL_PRIVATE_DIP; r++) {
         for (unsigned c = 0; c <= r; c++) {
             const unsigned high = from[r] > from[c] ? from[r] : from[c];
             const unsigned low = from[r] > from[c] ? from[c] : from[r];
-            out.sum[r * (r + 1) / 2 + c] =
-                sign[r] * sign[c] * sums->sum[high * (high + 1) / 2 + low];
+            out.own_sum[r * (r + 1) / 2 + c] =
+                sign[r] * sign[c] * sums->own_sum[high * (high + 1) / 2 + low];
         }
     }
     return out;
 }
 
 /* The best solution over all permutations. Returns 0 if there is none. */
-static int find_rotation(const invcal_dip *sums, double alike, double rotation[3][3],
+static int find_rotation(const invcal_dip *sums, double alike, invcal_rotation *rotation,
                          invcal_dip_quality *quality)
 {
     int is_found = 0;
@@ -124,8 +124,8 @@ static int find_rotation(const invcal_dip *sums, double alike, double rotation[3
         const axis_permutation p = permutation_of(n);
         const invcal_dip here = sums_permuted(sums, &p);
         invcal_dip_quality q;
-        double r[3][3];
-        if (invcal_dip_solve(&here, alike, r, &q) != INVCAL_OK ||
+        invcal_rotation r;
+        if (invcal_dip_solve(&here, alike, &r, &q) != INVCAL_OK ||
             (is_found && !(q.scatter < quality->scatter))) {
             continue;
         }
@@ -133,7 +133,7 @@ static int find_rotation(const invcal_dip *sums, double alike, double rotation[3
         *quality = q;
         for (unsigned i = 0; i < 3; i++) {
             for (unsigned j = 0; j < 3; j++) {
-                rotation[i][p.from[j]] = p.sign[j] * r[i][j];
+                rotation->r[i][p.from[j]] = p.sign[j] * r.r[i][j];
             }
         }
     }
@@ -180,15 +180,15 @@ static dip_answer solve(const instant *all, unsigned long count, dip_frame *out)
     for (unsigned long n = 0; n < count; n++) {
         (void)invcal_dip_add(&sums, all[n].up, all[n].field);
     }
-    if (!find_rotation(&sums, 1, out->rotation, &quality)) {
+    if (!find_rotation(&sums, 1, &out->rotation, &quality)) {
         return DIP_UNDETERMINED;
     }
-    out->alike = find_alike(all, count, (const double(*)[3])out->rotation, quality.sine);
-    if (!find_rotation(&sums, out->alike, out->rotation, &quality)) {
+    out->alike = find_alike(all, count, (const double(*)[3])out->rotation.r, quality.sine);
+    if (!find_rotation(&sums, out->alike, &out->rotation, &quality)) {
         return DIP_UNDETERMINED;
     }
     memcpy(out->sigma, quality.sigma, sizeof out->sigma);
-    rotation_vector((const double(*)[3])out->rotation, out->angle);
+    rotation_vector((const double(*)[3])out->rotation.r, out->angle);
     out->dip = -asin(quality.sine);
     out->scatter = quality.scatter;
     out->heading = quality.heading;

@@ -24,15 +24,15 @@ typedef enum {
 typedef struct {
     dip_answer answer;
     int is_corrected; /* the accelerometer was calibrated; else its readings are used as they are */
-    unsigned long used;    /* number of instants used */
-    unsigned long of;      /* number of all instants */
-    double rotation[3][3]; /* from the axes of the magnetometer to those of the accelerometer */
-    double angle[3];       /* the same as a rotation vector, rad */
-    double sigma[3];       /* standard deviations of angle */
-    double dip;            /* inclination of the field, rad, positive down */
-    double scatter;        /* of a R m, root mean square */
-    double alike;          /* number of successive instants with a common error */
-    double heading;        /* error of a heading that results from sigma, rad */
+    unsigned long used;       /* number of instants used */
+    unsigned long of;         /* number of all instants */
+    invcal_rotation rotation; /* from the axes of the magnetometer to those of the accelerometer */
+    double angle[3];          /* the same as a rotation vector, rad */
+    double sigma[3];          /* standard deviations of angle */
+    double dip;               /* inclination of the field, rad, positive down */
+    double scatter;           /* of a R m, root mean square */
+    double alike;             /* number of successive instants with a common error */
+    double heading;           /* error of a heading that results from sigma, rad */
 } dip_frame;
 
 /* Finds the rotation.

@@ -8,8 +8,8 @@
 #include "invcal/result.h"
 #include "maths/eigen.h"
 #include "maths/matrix.h"
-#include "solve.h"
-#include "sums.h"
+#include "core/solve.h"
+#include "core/sums.h"
 
 #define ANGLES (7u << INVCAL_GAMMA_XY)
 

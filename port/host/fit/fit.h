@@ -9,7 +9,7 @@
 #define FIT_H
 
 #include "invcal/positions.h"
-#include "system.h"
+#include "core/system.h"
 
 /* What a calibration is based on. */
 typedef struct {

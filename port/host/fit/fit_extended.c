@@ -7,9 +7,9 @@
 
 #include "invcal/result.h"
 #include "maths/matrix.h"
-#include "judge.h"
-#include "sums.h"
-#include "system.h"
+#include "calibrate/judge.h"
+#include "core/sums.h"
+#include "core/system.h"
 
 enum { NINE = INVCAL_PARAMETERS, UNKNOWNS_MAX = NINE + 3 * FIT_EXTENDED_KINDS, PASSES = 8 };
 

@@ -10,7 +10,7 @@
 #include "maths/matrix.h"
 #include "maths/median.h"
 #include "text/number.h"
-#include "rests.h"
+#include "session/rests.h"
 
 #define COUNT_BITS 24      /* of the largest reading found; others may be 128 times as large */
 #define RAIL_RUN_MIN 5u    /* equal readings in a row at the end of the range */

@@ -9,7 +9,7 @@
 #include "cli/message.h"
 #include "fit/rejection.h"
 #include "invcal/gyro.h"
-#include "turns.h"
+#include "imu/turns.h"
 #include "read/positions.h"
 #include "read/gyro_log.h"
 #include "text/unit.h"

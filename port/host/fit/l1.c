@@ -6,7 +6,7 @@
 
 #include "invcal/expert.h"
 #include "invcal/result.h"
-#include "sums.h"
+#include "core/sums.h"
 
 #define ITERATIONS 200u
 #define RESIDUAL_MIN 1e-3 /* over the mean absolute residual: smaller ones are weighted like this */

@@ -8,7 +8,7 @@
 #include "invcal/positions.h"
 #include "maths/eigen.h"
 #include "maths/matrix.h"
-#include "system.h"
+#include "core/system.h"
 
 #define VARIANCE_MIN 0.02 /* in any direction, over the square of the radius */
 

@@ -9,8 +9,8 @@
 #include "fit/fit_extended.h"
 #include "maths/matrix.h"
 #include "text/number.h"
-#include "sums.h"
-#include "system.h"
+#include "core/sums.h"
+#include "core/system.h"
 
 #define CONDITION_MAX 1e8
 #define RIDGE 1e-5   /* relative to the number of positions */

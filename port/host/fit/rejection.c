@@ -11,7 +11,7 @@
 #include "maths/f_tail.h"
 #include "maths/median.h"
 #include "text/random.h"
-#include "sums.h"
+#include "core/sums.h"
 
 #define FALSE_ALARM 0.007 /* chance that any good position is left out */
 #define POSITIONS_MIN 11u /* positions needed to identify an outlier */

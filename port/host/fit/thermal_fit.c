@@ -10,7 +10,7 @@
 #include "maths/matrix.h"
 #include "text/number.h"
 #include "fit/thermal_rejection.h"
-#include "system.h"
+#include "core/system.h"
 
 #define USUAL_NOISE 1e-4 /* of a position mean, over field */
 #define USUAL_SLOPE 1e-3 /* of an offset, 1/K */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "maths/matrix.h"
-#include "sums.h"
+#include "core/sums.h"
 
 enum { N = INVCAL_PARAMETERS };
 

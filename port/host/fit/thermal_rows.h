@@ -8,7 +8,7 @@
 
 #include "invcal/thermal.h"
 #include "fit/rejection.h"
-#include "system.h"
+#include "core/system.h"
 
 #define THERMAL_COEFFICIENTS (3 * INVCAL_PARAMETERS) /* of a parabola */
 #define THERMAL_PACKED INVCAL_PACKED_SIZE(THERMAL_COEFFICIENTS)

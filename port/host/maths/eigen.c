@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "system.h"
+#include "core/system.h"
 
 enum { SWEEPS = 12 }; /* more than any such matrix needs: convergence is quadratic */
 

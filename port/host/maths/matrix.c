@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "system.h"
+#include "core/system.h"
 
 static void cross(const double a[3], const double b[3], double out[3])
 {

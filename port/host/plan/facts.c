@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "maths/matrix.h"
-#include "system.h"
+#include "core/system.h"
 
 void plan_facts_find(plan_facts *f, const design *d, const choice_request *request, const choice *c)
 {

@@ -148,7 +148,7 @@ static void write_summary(json_writer *w, const design *d, const choice_request 
     json_text(w, "name", d->name);
     if (d->plan.per_group > 0) {
         json_number(w, "per_group", d->plan.per_group);
-        json_vector(w, "start", d->plan.start);
+        json_vector(w, "start", d->plan.start_deg);
     }
     json_number(w, "labour", d->count);
     json_number(w, "redundancy", (double)d->count - (double)INVCAL_PARAMETERS);

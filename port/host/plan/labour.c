@@ -245,8 +245,7 @@ int labour_find(labour *l, design *set)
     if (is_free) {
         design_balanced(set, count, l->limits, l->needs_axes);
     } else {
-        invcal_plan plan = {.per_group = count / INVCAL_PLAN_GROUPS};
-        (void)invcal_plan_starts(plan.per_group, plan.start);
+        const invcal_plan plan = stand_plan_make(count / INVCAL_PLAN_GROUPS);
         design_stand(set, &plan);
     }
     return EXIT_GOOD;

@@ -721,8 +721,7 @@ static int sweep(const request *r)
         return failure;
     }
     for (unsigned n = from; n <= to; n++) {
-        invcal_plan plan = {.per_group = n};
-        (void)invcal_plan_starts(n, plan.start);
+        const invcal_plan plan = stand_plan_make(n);
         design_stand(&sets[0], &plan);
         rows[n - from] = (plan_row){n, sets[0].criteria, sets[0].axes};
     }

@@ -274,7 +274,7 @@ static void print_title(FILE *file, const design *d)
 
     if (d->plan.per_group > 0) {
         for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
-            plan_angle_text(d->plan.start[g], start[g]);
+            plan_angle_text(d->plan.start_deg[g], start[g]);
         }
         snprintf(groups, sizeof groups, " in 3 groups of %u, starting at %s, %s, %s degrees",
                  d->plan.per_group, start[0], start[1], start[2]);

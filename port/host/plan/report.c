@@ -258,7 +258,7 @@ static void write_origin(page *p, const plan_facts *f, const char *command)
     page_fact(p, "set", "%s, %u positions", d->name, d->count);
     if (d->plan.per_group > 0) {
         for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
-            plan_angle_text(d->plan.start[g], text[g]);
+            plan_angle_text(d->plan.start_deg[g], text[g]);
         }
         page_fact(p, "start angles", "%s°, %s°, %s°", text[0], text[1], text[2]);
     }

@@ -8,7 +8,7 @@
 #include "read/positions.h"
 #include "read/recording.h"
 #include "read/gyro_log.h"
-#include "rests.h"
+#include "session/rests.h"
 
 /* INVCAL_REST_SHORT ... INVCAL_REST_SAME: why a rest was refused. */
 enum { RESTS_REASONS = INVCAL_REST_SAME - INVCAL_REST_SHORT + 1 };

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "magnetometer/cells.h"
 #include "cli/command.h"
 #include "cli/message.h"
 #include "cli/progress.h"

@@ -9,7 +9,7 @@
 
 #include "read/samples.h"
 #include "read/timeline.h"
-#include "rests.h"
+#include "session/rests.h"
 
 #define RECORDING_BLOCKS 16384u /* the last ones, half an hour */
 

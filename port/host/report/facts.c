@@ -10,7 +10,7 @@
 #include "cli/command.h"
 #include "result/need.h"
 #include "text/number.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 
 static double length(const double v[3])
 {

@@ -324,12 +324,11 @@ static void write_magnetometer(page *p, const magnetometer_log *m)
 {
     page_fact(p, "samples",
               "%lu, %lu left out, in %u of %u direction cells; correlated: %.0f count as one",
-              m->samples, (unsigned long)m->found.left_out, m->found.covered, INVCAL_CELLS,
+              m->samples, (unsigned long)m->found.dropped, m->found.covered, INVCAL_CELLS,
               m->found.alike > 1 ? m->found.alike : 1);
     page_fact(p, "lengths", "differ by %.3g %% rms after calibration", 100 * m->sample_rms);
     if (m->found.disturbance != INVCAL_UNDISTURBED) {
-        page_fact(p, "disturbed", "%s",
-                  invcal_disturbance_text((invcal_disturbance)m->found.disturbance));
+        page_fact(p, "disturbed", "%s", invcal_disturbance_text(m->found.disturbance));
     }
 }
 

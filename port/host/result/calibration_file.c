@@ -11,7 +11,7 @@
 #include "maths/matrix.h"
 #include "cli/message.h"
 #include "text/number.h"
-#include "solve.h"
+#include "core/solve.h"
 
 typedef int (*number_reader)(json_reader *r, double *out);
 typedef int (*member_reader)(json_reader *r, const char *name, void *into);

@@ -53,7 +53,7 @@ void calibrate_case_json(json_writer *w, const calibrate_result *result)
 
     json_object(w, "case");
     json_number(w, "positions", c->used);
-    json_matrix(w, "rotation", (const double(*)[3])c->rotation);
+    json_matrix(w, "rotation", (const double(*)[3])c->rotation.r);
     json_vector(w, "angle", c->angle);
     json_vector(w, "sigma", c->sigma);
     json_number(w, "scatter", c->scatter);

@@ -6,7 +6,7 @@
 #include "invcal/positions.h"
 #include "design/parameters.h"
 #include "text/figure.h"
-#include "system.h"
+#include "core/system.h"
 
 #define POSITIONS_MIN 6u /* positions */
 #define ANGLE_BITS (7u << INVCAL_GAMMA_XY)

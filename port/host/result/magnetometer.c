@@ -24,13 +24,13 @@ void calibrate_magnetometer_print(FILE *file, const calibrate_result *result)
                    "%*u of %u directions covered; neighbouring samples are correlated: %.0f of "
                    "them count as one",
                    8, m->found.covered, INVCAL_CELLS, m->found.alike > 1 ? m->found.alike : 1);
-    if (m->found.left_out > 0) {
+    if (m->found.dropped > 0) {
         fprintf(file, "%*lu samples contradict the others, and are left out\n", 8,
-                (unsigned long)m->found.left_out);
+                (unsigned long)m->found.dropped);
     }
     if (m->found.disturbance != INVCAL_UNDISTURBED) {
         wrapped_printf(file, 0, "%sDisturbed:%s %s.", paint_on(file, PAINT_RED), paint_off(file),
-                       invcal_disturbance_text((invcal_disturbance)m->found.disturbance));
+                       invcal_disturbance_text(m->found.disturbance));
     }
 }
 
@@ -40,13 +40,13 @@ const char *calibrate_magnetometer_fault(const calibrate_result *result,
     const invcal_magnetometer_found *f = &result->magnetometer->found;
     char words[INVCAL_TEXT_SIZE];
 
-    if (result->quality.verdict == INVCAL_WEAK && f->gap > 45) {
+    if (result->quality.verdict == INVCAL_WEAK && f->gap_deg > 45) {
         const double up[3] = {-result->magnetometer->next[0], -result->magnetometer->next[1],
                               -result->magnetometer->next[2]};
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "a gap of %u degrees in the sphere is not covered. North of the equator, hold it "
                  "%s and swing it around.",
-                 f->gap, invcal_direction_text(up, words));
+                 f->gap_deg, invcal_direction_text(up, words));
     } else if (result->quality.verdict == INVCAL_NO_REDUNDANCY) {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "every parameter is determined, but there is no redundancy to check the fit.");
@@ -56,12 +56,11 @@ const char *calibrate_magnetometer_fault(const calibrate_result *result,
                  "poorly determined; rely on them only within their ±: %s.",
                  parameters_list(result->quality.weak, list, sizeof list));
     } else if (f->disturbance > INVCAL_PASSING) {
-        snprintf(text, CALIBRATE_LIMIT_MAX, "%s.",
-                 invcal_disturbance_text((invcal_disturbance)f->disturbance));
+        snprintf(text, CALIBRATE_LIMIT_MAX, "%s.", invcal_disturbance_text(f->disturbance));
     } else {
         snprintf(text, CALIBRATE_LIMIT_MAX,
                  "%lu of %lu samples contradict the others: repeat away from iron and magnets.",
-                 (unsigned long)f->left_out, (unsigned long)f->left_out + f->samples);
+                 (unsigned long)f->dropped, (unsigned long)f->dropped + f->samples);
     }
     return text;
 }
@@ -127,7 +126,7 @@ static void write_axes(json_writer *w, const dip_frame *d)
     json_number(w, "used", (double)d->used);
     json_number(w, "of", (double)d->of);
     if (d->answer == DIP_FOUND) {
-        json_matrix(w, "rotation", (const double(*)[3])d->rotation);
+        json_matrix(w, "rotation", (const double(*)[3])d->rotation.r);
         json_vector(w, "angle", d->angle);
         json_vector(w, "sigma", d->sigma);
         json_number(w, "alike", d->alike);
@@ -146,9 +145,9 @@ void calibrate_magnetometer_json(json_writer *w, const calibrate_result *result)
     json_object(w, "magnetometer");
     json_text(w, "field", result->is_field_measured ? "measured" : "stated");
     json_number(w, "samples", f->samples);
-    json_number(w, "left_out", f->left_out);
+    json_number(w, "left_out", f->dropped);
     json_number(w, "covered", f->covered);
-    json_number(w, "gap", f->gap);
+    json_number(w, "gap", f->gap_deg);
     json_vector(w, "next", result->magnetometer->next);
     json_number(w, "sample_rms", result->magnetometer->sample_rms);
     json_number(w, "alike", f->alike);

@@ -8,7 +8,7 @@
 #include "invcal/plan.h"
 #include "invcal/positions.h"
 #include "result/gyro.h"
-#include "guidance.h"
+#include "plan/guidance.h"
 
 #define POSITIONS_GOOD 12u /* minimum with redundancy */
 #define SIGMA_MAX 4.0 /* of a parameter that counts as determined, over that of a position mean */

@@ -7,7 +7,7 @@
 #include "invcal/plan.h"
 #include "draw/chart.h"
 #include "fit/fit.h"
-#include "sums.h"
+#include "core/sums.h"
 
 #define TURN 6.2831853071795865
 #define STEP (TURN / 72)        /* of the search for the most uncertain direction */

@@ -10,7 +10,7 @@
 #define UNCERTAINTY_H
 
 #include "draw/sphere.h"
-#include "system.h"
+#include "core/system.h"
 
 typedef struct {
     double covariance[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)]; /* K, over the squared noise */

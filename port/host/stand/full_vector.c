@@ -10,9 +10,9 @@
 #include <limits.h>
 #include <string.h>
 
-#include "solve.h"
-#include "sums.h"
-#include "vector.h"
+#include "core/solve.h"
+#include "core/sums.h"
+#include "core/vector.h"
 
 enum { OF_AXIS = 4, OF_ROW = OF_AXIS + 3 }; /* unknowns of an axis: a row of M, and delta */
 

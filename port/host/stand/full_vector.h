@@ -5,7 +5,7 @@
 #ifndef FULL_VECTOR_H
 #define FULL_VECTOR_H
 
-#include "system.h"
+#include "core/system.h"
 
 /* The full vector. Lengths do not show how the unit is turned on the stand, and J1 shows it to
  * second order only. All three readings of a position show it to first order:

@@ -8,7 +8,7 @@
 #include "maths/f_tail.h"
 #include "maths/matrix.h"
 #include "text/number.h"
-#include "system.h"
+#include "core/system.h"
 
 #define SAME_ANGLE 0.5 /* degrees: tolerance of the constant angle of a group */
 

@@ -9,7 +9,7 @@
 #ifndef MOUNTING_H
 #define MOUNTING_H
 
-#include "system.h"
+#include "core/system.h"
 
 /* A position with a known direction. */
 typedef struct {

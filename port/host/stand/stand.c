@@ -13,8 +13,8 @@
 #include "maths/matrix.h"
 #include "cli/message.h"
 #include "text/number.h"
-#include "sums.h"
-#include "system.h"
+#include "core/sums.h"
+#include "core/system.h"
 
 #define SCATTERED 0.01     /* rad: more than a stand with a scale has, unless */
 #define SCATTERED_NOISE 10 /* it is within this multiple of the noise of a mean */

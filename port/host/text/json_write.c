@@ -7,7 +7,7 @@
 #include "invcal/result.h"
 #include "text/number.h"
 #include "text/utf8.h"
-#include "system.h"
+#include "core/system.h"
 
 static const char *line_about; /* null: objects are indented over several lines */
 

@@ -16,7 +16,7 @@
 #include "watch/live_program.h"
 #include "watch/screen.h"
 #include "watch/zero.h"
-#include "rests.h"
+#include "session/rests.h"
 
 #define HOLD_MAX 60      /* seconds: limit of the time from the noise of the first rest */
 #define HOLD_LIMIT 3600  /* seconds: limit of the time from an Allan deviation */

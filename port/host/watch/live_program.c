@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "rests.h"
+#include "session/rests.h"
 
 #define FAR_ZERO 0.3 /* over the field */
 

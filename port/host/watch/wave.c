@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "magnetometer/cells.h"
 #include "invcal/plan.h"
 #include "invcal/result.h"
 #include "cli/command.h"
@@ -43,8 +44,8 @@ static void find_covered(const invcal_magnetometer *m)
     now.covered = 0;
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         double raw[3];
-        if (invcal_magnetometer_cell(m, &m->work, k, raw) > 0) {
-            now.covered += (unsigned)find_direction(&m->work, raw, now.direction[now.covered]);
+        if (invcal_magnetometer_cell(m, &m->own_work, k, raw) > 0) {
+            now.covered += (unsigned)find_direction(&m->own_work, raw, now.direction[now.covered]);
         }
     }
     now.taken = now.covered;
@@ -85,14 +86,12 @@ static void solve(const state *s, const invcal_magnetometer *m)
     now.status = invcal_magnetometer_solve(m, &calibration, &now.quality, &found);
     now.accuracy =
         now.status == INVCAL_OK ? invcal_accuracy(&now.quality, s->options->field_sigma) : 0;
-    now.disturbed = now.status == INVCAL_OK
-                        ? invcal_disturbance_text((invcal_disturbance)found.disturbance)
-                        : "";
+    now.disturbed = now.status == INVCAL_OK ? invcal_disturbance_text(found.disturbance) : "";
     now.is_guess = now.status != INVCAL_OK;
     now.need = s->options->field > 0 || !(found.field > 0) ? s->options->need
                                                            : s->options->need / found.field;
-    now.is_good = now.status == INVCAL_OK && now.quality.verdict == INVCAL_GOOD && found.gap == 0 &&
-                  reaches_target(s->options, found.field);
+    now.is_good = now.status == INVCAL_OK && now.quality.verdict == INVCAL_GOOD &&
+                  found.gap_deg == 0 && reaches_target(s->options, found.field);
 }
 
 /* ---- the stream --------------------------------------------------------------------------------- */
@@ -124,8 +123,8 @@ static void tick(state *s, const magnetometer_moment *at)
     const char *before = now.disturbed;
 
     s->reported_at = at->latest->clock;
-    now.has_up = at->magnetometer->samples >= SAMPLES_MIN &&
-                 find_direction(&at->magnetometer->work, at->raw, now.up);
+    now.has_up = at->magnetometer->own.samples >= SAMPLES_MIN &&
+                 find_direction(&at->magnetometer->own_work, at->raw, now.up);
     find_covered(at->magnetometer);
     solve(s, at->magnetometer);
     find_target(at->magnetometer);
@@ -150,7 +149,7 @@ static void on_sample(const magnetometer_moment *at, void *argument)
     }
     now.seconds = at->latest->clock;
     now.skipped = at->log->skipped;
-    if (at->event == INVCAL_TAKEN && at->magnetometer->samples >= SAMPLES_MIN) {
+    if (at->event == INVCAL_TAKEN && at->magnetometer->own.samples >= SAMPLES_MIN) {
         take(s, at);
     }
     if (at->latest->clock - s->reported_at >= TICK_SECONDS) {

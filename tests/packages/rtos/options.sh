@@ -72,7 +72,7 @@ others_as_program() {
 others_everywhere() {
     sources=$(find src -name '*.c' | wc -l)
     while read -r option value; do
-        count=$(grep -E '^ *"command".*/src/[a-z0-9_]+\.c"' "$1" | grep -v '/src/main\.c"' |
+        count=$(grep -E '^ *"command".*/src/[a-z]+/[a-z0-9_]+\.c"' "$1" |
             grep -c -- "-D$option=$value ")
         [ "$count" -eq "$sources" ] ||
             { echo "$option=$value reached $count of $sources files"; return 1; }

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Internal: what the host tool needs of allan.h besides.
+ */
+#ifndef INVCAL_NOISE_H
+#define INVCAL_NOISE_H
+
+#include "invcal/allan.h"
+
+#define INVCAL_ALLAN_LONGEST (UINT32_C(1) << 30) /* samples: differences then fit 63 bits */
+
+/* adev(tau) of the model, counts; tau in s, above 0: else it means nothing. */
+invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau);
+
+#endif
