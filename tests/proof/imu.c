@@ -156,6 +156,7 @@ void main(void)
     ANY(imu);
     imu.rests = 0;
     imu.session.count = (uint8_t)BETWEEN(0, INVCAL_MAX_POSITIONS);
+    (void)invcal_imu_is_begun(&imu);
     (void)invcal_imu_solve(&imu, NULL, &out);
     solve(INVCAL_MAX_MOVES, INVCAL_MAX_MOVES + 8, 0);
     solve(INVCAL_MAX_MOVES, INVCAL_MAX_MOVES - 8, 1);

@@ -333,8 +333,7 @@ static inline invcal_imu_settings world_stated(const world_settings *s,
 static inline invcal_status world_solve_of(const world *w, const invcal_positions *positions,
                                            const invcal_imu_settings *settings, world_solution *out)
 {
-    const invcal_status status =
-        invcal_imu_solve_of(&w->imu, positions, settings, &out->result);
+    const invcal_status status = invcal_imu_solve_of(&w->imu, positions, settings, &out->result);
 
     out->open = 0;
     for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {

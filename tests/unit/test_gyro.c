@@ -523,8 +523,8 @@ static void the_noise_of_moves_is_that_of_residuals_and_statement(void)
     for (int k = 0; k < 4; k++) {
         const double ratio = k % 2 == 0 ? 1.96 : 2.04;
         const int is_noisy = k >= 2;
-        world_settings settings = {0, INVCAL_REAL(0.003), INVCAL_REAL(0.002),
-                                        INVCAL_REAL(0.001), 0};
+        world_settings settings = {0, INVCAL_REAL(0.003), INVCAL_REAL(0.002), INVCAL_REAL(0.001),
+                                   0};
         double stated = 2 * 9e-6 + 4e-6 * 1.5 + 2.25 * 1e-6;
         double by[12];
         if (!is_noisy) {
@@ -702,8 +702,7 @@ static void a_bias_that_wanders_is_that_of_closed_form(void)
                                       (double)imu.result.slope_sigma[i][j] * 262144);
         }
         for (int j = 0; j < 3; j++) { /* in counts */
-            const double m =
-                (double)imu.parameter[3 * i + j] * (double)w.imu.nominal.matrix[j][j];
+            const double m = (double)imu.parameter[3 * i + j] * (double)w.imu.nominal.matrix[j][j];
             TEST_ASSERT_DOUBLE_WITHIN(1e-6 / COUNTS, m, (double)imu.result.gyro.matrix[i][j]);
         }
         const double g = is_used ? p[i][0] * h[24][0] + p[i][1] * h[24][1] + p[i][2] * h[24][2] : 0;
@@ -1149,8 +1148,7 @@ static void without_moves_nothing_is_solved(void)
     invcal_real scale;
 
     world_begin(&w, 100, 67);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_imu_set_limits(&w.imu, -50000, 50000)); /* 0.5 rad/s */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_set_limits(&w.imu, -50000, 50000)); /* 0.5 rad/s */
     world_tour(&w);
     world_end(&w);
     TEST_ASSERT_EQUAL_INT(13, w.imu.rests);
@@ -1262,7 +1260,8 @@ static void a_move_that_contradicts_the_others_is_left_out(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve(&w, NULL, &imu));
     TEST_ASSERT_EQUAL_HEX32(1u << 2, imu.result.left_out);
     TEST_ASSERT_EQUAL_INT(23, imu.result.moves);
-    TEST_ASSERT_TRUE(imu.result.move_max > imu.result.move_rms && imu.result.move_max < 5 * imu.result.move_rms);
+    TEST_ASSERT_TRUE(imu.result.move_max > imu.result.move_rms &&
+                     imu.result.move_max < 5 * imu.result.move_rms);
     TEST_ASSERT_TRUE(imu.result.worst != 2);
     for (int i = 0; i < 9; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(4 * (double)imu.sigma[i], w.m[i / 3][i % 3],

@@ -31,8 +31,7 @@ static void begin(void)
     memset(&imu, 0, sizeof imu);
     TEST_ASSERT_EQUAL_INT(
         INVCAL_OK, invcal_session_init(&imu.session, sizeof imu.session, COUNTS_PER_G, RATE));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_imu_init(&imu, sizeof imu, (invcal_real)COUNTS, RATE));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_init(&imu, sizeof imu, (invcal_real)COUNTS, RATE));
 }
 
 /* A face as a letter of the tour; '?' for none. */
@@ -242,7 +241,8 @@ static void any_path_leads_back_to_the_tour(void)
     assert_turn(edge, &turn);
     TEST_ASSERT_EQUAL_INT('z', face_of(turn.up)); /* where the first turn begins */
     add_face('Z', INVCAL_OK);
-    TEST_ASSERT_EQUAL_INT('y', next()); /* no turn of the tour was made, and y is its first from here */
+    TEST_ASSERT_EQUAL_INT('y',
+                          next()); /* no turn of the tour was made, and y is its first from here */
     add_face('Z', INVCAL_OK);
     TEST_ASSERT_EQUAL_INT('y', next());
     begin();

@@ -208,8 +208,7 @@ static int is_refused(invcal_status expected, const uint8_t *bytes, uint32_t siz
 
     memset(&out, 0x5A, sizeof out);
     memset(before, 0x5A, sizeof before);
-    return decode(bytes, size, &out) == expected &&
-           memcmp(&out, before, sizeof out) == 0;
+    return decode(bytes, size, &out) == expected && memcmp(&out, before, sizeof out) == 0;
 }
 
 /* ---- what is kept ------------------------------------------------------------------------------ */
@@ -327,7 +326,8 @@ static void the_record_of_the_accelerometer_is_made_from_the_result(void)
 
     for (unsigned k = 0; k < 2 * sizeof judged / sizeof *judged; k++) {
         invcal_imu_result result = make_result();
-        invcal_record about = golden_one.accelerometer; /* an earlier one: only what lasts is taken */
+        invcal_record about =
+            golden_one.accelerometer; /* an earlier one: only what lasts is taken */
         contents back;
         uint8_t bytes[SIZE];
         result.weak = judged[k / 2].weak;
@@ -342,8 +342,7 @@ static void the_record_of_the_accelerometer_is_made_from_the_result(void)
             expected.accelerometer.temperature = about.temperature;
             expected.accelerometer.temperature_known = about.temperature_known;
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_imu_encode(&result, k % 2 ? &about : NULL, bytes));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_encode(&result, k % 2 ? &about : NULL, bytes));
         assert_decodes(bytes, &back);
         assert_equal_records(&expected, &back);
     }
@@ -451,8 +450,7 @@ static void a_record_that_contradicts_itself_is_neither_encoded_nor_decoded(void
             r.accelerometer.weak = 0;
             r.accelerometer.verdict = INVCAL_GOOD;
         }
-        TEST_ASSERT_EQUAL_INT(is_good ? INVCAL_OK : INVCAL_DAMAGED,
-                              encode(&r, bytes));
+        TEST_ASSERT_EQUAL_INT(is_good ? INVCAL_OK : INVCAL_DAMAGED, encode(&r, bytes));
         memcpy(bytes, golden, SIZE);
         if (!other_is_weak) {
             memset(bytes + RECORD_AT + 18, 0, 2);
@@ -642,7 +640,8 @@ static void a_power_cut_at_any_byte_of_a_save_loses_no_result(void)
         TEST_ASSERT_TRUE(r.r.moves == 12 || r.r.moves == 13);
         TEST_ASSERT_TRUE(!saved || r.r.moves == 13);
         found[r.r.moves - 12]++;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_save_result(&imu, &store)); /* and it works again */
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcal_imu_save_result(&imu, &store)); /* and it works again */
     }
     TEST_ASSERT_TRUE(found[0] > SLOT && found[1] > 1);
 }

@@ -281,7 +281,8 @@ static size_t reference(const invcal_imu *imu_of, uint8_t *bytes)
         at = put(at, m->rest[i].bias, 6);
         at = put(at, &m->rest[i].when, 2);
         at = put(at, &m->rest[i].move, 1);
-        at = put(at, nothing, offsetof(invcal_private_still, move) + 1 < sizeof(invcal_private_still));
+        at = put(at, nothing,
+                 offsetof(invcal_private_still, move) + 1 < sizeof(invcal_private_still));
     }
     for (unsigned i = 0; i < INVCAL_MAX_SEGMENTS; i++) {
         at = put(at, m->segment[i].v, 6);
@@ -309,8 +310,7 @@ static void what_lasts_is_what_was_taken(void)
     TEST_ASSERT_EQUAL_MEMORY(&both.session, kept + OF_MOVES, size - OF_MOVES);
     TEST_ASSERT_EQUAL_UINT32(SIZE, INVCAL_IMU_SIZE);
 #if INVCAL_MAX_SEGMENTS == 192 && INVCAL_MAX_MOVES == 32 /* as if it were copied from a device */
-    TEST_ASSERT_EQUAL_HEX32(sizeof(invcal_real) == 8 ? 0x628080C0u : 0x628040C0u,
-                            both.own.layout);
+    TEST_ASSERT_EQUAL_HEX32(sizeof(invcal_real) == 8 ? 0x628080C0u : 0x628040C0u, both.own.layout);
 #endif
 }
 
@@ -329,8 +329,7 @@ static void assert_back(void)
     TEST_ASSERT_EQUAL_UINT(back.own.first, back.own.used);
     TEST_ASSERT_EQUAL_UINT(0, back.own.marks + back.own.missing + back.own.spoilt);
     for (unsigned i = 0; i < 3; i++) {
-        TEST_ASSERT_TRUE(back.own.rho[i] == 0 && back.own.v[i] == 0 &&
-                         back.own.still[i] == 0);
+        TEST_ASSERT_TRUE(back.own.rho[i] == 0 && back.own.v[i] == 0 && back.own.still[i] == 0);
     }
 }
 
@@ -383,7 +382,8 @@ static void a_reset_in_a_move_loses_that_move(void)
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, solve(&both, &imu[0]));
         TEST_ASSERT_EQUAL_UINT(0, imu[0].left_out);
         for (int i = 0; i < 9; i++) {
-            TEST_ASSERT_DOUBLE_WITHIN(4 * (double)imu[0].sigma[INVCAL_GYRO_XX + i], hand.m[i / 3][i % 3],
+            TEST_ASSERT_DOUBLE_WITHIN(4 * (double)imu[0].sigma[INVCAL_GYRO_XX + i],
+                                      hand.m[i / 3][i % 3],
                                       (double)imu[0].gyro.matrix[i / 3][i % 3] * COUNTS);
             TEST_ASSERT_TRUE(imu[0].sigma[INVCAL_GYRO_XX + i] < INVCAL_REAL(3e-3));
         }
@@ -764,7 +764,8 @@ static void a_power_cut_at_any_byte_of_a_save_keeps_both_together(void)
         const invcal_imu *expected = is_new ? &both : &before;
         TEST_ASSERT_EQUAL_MEMORY((const uint8_t *)expected + offsetof(invcal_private_moves, layout),
                                  (const uint8_t *)&back + offsetof(invcal_private_moves, layout),
-                                 sizeof(invcal_private_moves) - offsetof(invcal_private_moves, layout));
+                                 sizeof(invcal_private_moves) -
+                                     offsetof(invcal_private_moves, layout));
         TEST_ASSERT_EQUAL_MEMORY(expected->session.mean, back.session.mean,
                                  expected->session.count * MEAN);
         TEST_ASSERT_TRUE(!saved || is_new);

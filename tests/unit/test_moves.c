@@ -65,8 +65,8 @@ static void a_move_keeps_its_angle_and_rests_their_bias(void)
         TEST_ASSERT_DOUBLE_WITHIN(1e-4, 0, angle[0]);
         TEST_ASSERT_DOUBLE_WITHIN(2e-4, 90 * DEGREE, angle[1]);
         for (int a = 0; a < 3; a++) {
-            TEST_ASSERT_DOUBLE_WITHIN(2e-5, w.bias[a],
-                                      (double)w.imu.own.bias[a] + w.imu.own.rest[i].bias[a] / 262144.0);
+            TEST_ASSERT_DOUBLE_WITHIN(
+                2e-5, w.bias[a], (double)w.imu.own.bias[a] + w.imu.own.rest[i].bias[a] / 262144.0);
         }
     }
 }
@@ -248,8 +248,7 @@ static void another_build_is_refused_and_the_session_says_why(void)
         const size_t size = sizeof(invcal_imu) + (size_t)others[i];
         invcal_session session;
         memset(&memory, 0x5A, sizeof memory);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                              invcal_session_init(&session, sizeof session, 16384, 100));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_session_init(&session, sizeof session, 16384, 100));
         memcpy(&memory.bytes[size - sizeof session], &session, sizeof session);
         memcpy(&before, &memory, sizeof before);
         TEST_ASSERT_EQUAL_INT(INVCAL_OTHER_BUILD, invcal_imu_init(&memory.imu, size, 3753, 100));
@@ -316,7 +315,8 @@ static void blocks(int count, invcal_event event, int is_quiet)
 {
     for (int i = 0; i < count; i++) {
         turn_on(0, 0, 0, WORLD_BLOCK);
-        w.imu.session.rests.begin = w.imu.session.rests.pended > 0 ? w.imu.session.rests.begin : w.imu.session.rests.time;
+        w.imu.session.rests.begin =
+            w.imu.session.rests.pended > 0 ? w.imu.session.rests.begin : w.imu.session.rests.time;
         w.imu.session.rests.time += WORLD_BLOCK;
         w.imu.session.rests.pended = is_quiet ? 2 : w.imu.session.rests.pended;
         w.imu.session.rests.end = is_quiet ? w.imu.session.rests.time : w.imu.session.rests.end;
@@ -439,8 +439,8 @@ static void begin_at(int rate)
     for (int i = 0; i < 3; i++) {
         nominal.matrix[i][i] = INVCAL_REAL(1.0) / 262144;
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_imu_init_nominal(&w.imu, sizeof w.imu, &nominal, (invcal_real)rate));
+    TEST_ASSERT_EQUAL_INT(
+        INVCAL_OK, invcal_imu_init_nominal(&w.imu, sizeof w.imu, &nominal, (invcal_real)rate));
     w.imu.session.rests.bits = 3;
 }
 
@@ -459,7 +459,9 @@ static void feed(int32_t x, int32_t y, int32_t z)
 /* The end of a block: eight samples of the accelerometer, however many of the gyroscope. */
 static void end_block(invcal_event event, int is_quiet)
 {
-    w.imu.session.rests.begin = is_quiet && w.imu.session.rests.pended == 0 ? w.imu.session.rests.time : w.imu.session.rests.begin;
+    w.imu.session.rests.begin = is_quiet && w.imu.session.rests.pended == 0
+                                    ? w.imu.session.rests.time
+                                    : w.imu.session.rests.begin;
     w.imu.session.rests.time += EXACT_BLOCK;
     w.imu.session.rests.pended = is_quiet ? 1 : w.imu.session.rests.pended;
     w.imu.session.rests.end = is_quiet ? w.imu.session.rests.time : w.imu.session.rests.end;
@@ -990,7 +992,7 @@ static void blocks_are_counted_as_far_as_they_can(void)
     TEST_ASSERT_EQUAL_INT(0, w.imu.own.blocks); /* waiting for the first rest does not count */
     begin_exactly();
     for (int i = 1; i < 12; i++) {
-                block(0, 0, 0, INVCAL_MOVING, 0);
+        block(0, 0, 0, INVCAL_MOVING, 0);
         TEST_ASSERT_EQUAL_INT(i, w.imu.own.blocks);
         TEST_ASSERT_EQUAL_INT(i < 8 ? i : 8, w.imu.own.marks);
         TEST_ASSERT_EQUAL_INT(i < 8 ? i : 8, w.imu.own.used - w.imu.own.fixed);

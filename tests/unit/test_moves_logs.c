@@ -28,8 +28,8 @@ static invcal_calibration data_sheet; /* of the accelerometer */
          acceleration, rate)
 
 static invcal_status load(const double mean[][3], unsigned means, const invcal_private_still *rest,
-                          unsigned rests, const invcal_private_segment *segment, size_t bytes, double zero,
-                          double acceleration, double rate)
+                          unsigned rests, const invcal_private_segment *segment, size_t bytes,
+                          double zero, double acceleration, double rate)
 {
     invcal_calibration nominal = unit_nominal();
     invcal_real raw[WORLD_RESTS][3];

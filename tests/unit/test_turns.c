@@ -601,8 +601,8 @@ static void next_to_the_vertical_nothing_is_lost(void)
 /* An angle of a turn of T has the variance 2 a^2 + N^2 T + (N^2 / 2 + (1.5 B)^2) T^2. */
 static void the_noise_of_a_turn_is_that_of_the_design(void)
 {
-    static const world_settings noisy = {1, INVCAL_REAL(2e-4), INVCAL_REAL(1e-4),
-                                              INVCAL_REAL(2e-4), 0};
+    static const world_settings noisy = {1, INVCAL_REAL(2e-4), INVCAL_REAL(1e-4), INVCAL_REAL(2e-4),
+                                         0};
     invcal_real sigma[18];
     uint32_t open;
 
@@ -766,8 +766,8 @@ static void what_is_known_too_little_is_named(void)
 /* ---- beside the solver --------------------------------------------------------------------------- */
 
 static world w;
-static const world_settings stated = {0, INVCAL_REAL(3e-4), INVCAL_REAL(1e-4),
-                                           INVCAL_REAL(1e-4), 0};
+static const world_settings stated = {0, INVCAL_REAL(3e-4), INVCAL_REAL(1e-4), INVCAL_REAL(1e-4),
+                                      0};
 
 static invcal_status turns_after(const invcal_real raw[][3], unsigned count,
                                  const world_settings *settings)
@@ -871,7 +871,8 @@ static void bad_rests_are_refused(void)
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOISE, turns_after((const invcal_real(*)[3])raw, 13, &bad));
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, turns_after((const invcal_real(*)[3])raw, 0, &stated));
     raw[12][2] = 30;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE, turns_after((const invcal_real(*)[3])raw, 13, &stated));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OUT_OF_RANGE,
+                          turns_after((const invcal_real(*)[3])raw, 13, &stated));
 }
 
 /* Errors of the tour in a hand that wobbles, over the sigma of the plan: 1.07 at most in 300 runs,

@@ -26,8 +26,8 @@
 static invcal_imu both;
 
 /* Session and moves must fit into a sector: an array of -1 elements does not compile. */
-typedef char both_fit
-    [FLASH_SECTOR_SIZE >= INVCAL_STORE_BYTES(INVCAL_IMU_SIZE, FLASH_GRANULARITY) ? 1 : -1];
+typedef char
+    both_fit[FLASH_SECTOR_SIZE >= INVCAL_STORE_BYTES(INVCAL_IMU_SIZE, FLASH_GRANULARITY) ? 1 : -1];
 
 /* ---- messages ----------------------------------------------------------------------------------- */
 
@@ -126,8 +126,8 @@ static int solve(void)
     const invcal_status status = invcal_imu_solve(&both, NULL, &imu);
 
     if (status != INVCAL_OK || imu.verdict != INVCAL_GOOD) {
-        report("not yet", status == INVCAL_OK ? invcal_verdict_text(imu.verdict)
-                                              : invcal_status_text(status));
+        report("not yet",
+               status == INVCAL_OK ? invcal_verdict_text(imu.verdict) : invcal_status_text(status));
         return 0;
     }
     report_result(&imu);

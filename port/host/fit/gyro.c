@@ -547,7 +547,7 @@ static void set_rails(const gyro_fit *g, double unit)
     }
     if (low < high) {
         (void)invcal_imu_set_limits(&moves, low > -HUGE_VAL ? count_of(low, unit) : INT32_MIN,
-                                      high < HUGE_VAL ? count_of(high, unit) : INT32_MAX);
+                                    high < HUGE_VAL ? count_of(high, unit) : INT32_MAX);
     }
 }
 

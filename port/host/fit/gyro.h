@@ -56,9 +56,10 @@ typedef struct {
     double lag;                 /* delay of the readings, s, which was corrected; 0: none */
     double rail[2][3];          /* minimum and maximum at which an axis is clipped; NaN: none */
     int8_t axes[3];             /* as stated, or 1, 2, 3 */
-    invcal_imu_result imu; /* both sensors, over the field; the gyroscope in counts, in these axes */
+    invcal_imu_result
+        imu; /* both sensors, over the field; the gyroscope in counts, in these axes */
     invcal_calibration calibration; /* input units to rad/s, in the axes of imu.accelerometer */
-    double m[3][3];  /* M of the gyroscope: true rate = M nominal rate */
+    double m[3][3];                 /* M of the gyroscope: true rate = M nominal rate */
     double g[3][3];  /* g-sensitivity of the calibrated rate, rad/s per field; 0: not used */
     double interval; /* +- this many sigma cover 95 % */
     gyro_rest rest[INVCAL_MAX_MOVES];

@@ -68,8 +68,8 @@ static int make_round_trip(turns_plan *p)
 static void begin_sums(const turns_plan *p, invcal_turns *turns)
 {
     const turns_request *r = &p->request;
-    const invcal_imu_settings settings = {
-        .rate_noise = fmax(r->rate_noise, NONE), .instability = fmax(r->instability, NONE)};
+    const invcal_imu_settings settings = {.rate_noise = fmax(r->rate_noise, NONE),
+                                          .instability = fmax(r->instability, NONE)};
 
     /* noise and direction are checked */
     (void)invcal_turns_begin(turns, p->start, &settings, r->noise);

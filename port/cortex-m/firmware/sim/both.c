@@ -24,8 +24,7 @@ invcal_status load_record(invcal_record *record)
     uint8_t bytes[INVCAL_IMU_RECORD_SIZE];
     uint32_t size;
 
-    const invcal_status status =
-        invcal_store_load(&calibration_store, bytes, sizeof bytes, &size);
+    const invcal_status status = invcal_store_load(&calibration_store, bytes, sizeof bytes, &size);
     return status == INVCAL_OK ? invcal_imu_decode(bytes, size, &both, record) : status;
 }
 
