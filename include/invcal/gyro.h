@@ -40,16 +40,16 @@ extern "C" {
 /* The nine of the gyroscope follow those of invcal.h: the elements by rows of M, true rate = M
  * nominal rate, less 1 on the diagonal. */
 enum {
-    INVCAL_GYRO_XX = INVCAL_PARAMETERS,
-    INVCAL_GYRO_XY,
-    INVCAL_GYRO_XZ, /* scale, and from y, z */
-    INVCAL_GYRO_YX,
-    INVCAL_GYRO_YY,
-    INVCAL_GYRO_YZ, /* of y */
-    INVCAL_GYRO_ZX,
-    INVCAL_GYRO_ZY,
-    INVCAL_GYRO_ZZ,       /* of z */
-    INVCAL_IMU_PARAMETERS /* of both sensors: 18 */
+    INVCAL_GYRO_XX = INVCAL_PARAMETERS, /* scale */
+    INVCAL_GYRO_XY,                     /* y in x */
+    INVCAL_GYRO_XZ,                     /* likewise */
+    INVCAL_GYRO_YX,                     /* likewise */
+    INVCAL_GYRO_YY,                     /* scale */
+    INVCAL_GYRO_YZ,                     /* likewise */
+    INVCAL_GYRO_ZX,                     /* likewise */
+    INVCAL_GYRO_ZY,                     /* likewise */
+    INVCAL_GYRO_ZZ,                     /* scale */
+    INVCAL_IMU_PARAMETERS               /* of both sensors: 18 */
 };
 
 /* Both sensors: 3.8 kB (float). */
