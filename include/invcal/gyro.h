@@ -40,16 +40,16 @@ extern "C" {
 /* The nine of the gyroscope follow those of invcal.h: the elements by rows of M, true rate = M
  * nominal rate, less 1 on the diagonal. */
 enum {
-    INVCAL_GYRO_XX = INVCAL_PARAMETERS,
-    INVCAL_GYRO_XY,
-    INVCAL_GYRO_XZ, /* scale, and from y, z */
-    INVCAL_GYRO_YX,
-    INVCAL_GYRO_YY,
-    INVCAL_GYRO_YZ, /* of y */
-    INVCAL_GYRO_ZX,
-    INVCAL_GYRO_ZY,
-    INVCAL_GYRO_ZZ,       /* of z */
-    INVCAL_IMU_PARAMETERS /* of both sensors: 18 */
+    INVCAL_GYRO_XX = INVCAL_PARAMETERS, /* scale */
+    INVCAL_GYRO_XY,                     /* y in x */
+    INVCAL_GYRO_XZ,                     /* likewise */
+    INVCAL_GYRO_YX,                     /* likewise */
+    INVCAL_GYRO_YY,                     /* scale */
+    INVCAL_GYRO_YZ,                     /* likewise */
+    INVCAL_GYRO_ZX,                     /* likewise */
+    INVCAL_GYRO_ZY,                     /* likewise */
+    INVCAL_GYRO_ZZ,                     /* scale */
+    INVCAL_IMU_PARAMETERS               /* of both sensors: 18 */
 };
 
 /* Both sensors: 3.8 kB (float). */
@@ -127,7 +127,7 @@ typedef struct {
  * Then the one of the shortest turns to 26 directions that adds the most information. A position
  * that is READY and still held counts as taken. If nothing is known yet, the angle is 0, with +z up.
  *
- * Cost: 6,000 instructions in the tour, then 600,000 instructions. Stack: about 3,000 bytes. */
+ * Cost: 500,000 instructions, in the tour 25,000. Stack: about 3,000 bytes. */
 void invcal_imu_next(const invcal_imu *imu, invcal_turn *turn);
 
 /* The direction up after it, in words: invcal_direction_text. Returns text. */
@@ -219,7 +219,7 @@ INVCAL_NODISCARD invcal_status invcal_imu_mounting(const invcal_imu *imu, int8_t
  * acceleration  the latest, calibrated, over field.
  * rate          out: rad/s.
  *
- * Checks nothing. Cost: 120 instructions. */
+ * Checks nothing. Cost: 150 instructions. */
 void invcal_imu_apply(const invcal_imu_result *result, invcal_real x, invcal_real y, invcal_real z,
                       const invcal_real acceleration[3], invcal_real rate[3]);
 

@@ -48,34 +48,24 @@ static unsigned face_of(const invcal_real up[3])
     return NO_FACE;
 }
 
-/* The faces of a turn of the tour: its beginning and its end. */
-static void find_faces(unsigned i, unsigned face[2], invcal_turn *turn)
-{
-    (void)invcal_tour(i == 0 ? INVCAL_TOUR - 1 : i - 1, turn); /* it begins where it ends */
-    face[0] = face_of(turn->up);
-    (void)invcal_tour(i, turn);
-    face[1] = face_of(turn->up);
-}
-
 /* The other face of the turn, if it has this one; or NO_FACE. */
-static unsigned other_face(unsigned i, unsigned face, invcal_turn *turn)
+static unsigned other_face(unsigned i, unsigned face)
 {
-    unsigned of[2];
+    const unsigned from = invcal_tour_face(i);
+    const unsigned to = invcal_tour_face(i + 1);
 
-    find_faces(i, of, turn);
-    return of[0] == face ? of[1] : of[1] == face ? of[0] : NO_FACE;
+    return from == face ? to : to == face ? from : NO_FACE;
 }
 
 /* Goes to a rest; is_made: by a move that is usable. */
 static void go(path *p, const invcal_real raw[3], int is_made)
 {
     const unsigned from = p->face;
-    invcal_turn turn;
 
     find_up(p->imu, raw, p->up);
     p->face = face_of(p->up);
     for (unsigned i = 0; is_made && p->face < NO_FACE && i < INVCAL_TOUR; i++) {
-        if (other_face(i, from, &turn) == p->face) {
+        if (other_face(i, from) == p->face) {
             p->made |= 1u << i;
         }
     }
@@ -105,18 +95,16 @@ static int follow_path(path *p)
 static unsigned next_face(const path *p)
 {
     unsigned next = NO_FACE;
-    unsigned of[2];
-    invcal_turn turn;
 
     for (unsigned i = 0; i < INVCAL_TOUR; i++) {
         if ((p->made >> i & 1u) == 0) {
-            const unsigned other = other_face(i, p->face, &turn);
+            const unsigned other = other_face(i, p->face);
             if (other < NO_FACE) {
                 return other;
             }
             if (next == NO_FACE) {
-                find_faces(i, of, &turn);
-                next = of[(of[0] ^ 1u) == p->face];
+                const unsigned from = invcal_tour_face(i);
+                next = (from ^ 1u) == p->face ? invcal_tour_face(i + 1) : from;
             }
         }
     }

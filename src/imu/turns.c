@@ -93,20 +93,26 @@ invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3],
     return INVCAL_OK;
 }
 
-invcal_status invcal_tour(unsigned i, invcal_turn *out)
+unsigned invcal_tour_face(unsigned i)
 {
     /* faces: x up and down, y up and down, z up and down. Each of the twelve edges between them
      * once, and back; then full turns about x and y, and, after a quarter turn, about z */
     static const uint8_t tour[INVCAL_TOUR_FULL + 1] = {4, 0, 2, 4, 1, 2, 5, 0, 3,
                                                        5, 1, 3, 4, 4, 4, 2, 2};
+
+    return tour[i];
+}
+
+invcal_status invcal_tour(unsigned i, invcal_turn *out)
+{
     invcal_real from[3] = {0, 0, 0};
 
     INVCAL_ASSERT(out);
     if (i >= INVCAL_TOUR_FULL) {
         return INVCAL_BAD_ANGLE;
     }
-    const unsigned was = tour[i];
-    const unsigned is = tour[i + 1];
+    const unsigned was = invcal_tour_face(i);
+    const unsigned is = invcal_tour_face(i + 1);
     invcal_zero(out, sizeof *out);
     from[was / 2] = was % 2 == 0 ? 1 : -1;
     out->up[is / 2] = is % 2 == 0 ? 1 : -1;

@@ -50,6 +50,10 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_imu *imu,
  * directions: no turn is the shortest. */
 invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out);
 
+/* The face up before turn i of that program, and after the one before: x up 0, down 1, y 2, 3, z 4,
+ * 5. i is at most INVCAL_TOUR_FULL. */
+unsigned invcal_tour_face(unsigned i);
+
 /* Turn i of a program that begins with z up. From 0 to INVCAL_TOUR - 1: quarter turns between the
  * six faces, each of the twelve edges once,
  *

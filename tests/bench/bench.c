@@ -541,6 +541,7 @@ static void make_moves(void)
     }
     both.own.used = both.own.fixed = both.own.first;
     both.rests = INVCAL_MAX_POSITIONS;
+    both.session.count = INVCAL_MAX_POSITIONS;
 }
 
 static void bench_gyro(void)
@@ -550,7 +551,7 @@ static void bench_gyro(void)
     static invcal_imu_result imu;
     invcal_calibration gyro = nominal;
 
-    both.session = session;
+    require(invcal_session_init_nominal(&both.session, sizeof both.session, &nominal, 100));
     require(invcal_imu_init_nominal(&both, sizeof both, &gyro, 400));
     uint32_t count = 0;
     for (unsigned i = 0; i < BLOCK; i++) {
@@ -559,7 +560,6 @@ static void bench_gyro(void)
         count += end();
     }
     report("gyro_feed", count / BLOCK);
-    both.session.rests.pended = 0;
     count = 0;
     for (unsigned i = 0; i < BLOCK; i++) {
         invcal_imu_feed_gyro(&both, at[0], at[1], at[2]);
