@@ -67,7 +67,7 @@ plants() {
     DRY=1 sh tests/gates.sh "$build"
 }
 double() {
-    sh port/double.sh | diff include/invcal/double.h -
+    sh port/double.sh | diff include/invcal/double.h - && sh port/double.sh src | diff src/core/names.h -
 }
 manual() {
     mandoc -Tlint -W warning "$build/invcal.1" &&

@@ -95,9 +95,9 @@ plant waved port/host/read/magnetometer_log.c 's/v\[2\] \* v\[2\]) - 1;/v[2] * v
     'magnetometer: by how much samples differ: FAIL' unit '^magnetometer$'
 plant move src/imu/moves.c 's/(rho\[i\] - th\[i\]) \/ 12/(th[i] - rho[i]) \/ 12/' \
     'float-moves: .* [1-9][0-9]* failed' unit 'float-moves$'
-plant joint src/imu/imu.c 's/invcal_cross(b, a, g)/invcal_cross(a, b, g)/' \
+plant joint src/imu/imu.c 's/invcali_cross(b, a, g)/invcali_cross(a, b, g)/' \
     'float-gyro: .* [1-9][0-9]* failed' unit 'float-gyro$'
-plant turn src/imu/turns.c 's/invcal_cross(b, n, g)/invcal_cross(n, b, g)/' \
+plant turn src/imu/turns.c 's/invcali_cross(b, n, g)/invcali_cross(n, b, g)/' \
     'float-turns: .* [1-9][0-9]* failed' unit 'float-turns'
 plant both src/imu/imu_record.c 's/(r->weak | r->accelerometer\.weak) > 0/r->weak > 0/' \
     'float-imu_record: .* [1-9][0-9]* failed' unit 'float-imu_record'
@@ -167,7 +167,7 @@ plant image port/manual/pages.awk 's|sub(/\.\*\\//, "", target)|target = target|
 plant gate tests/manual.sh '/^gate "no Markdown/d' 'manual: 6 checks, but tests/floors.txt says 7' make manual
 plant misra src/calibrate/calibrate.c 's/^    const invcal_real n = /    const unsigned long octal = 017; (void)octal;\n&/' \
     'misra' make rules
-plant heap src/core/status.c 's/^const char \*invcal_text/#include <stdlib.h>\nvoid *invcal_heap(void) { return malloc(1); }\n&/' \
+plant heap src/core/status.c 's/^const char \*invcali_text/#include <stdlib.h>\nvoid *invcal_heap(void) { return malloc(1); }\n&/' \
     'malloc' make rules
 plant loop src/core/circle.c 's/^    const invcal_real x = /    while (degrees > 1e9f) { degrees -= 1; }\n&/' \
     'circle.c.*loop|loop.*circle.c' make rules
@@ -180,7 +180,7 @@ plant upward src/core/circle.c 's/^    const invcal_real x = /    (void)invcal_s
 
 # ---- packages and releases --------------------------------------------------------------------
 
-plant record src/store/record.c 's/r.weak = invcal_get_u16(bytes + WEAK_AT)/r.weak = invcal_get_u16(bytes + PRIOR_AT)/' \
+plant record src/store/record.c 's/r.weak = invcali_get_u16(bytes + WEAK_AT)/r.weak = invcali_get_u16(bytes + PRIOR_AT)/' \
     'float-compatibility: .* [1-9][0-9]* failed' unit compatibility
 plant clash src/core/circle.c 's/^enum { TERMS/enum { TURNS_ALL = 1 };\n&/' \
     'gcc, float: the example.*: FAIL' packages amalgamation

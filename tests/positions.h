@@ -17,6 +17,6 @@
 
 /* Less some of them: judge.h. */
 #define SELECTION(raw, count, left_out, nominal, noise)                                            \
-    (&(const invcal_selection){*POSITIONS_OF(raw, count, nominal, noise), (invcal_set)(left_out)})
+    (&(const invcali_selection){*POSITIONS_OF(raw, count, nominal, noise), (invcali_set)(left_out)})
 
 #endif

@@ -40,7 +40,7 @@ sources() { # MODULE
         {
             gsub(/\/\*.*/, "")
             begins = /^[A-Za-z]/
-            while (match($0, /invcal_[a-z_0-9]+/)) {
+            while (match($0, /invcali?_[a-z_0-9]+/)) {
                 name = substr($0, RSTART, RLENGTH)
                 $0 = substr($0, RSTART + RLENGTH)
                 if (begins && /^\(/) defined_in[name] = FILENAME
@@ -60,7 +60,7 @@ sources() { # MODULE
             visit(file_of[module ".c"])
             visit("tests/proof/" module ".c")
         }
-    ' "tests/proof/$1.c" tests/proof/*.h include/invcal/*.h src/*/*
+    ' "tests/proof/$1.c" tests/proof/*.h include/invcal/[!d]*.h src/*/*.c src/*/[!n]*.h src/allan/noise.h
 }
 
 options() { # KEY MODULE: what follows the key in the module's file

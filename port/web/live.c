@@ -114,19 +114,19 @@ void EXPORT(uncertainty)(unsigned n)
     for (unsigned i = 0; i < session.count; i++) {
         (void)invcal_sums_add(&sums, &session.nominal, session.mean[i].v, 1);
     }
-    const invcal_real ridge = 1e-5 * (10 + invcal_trace(sums.sum, INVCAL_PARAMETERS));
+    const invcal_real ridge = 1e-5 * (10 + invcali_trace(sums.sum, INVCAL_PARAMETERS));
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         sums.sum[INVCAL_PACKED(r, r)] += ridge;
     }
-    (void)invcal_factor(sums.sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS, INVCAL_EPSILON);
-    invcal_invert(sums.sum, INVCAL_PARAMETERS);
+    (void)invcali_factor(sums.sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS, INVCAL_EPSILON);
+    invcali_invert(sums.sum, INVCAL_PARAMETERS);
     for (unsigned i = 0; i < n && i < DIRECTIONS; i++) {
         const double *u = &directions[3 * i];
         const invcal_real row[INVCAL_PARAMETERS] = {u[0],        u[1],        u[2],
                                                     u[0] * u[0], u[1] * u[1], u[2] * u[2],
                                                     u[0] * u[1], u[0] * u[2], u[1] * u[2]};
         memcpy(h, row, sizeof h);
-        directions[3 * i] = INVCAL_SQRT(invcal_leverage(sums.sum, h));
+        directions[3 * i] = INVCAL_SQRT(invcali_leverage(sums.sum, h));
     }
 }
 

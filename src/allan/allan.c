@@ -86,7 +86,7 @@ invcal_status invcal_allan_init(invcal_allan *allan, size_t size)
     if (size != sizeof *allan) {
         return INVCAL_OTHER_BUILD;
     }
-    invcal_zero(allan, sizeof *allan);
+    invcali_zero(allan, sizeof *allan);
     for (; allan->taus < INVCAL_ALLAN_TAUS; allan->taus++) {
         allan->own[allan->taus].m = UINT32_C(1) << allan->taus;
     }
@@ -109,7 +109,7 @@ invcal_status invcal_allan_init_taus(invcal_allan *allan, size_t size, const uin
             return INVCAL_BAD_TIME;
         }
     }
-    invcal_zero(allan, sizeof *allan);
+    invcali_zero(allan, sizeof *allan);
     allan->taus = (uint8_t)count;
     allan->own_apart = is_apart != 0;
     for (unsigned k = 0; k < count; k++) {

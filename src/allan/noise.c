@@ -63,8 +63,8 @@ static void collect(const invcal_allan *a, curve *c)
 {
     invcal_allan_point p;
 
-    invcal_zero(c, sizeof *c);
-    invcal_zero(&p, sizeof p);
+    invcali_zero(c, sizeof *c);
+    invcali_zero(&p, sizeof p);
     //@ loop unroll INVCAL_ALLAN_TAUS;
     for (unsigned k = 0; k < a->taus; k++) {
         if (invcal_allan_get(a, k, &p) != INVCAL_OK || !(p.edf >= EDF_MIN) || !(p.adev > 0)) {
@@ -89,7 +89,7 @@ static void collect(const invcal_allan *a, curve *c)
 static invcal_real model(const curve *c, const mixture *x, unsigned k, invcal_real of[KINDS])
 {
     shares(c->tau[k], of);
-    return x->kinds ? invcal_dot(x->square, of, KINDS) : c->variance[k];
+    return x->kinds ? invcali_dot(x->square, of, KINDS) : c->variance[k];
 }
 
 /* Normal equations of variance / model = sum of square (share / model): variances scatter in
@@ -98,14 +98,14 @@ static void sum_curve(const curve *c, const mixture *x, equations *e)
 {
     invcal_real row[KINDS + 1];
 
-    invcal_zero(e->a, sizeof e->a);
+    invcali_zero(e->a, sizeof e->a);
     for (unsigned k = 0; k < c->count; k++) {
         const invcal_real scale = 1 / model(c, x, k, row);
         row[KINDS] = -c->variance[k];
         for (unsigned i = 0; i <= KINDS; i++) {
             row[i] *= scale;
         }
-        invcal_rank_one(e->a, row, KINDS + 1, c->weight[k]);
+        invcali_rank_one(e->a, row, KINDS + 1, c->weight[k]);
     }
     invcal_real *a = e->a;
     for (unsigned i = 0; i <= KINDS; i++) {
@@ -139,19 +139,19 @@ static void try_set(const equations *e, unsigned kinds, invcal_real *min, mixtur
     const invcal_real *left = &a[INVCAL_PACKED(KINDS, KINDS)];
 
     leave_out(e, ALL & ~kinds, a);
-    if (invcal_factor(a, KINDS, KINDS + 1, INVCAL_FLOOR) != INVCAL_OK ||
+    if (invcali_factor(a, KINDS, KINDS + 1, INVCAL_FLOOR) != INVCAL_OK ||
         !(*left < *min - rounding)) {
         return;
     }
-    invcal_back_substitute(a, KINDS);
+    invcali_back_substitute(a, KINDS);
     if (!has_no_negative(x)) {
         return;
     }
     *min = *left;
-    invcal_invert(a, KINDS);
+    invcali_invert(a, KINDS);
     best->kinds = kinds;
     for (unsigned i = 0; i < KINDS; i++) {
-        const invcal_real sigma = INVCAL_SQRT(invcal_variance(a, KINDS, i));
+        const invcal_real sigma = INVCAL_SQRT(invcali_variance(a, KINDS, i));
         best->square[i] = x[i] * e->unit[i];
         best->relative[i] =
             x[i] > 0 ? (i == INVCAL_NOISE_WHITE ? 1 : CORRELATED) * sigma / x[i] : 0;
@@ -167,7 +167,7 @@ static void fit_model(const curve *c, unsigned allowed, mixture *x)
     for (unsigned step = 0; step < ROUNDS; step++) {
         sum_curve(c, x, &e);
         invcal_real min = e.a[INVCAL_PACKED(KINDS, KINDS)];
-        invcal_zero(x, sizeof *x);
+        invcali_zero(x, sizeof *x);
         for (unsigned kinds = 1; kinds <= ALL; kinds++) {
             if ((kinds & ~allowed) == 0) {
                 try_set(&e, kinds, &min, x);
@@ -209,7 +209,7 @@ static void fit_visible(const curve *c, mixture *x)
 {
     mixture fewer;
 
-    invcal_zero(x, sizeof *x);
+    invcali_zero(x, sizeof *x);
     fit_model(c, ALL, x);
     for (unsigned i = hidden_kind(x); i < KINDS; i = hidden_kind(x)) { /* at most KINDS */
         fewer = *x;
@@ -232,7 +232,7 @@ invcal_status invcal_allan_solve(const invcal_allan *allan, invcal_real rate, in
     if (allan->taus == 0) {
         return INVCAL_NOT_BEGUN;
     }
-    if (!invcal_is_positive(rate)) {
+    if (!invcali_is_positive(rate)) {
         return INVCAL_BAD_RATE;
     }
     collect(allan, &c);
@@ -252,7 +252,7 @@ invcal_status invcal_allan_solve(const invcal_allan *allan, invcal_real rate, in
         n.coefficient[i] = c.first.adev * INVCAL_SQRT(x.square[i] * unit[i]);
         n.relative[i] = x.relative[i] / 2; /* of the root: half that of the square */
     }
-    if (!invcal_are_finite(n.coefficient) || !invcal_is_finite(n.longest)) {
+    if (!invcali_are_finite(n.coefficient) || !invcali_is_finite(n.longest)) {
         return INVCAL_BAD_RATE;
     }
     *out = n;
@@ -261,7 +261,7 @@ invcal_status invcal_allan_solve(const invcal_allan *allan, invcal_real rate, in
 
 /* ---- how long to stay ------------------------------------------------------------------------ */
 
-invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau)
+invcal_real invcali_noise_sigma(const invcal_noise *noise, invcal_real tau)
 {
     invcal_real of[KINDS];
     invcal_real sum = 0;
@@ -300,13 +300,13 @@ static invcal_real time_of(const invcal_noise *noise, invcal_real sigma)
 invcal_status invcal_noise_dwell(const invcal_noise *noise, invcal_real sigma, invcal_dwell *out)
 {
     INVCAL_ASSERT(noise && out);
-    if (!invcal_is_positive(sigma) || !has_no_negative(noise->coefficient)) {
+    if (!invcali_is_positive(sigma) || !has_no_negative(noise->coefficient)) {
         return INVCAL_BAD_NOISE;
     }
     const invcal_real wanted = time_of(noise, sigma);
     const invcal_real seconds = wanted <= noise->shortest ? noise->shortest : wanted;
-    const invcal_real reached = invcal_noise_sigma(noise, seconds);
-    if (!invcal_is_positive(seconds) || !invcal_is_positive(reached)) {
+    const invcal_real reached = invcali_noise_sigma(noise, seconds);
+    if (!invcali_is_positive(seconds) || !invcali_is_positive(reached)) {
         return INVCAL_BAD_NOISE;
     }
     out->seconds = seconds;

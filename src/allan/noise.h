@@ -6,10 +6,11 @@
 #define INVCAL_NOISE_H
 
 #include "invcal/allan.h"
+#include "../core/names.h"
 
 #define INVCAL_ALLAN_LONGEST (UINT32_C(1) << 30) /* samples: differences then fit 63 bits */
 
 /* adev(tau) of the model, counts; tau in s, above 0: else it means nothing. */
-invcal_real invcal_noise_sigma(const invcal_noise *noise, invcal_real tau);
+invcal_real invcali_noise_sigma(const invcal_noise *noise, invcal_real tau);
 
 #endif

@@ -12,9 +12,9 @@ invcal_status invcal_calibrate_plain(const invcal_positions *positions, invcal_c
                                      invcal_quality *quality)
 {
     INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && out && quality);
-    const invcal_selection all = {*positions, 0};
+    const invcali_selection all = {*positions, 0};
 
-    return invcal_positions_calibrate(&all, out, quality);
+    return invcali_positions_calibrate(&all, out, quality);
 }
 
 /* Cornish and Fisher's expansion of Student's quantile about the normal one, z = 1.96 (Abramowitz

@@ -28,89 +28,90 @@
 
 /* Of a calibrated position the derivatives of J, and its weight by its actual noise. X changes J,
  * except for the sign, by d eta = -A (d delta + dS eta), so dJ = eta d eta = -g (d delta + dS eta). */
-static INVCAL_ONCE invcal_real derive(const invcal_real a[3][3], invcal_row *row)
+static INVCAL_ONCE invcal_real derive(const invcal_real a[3][3], invcali_row *row)
 {
     invcal_real g[3];
 
-    const invcal_real square = invcal_gradient(a, row->h, g);
-    invcal_products(g, row->h);
+    const invcal_real square = invcali_gradient(a, row->h, g);
+    invcali_products(g, row->h);
     memcpy(row->h, g, sizeof g);
     return 1 / square;
 }
 
-invcal_status invcal_positions_pass(const invcal_selection *selection, const invcal_calibration *c,
-                                    const invcal_real a[3][3], invcal_sums *sums, invcal_quality *q)
+invcal_status invcali_positions_pass(const invcali_selection *selection,
+                                     const invcal_calibration *c, const invcal_real a[3][3],
+                                     invcal_sums *sums, invcal_quality *q)
 {
-    invcal_row row;
+    invcali_row row;
 
     invcal_sums_init(sums);
     if (q != NULL) {
-        invcal_judge_begin(q);
+        invcali_judge_begin(q);
     }
     for (unsigned i = 0; i < selection->given.count; i++) {
         invcal_real weight = 1;
-        if (invcal_is_left_out(selection, i)) {
+        if (invcali_is_left_out(selection, i)) {
             continue;
         }
-        const invcal_status status = invcal_read(c, selection->given.mean[i].v, row.h);
+        const invcal_status status = invcali_read(c, selection->given.mean[i].v, row.h);
         if (status != INVCAL_OK) { /* readings that pass the first pass may be absurd after it */
             return q != NULL ? INVCAL_NOT_ELLIPSOID : status;
         }
         if (q != NULL) {
-            invcal_residuals_add(q, i, &row);
+            invcali_residuals_add(q, i, &row);
             weight = derive(a, &row);
         }
-        invcal_sums_add_row(sums, &row, weight);
+        invcali_sums_add_row(sums, &row, weight);
     }
-    return q != NULL ? invcal_residuals_end(q) : INVCAL_OK;
+    return q != NULL ? invcali_residuals_end(q) : INVCAL_OK;
 }
 
-invcal_status invcal_positions_check(const invcal_positions *positions)
+invcal_status invcali_positions_check(const invcal_positions *positions)
 {
     if (!(positions->noise >= 0 && positions->noise < 1)) {
         return INVCAL_BAD_NOISE;
     }
-    return positions->count < UINT16_MAX ? invcal_nominal_check(positions->nominal)
+    return positions->count < UINT16_MAX ? invcali_nominal_check(positions->nominal)
                                          : INVCAL_BAD_COUNT;
 }
 
 /* Used for both passes: even if undetermined in nominal units, the readings may look well spread
  * once calibrated by a solution made of rounding errors. */
-invcal_status invcal_determine(invcal_real *a, unsigned rows, invcal_quality *q)
+invcal_status invcali_determine(invcal_real *a, unsigned rows, invcal_quality *q)
 {
     invcal_real of_inverse = 0;
 
-    q->condition = invcal_trace(a, INVCAL_PARAMETERS);
-    const invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, rows, INVCAL_FLOOR);
+    q->condition = invcali_trace(a, INVCAL_PARAMETERS);
+    const invcal_status status = invcali_factor(a, INVCAL_PARAMETERS, rows, INVCAL_FLOOR);
 
     if (status != INVCAL_OK) {
         return status;
     }
     if (rows > INVCAL_PARAMETERS) {
-        invcal_back_substitute(a, INVCAL_PARAMETERS);
+        invcali_back_substitute(a, INVCAL_PARAMETERS);
     }
-    invcal_invert(a, INVCAL_PARAMETERS);
+    invcali_invert(a, INVCAL_PARAMETERS);
     INVCAL_ROLL
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        q->sigma[r] = invcal_variance_inline(a, INVCAL_PARAMETERS, r);
+        q->sigma[r] = invcali_variance_inline(a, INVCAL_PARAMETERS, r);
         of_inverse += q->sigma[r];
     }
     q->condition *= of_inverse;
     /* in float the first is the narrower, in double the second */
-    return invcal_is_resolved(q->condition) && of_inverse <= INVCAL_HOPELESS_K
+    return invcali_is_resolved(q->condition) && of_inverse <= INVCAL_HOPELESS_K
                ? INVCAL_OK
                : INVCAL_UNDETERMINED;
 }
 
-invcal_status invcal_positions_solve(const invcal_selection *selection, invcal_sums *sums,
-                                     invcal_quality *q)
+invcal_status invcali_positions_solve(const invcali_selection *selection, invcal_sums *sums,
+                                      invcal_quality *q)
 {
-    invcal_status status = invcal_positions_sum(selection, sums);
+    invcal_status status = invcali_positions_sum(selection, sums);
 
     if (status == INVCAL_OK) {
         status = sums->count < INVCAL_PARAMETERS
                      ? INVCAL_TOO_FEW
-                     : invcal_determine(sums->sum, INVCAL_PARAMETERS + 1, q);
+                     : invcali_determine(sums->sum, INVCAL_PARAMETERS + 1, q);
     }
     return status;
 }
@@ -120,8 +121,8 @@ invcal_status invcal_positions_solve(const invcal_selection *selection, invcal_s
 /* sigma_J^2 = (4 stated^2 + Q) / (4 + dof), or Q / dof: mathematics.md, "Uncertainty". By how many
  * standard deviations the residuals exceed the stated noise: the root of 2 chi squared is nearly
  * normal about that of 2 dof - 1 (Fisher). 0 if there is nothing to compare; NaN if stated is. */
-void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
-                        invcal_real silent, invcal_quality *q)
+void invcali_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
+                         invcal_real silent, invcal_quality *q)
 {
     const invcal_real known = stated * stated;
     invcal_real above = stated * 0;
@@ -134,28 +135,29 @@ void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof
         }
         if (above <= LIKELY && above >= silent) {
             q->sigma_dof = (uint16_t)(q->dof + INVCAL_STATED);
-            squares += invcal_number(INVCAL_STATED) * known;
-            dof += invcal_number(INVCAL_STATED);
+            squares += invcali_number(INVCAL_STATED) * known;
+            dof += invcali_number(INVCAL_STATED);
         }
     }
     if (!(above <= POSSIBLE)) {
-        invcal_raise(q, INVCAL_ROUGH);
+        invcali_raise(q, INVCAL_ROUGH);
     }
     /* unknown: the whole field, which cannot pass for good */
     q->noise = q->sigma_dof > 0 ? INVCAL_SQRT(squares / dof) : 1;
 }
 
-void invcal_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality *quality)
+void invcali_weigh_noise(invcal_real stated, invcal_real squares, invcal_quality *quality)
 {
-    invcal_judge_noise(stated, squares, invcal_number(quality->dof), SILENT, quality);
+    invcali_judge_noise(stated, squares, invcali_number(quality->dof), SILENT, quality);
 }
 
-void invcal_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
+void invcali_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
 {
     /* in calibrated units: |A eta| times that of u, here the mean square over all directions */
-    const invcal_real gain = invcal_dot(a[0], a[0], 9) / (3 * NOISE_SHARE);
+    const invcal_real gain = invcali_dot(a[0], a[0], 9) / (3 * NOISE_SHARE);
     const invcal_real noise = q->noise;
-    const invcal_real of_noise = noise < 1 ? invcal_number(q->positions) * noise * noise * gain : 0;
+    const invcal_real of_noise =
+        noise < 1 ? invcali_number(q->positions) * noise * noise * gain : 0;
     const invcal_real least = of_noise > 1 / INVCAL_WEAK_K ? of_noise : 1 / INVCAL_WEAK_K;
     unsigned weak = 0;
 
@@ -166,21 +168,21 @@ void invcal_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
         q->sigma[r] = noise * INVCAL_SQRT(k);
     }
     q->weak = (uint16_t)weak;
-    invcal_raise(q, weak > 0 ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
+    invcali_raise(q, weak > 0 ? INVCAL_WEAK : q->dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
 }
 
 /* tr A^-1: the squares of all elements of L^-1. */
-invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real trace)
+invcal_real invcali_condition(const invcal_real *inverse, unsigned n, invcal_real trace)
 {
-    return trace * invcal_dot(inverse, inverse, INVCAL_PACKED_SIZE(n));
+    return trace * invcali_dot(inverse, inverse, INVCAL_PACKED_SIZE(n));
 }
 
 /* ---- all in one ------------------------------------------------------------------------------ */
 
 /* Not inline: its caller needs the stack for more tests. */
-INVCAL_NOINLINE invcal_status invcal_positions_calibrate(const invcal_selection *selection,
-                                                         invcal_calibration *out,
-                                                         invcal_quality *quality)
+INVCAL_NOINLINE invcal_status invcali_positions_calibrate(const invcali_selection *selection,
+                                                          invcal_calibration *out,
+                                                          invcal_quality *quality)
 {
     invcal_calibration triad; /* what calibrates u */
     const invcal_real(*a)[3] = (const invcal_real(*)[3])triad.matrix;
@@ -188,34 +190,35 @@ INVCAL_NOINLINE invcal_status invcal_positions_calibrate(const invcal_selection 
     invcal_quality q;
     invcal_sums sums;
 
-    invcal_status status = invcal_positions_check(&selection->given);
+    invcal_status status = invcali_positions_check(&selection->given);
     if (status == INVCAL_OK) {
-        status = invcal_positions_solve(selection, &sums, &q);
+        status = invcali_positions_solve(selection, &sums, &q);
     }
     if (status == INVCAL_OK) {
-        status = invcal_ellipsoid(&sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], sums.sum, &triad);
+        status =
+            invcali_ellipsoid(&sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], sums.sum, &triad);
         if (status != INVCAL_OK && q.condition > OPEN) {
             status = INVCAL_UNDETERMINED; /* an open direction may take any shape */
         }
     }
     if (status == INVCAL_OK) {
-        invcal_copy(&c, &triad, sizeof c);
-        status = invcal_compose(selection->given.nominal, &c);
+        invcali_copy(&c, &triad, sizeof c);
+        status = invcali_compose(selection->given.nominal, &c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_positions_pass(selection, &c, a, &sums, &q);
+        status = invcali_positions_pass(selection, &c, a, &sums, &q);
     }
     if (status == INVCAL_OK) {
-        status = invcal_determine(sums.sum, INVCAL_PARAMETERS, &q);
+        status = invcali_determine(sums.sum, INVCAL_PARAMETERS, &q);
     }
     if (status == INVCAL_OK) {
-        invcal_copy(out, &c, sizeof c); /* which may be nominal */
+        invcali_copy(out, &c, sizeof c); /* which may be nominal */
         q.left_out = selection->left_out;
         q.dof = (uint16_t)(q.positions - INVCAL_PARAMETERS);
-        invcal_weigh_noise(selection->given.noise,
-                           sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)], &q);
-        invcal_judge_parameters(a, &q);
-        invcal_copy(quality, &q, sizeof q);
+        invcali_weigh_noise(selection->given.noise,
+                            sums.sum[INVCAL_PACKED(INVCAL_PARAMETERS, INVCAL_PARAMETERS)], &q);
+        invcali_judge_parameters(a, &q);
+        invcali_copy(quality, &q, sizeof q);
     }
     return status;
 }

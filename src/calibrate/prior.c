@@ -37,7 +37,7 @@ static invcal_status check_prior(const invcal_positions *positions, update *prio
     if (!(positions->noise > 0)) {
         return INVCAL_BAD_NOISE;
     }
-    const invcal_status status = invcal_positions_check(positions);
+    const invcal_status status = invcali_positions_check(positions);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -65,10 +65,10 @@ static invcal_real row_of(const update *prior, unsigned r)
 static invcal_status factor_with(const invcal_real *of_positions, update *prior,
                                  invcal_real l[SYSTEM])
 {
-    const invcal_real largest = invcal_largest_diagonal(of_positions, INVCAL_PARAMETERS);
+    const invcal_real largest = invcali_largest_diagonal(of_positions, INVCAL_PARAMETERS);
 
     memcpy(l, of_positions, SYSTEM * sizeof *l);
-    if (invcal_factor(l, INVCAL_PARAMETERS, INVCAL_PARAMETERS, 30 * INVCAL_FLOOR) != INVCAL_OK) {
+    if (invcali_factor(l, INVCAL_PARAMETERS, INVCAL_PARAMETERS, 30 * INVCAL_FLOOR) != INVCAL_OK) {
         const invcal_real resolved = prior->widest * INVCAL_SQRT(4 * INVCAL_EPSILON * largest);
         prior->resolved = prior->resolved >= resolved ? prior->resolved : resolved;
         prior->noise = prior->noise >= resolved ? prior->noise : resolved;
@@ -77,14 +77,14 @@ static invcal_status factor_with(const invcal_real *of_positions, update *prior,
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         l[INVCAL_PACKED(r, r)] += row_of(prior, r);
     }
-    return invcal_factor(l, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_EPSILON);
+    return invcali_factor(l, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_EPSILON);
 }
 
 /* First pass. triad calibrates u. */
-static invcal_status solve_with(const invcal_selection *all, update *prior, invcal_sums *sums,
+static invcal_status solve_with(const invcali_selection *all, update *prior, invcal_sums *sums,
                                 invcal_real l[SYSTEM], invcal_calibration *triad)
 {
-    invcal_status status = invcal_positions_sum(all, sums);
+    invcal_status status = invcali_positions_sum(all, sums);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -95,8 +95,8 @@ static invcal_status solve_with(const invcal_selection *all, update *prior, invc
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_back_substitute(l, INVCAL_PARAMETERS);
-    return invcal_ellipsoid(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], l, triad);
+    invcali_back_substitute(l, INVCAL_PARAMETERS);
+    return invcali_ellipsoid(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], l, triad);
 }
 
 /* Of the second pass. Of a parameter, 1 - K(r,r) noise^2 / sigma^2 is what the data had to
@@ -115,10 +115,10 @@ static invcal_status judge_with(const invcal_real *information, update *prior,
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_invert(l, INVCAL_PARAMETERS);
+    invcali_invert(l, INVCAL_PARAMETERS);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         const invcal_real row = row_of(prior, r);
-        k[r] = invcal_variance(l, INVCAL_PARAMETERS, r);
+        k[r] = invcali_variance(l, INVCAL_PARAMETERS, r);
         if (!(prior->sigma[r] > 0 || k[r] <= INVCAL_HOPELESS_K)) {
             return INVCAL_UNDETERMINED;
         }
@@ -129,22 +129,22 @@ static invcal_status judge_with(const invcal_real *information, update *prior,
         dof -= 1 - k[r] * row;
         trace += information[INVCAL_PACKED(r, r)] + row;
     }
-    q->dof = invcal_whole(dof);
-    q->condition = invcal_condition(l, INVCAL_PARAMETERS, trace);
+    q->dof = invcali_whole(dof);
+    q->condition = invcali_condition(l, INVCAL_PARAMETERS, trace);
     q->verdict = INVCAL_GOOD;
-    invcal_judge_noise(prior->stated, information[SYSTEM - 1], dof, -INVCAL_REAL_MAX, q);
+    invcali_judge_noise(prior->stated, information[SYSTEM - 1], dof, -INVCAL_REAL_MAX, q);
     prior->of_noise = q->verdict;
     const invcal_real seen = q->noise >= prior->resolved ? q->noise : prior->resolved;
     q->noise = prior->noise; /* the weight of the prior */
     prior->noise = seen;
-    invcal_judge_parameters(a, q);
+    invcali_judge_parameters(a, q);
     q->held = (uint16_t)bits;
     return INVCAL_OK;
 }
 
 static invcal_status calibrate(const invcal_positions *positions, update *prior)
 {
-    const invcal_selection all = {*positions, 0};
+    const invcali_selection all = {*positions, 0};
     invcal_sums sums;
     invcal_calibration triad;
     invcal_real l[SYSTEM];
@@ -153,10 +153,10 @@ static invcal_status calibrate(const invcal_positions *positions, update *prior)
     invcal_status status = solve_with(&all, prior, &sums, l, &triad);
     if (status == INVCAL_OK) {
         prior->c = triad;
-        status = invcal_compose(positions->nominal, &prior->c);
+        status = invcali_compose(positions->nominal, &prior->c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_positions_pass(&all, &prior->c, a, &sums, &prior->q);
+        status = invcali_positions_pass(&all, &prior->c, a, &sums, &prior->q);
     }
     if (status != INVCAL_OK) {
         return status;
@@ -172,7 +172,7 @@ static invcal_status calibrate(const invcal_positions *positions, update *prior)
 static invcal_status calibrate_twice(const invcal_positions *positions, const invcal_real *sigma,
                                      update *u)
 {
-    invcal_zero(u, sizeof *u);
+    invcali_zero(u, sizeof *u);
     u->sigma = sigma;
     u->stated = positions->noise;
     u->noise = positions->noise;
@@ -218,7 +218,7 @@ invcal_status invcal_calibrate_faces(const invcal_positions *positions, invcal_r
         u.q.weak = (uint16_t)(weak & ~angles);
         if (u.q.weak == 0) {
             u.q.verdict = u.of_noise;
-            invcal_raise(&u.q, u.q.dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
+            invcali_raise(&u.q, u.q.dof > 0 ? INVCAL_GOOD : INVCAL_NO_REDUNDANCY);
         }
         *out = u.c;
         *quality = u.q;

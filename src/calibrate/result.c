@@ -12,11 +12,11 @@
 static void divide(const invcal_real m[3][3], const invcal_real n[3][3], invcal_real out[3][3])
 {
     invcal_real cofactor[3][3];
-    const invcal_real det = invcal_cofactors(n, cofactor);
+    const invcal_real det = invcali_cofactors(n, cofactor);
 
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            out[i][j] = invcal_dot3(m[i], cofactor[j]) / det;
+            out[i][j] = invcali_dot3(m[i], cofactor[j]) / det;
         }
     }
 }
@@ -34,7 +34,7 @@ void invcal_deviation(const invcal_calibration *calibration, const invcal_calibr
         shift[i] = calibration->offset[i] - nominal->offset[i];
     }
     for (unsigned i = 0; i < 3; i++) {
-        x[INVCAL_DELTA_X + i] = invcal_dot3(nominal->matrix[i], shift);
+        x[INVCAL_DELTA_X + i] = invcali_dot3(nominal->matrix[i], shift);
         x[INVCAL_DK_X + i] = p[i][i] - 1;
     }
     x[INVCAL_GAMMA_XY] = p[0][1] + p[1][0];
@@ -43,7 +43,7 @@ void invcal_deviation(const invcal_calibration *calibration, const invcal_calibr
 }
 
 /* A'A = L L', so L' is A up to a rotation. */
-void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibration *nominal)
+void invcali_make_triangular(invcal_calibration *calibration, const invcal_calibration *nominal)
 {
     invcal_real a[3][3];
     invcal_real l[INVCAL_PACKED_SIZE(3)];
@@ -55,7 +55,7 @@ void invcal_make_triangular(invcal_calibration *calibration, const invcal_calibr
             l[INVCAL_PACKED(i, j)] = a[0][i] * a[0][j] + a[1][i] * a[1][j] + a[2][i] * a[2][j];
         }
     }
-    if (invcal_factor(l, 3, 3, 0) != INVCAL_OK) {
+    if (invcali_factor(l, 3, 3, 0) != INVCAL_OK) {
         return; /* not a calibration */
     }
     for (unsigned j = 0; j < 3; j++) {
@@ -74,7 +74,7 @@ void invcal_sigma_offset(const invcal_quality *quality, const invcal_calibration
     invcal_real cofactor[3][3];
 
     INVCAL_ASSERT(quality && nominal && sigma);
-    const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
+    const invcal_real det = invcali_cofactors(nominal->matrix, cofactor);
     for (unsigned i = 0; i < 3; i++) {
         invcal_real square = 0;
         for (unsigned j = 0; j < 3; j++) {
@@ -90,7 +90,7 @@ static invcal_real squares(const invcal_quality *q)
 {
     const invcal_real coverage = invcal_coverage(q->sigma_dof);
 
-    return coverage * coverage * invcal_dot(q->sigma, q->sigma, INVCAL_PARAMETERS);
+    return coverage * coverage * invcali_dot(q->sigma, q->sigma, INVCAL_PARAMETERS);
 }
 
 int invcal_improves(const invcal_quality *found, const invcal_quality *present)

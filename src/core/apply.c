@@ -4,22 +4,22 @@
  * subtracted before the product: matrix raw - matrix offset would cancel in float.
  *
  * Every program links this module, even one that only loads a calibration. So it calls no other,
- * and invcal_dot is here.
+ * and invcali_dot is here.
  */
 #include "invcal/invcal.h"
 #include "vector.h"
 
 #if !INVCAL_FAST
-invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
+invcal_real invcali_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {
-    return invcal_dot_inline(a, b, n);
+    return invcali_dot_inline(a, b, n);
 }
 #endif
 
 #if !INVCAL_FAST
-void invcal_correct(const invcal_calibration *c, const invcal_real raw[3], invcal_real out[3])
+void invcali_correct(const invcal_calibration *c, const invcal_real raw[3], invcal_real out[3])
 {
-    invcal_correct_inline(c, raw, out);
+    invcali_correct_inline(c, raw, out);
 }
 #endif
 
@@ -29,13 +29,13 @@ void invcal_apply(const invcal_calibration *calibration, invcal_real x, invcal_r
     const invcal_real raw[3] = {x, y, z};
 
     INVCAL_ASSERT(calibration && calibrated);
-    invcal_correct(calibration, raw, calibrated);
+    invcali_correct(calibration, raw, calibrated);
 }
 
 invcal_status invcal_scale(invcal_calibration *calibration, invcal_real field)
 {
     INVCAL_ASSERT(calibration);
-    if (!invcal_is_positive(field)) {
+    if (!invcali_is_positive(field)) {
         return INVCAL_BAD_FIELD;
     }
     INVCAL_ROLL

@@ -16,7 +16,7 @@
 
 enum { EMPTY_FRAME = 8 }; /* a frame without content */
 
-INVCAL_NOINLINE uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value)
+INVCAL_NOINLINE uint8_t *invcali_put_u32(uint8_t *bytes, uint32_t value)
 {
     for (unsigned i = 0; i < 4; i++) {
         *bytes++ = (uint8_t)(value & 0xFFu);
@@ -37,23 +37,23 @@ static INVCAL_ONCE uint32_t bits_of(invcal_real x)
     return bits;
 }
 
-uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count)
+uint8_t *invcali_put_reals(uint8_t *bytes, const void *reals, unsigned count)
 {
     const invcal_real *from = (const invcal_real *)reals;
 
     for (; count > 0; count--) { /* at most 48: of a record of gyro.h */
-        bytes = invcal_put_u32(bytes, bits_of(*from++));
+        bytes = invcali_put_u32(bytes, bits_of(*from++));
     }
     return bytes;
 }
 
-int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count)
+int invcali_get_reals(const uint8_t *bytes, void *reals, unsigned count)
 {
     invcal_real *to = (invcal_real *)reals;
     int are_finite = 1;
 
     for (; count > 0; count--) { /* at most 48: of a record of gyro.h */
-        const uint32_t bits = invcal_get_u32(bytes);
+        const uint32_t bits = invcali_get_u32(bytes);
         float f;
         memcpy(&f, &bits, sizeof f);
         *to++ = (invcal_real)f;
@@ -88,7 +88,7 @@ static INVCAL_ONCE uint32_t after_four(uint32_t crc)
 #endif
 }
 
-INVCAL_NOINLINE uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count)
+INVCAL_NOINLINE uint32_t invcali_crc32(uint32_t crc, const uint8_t *bytes, unsigned count)
 {
     crc = ~crc;
     for (unsigned i = 0; i < count; i++) {
@@ -97,23 +97,23 @@ INVCAL_NOINLINE uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsign
     return ~crc;
 }
 
-void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length)
+void invcali_seal(uint8_t *bytes, unsigned kind, unsigned length)
 {
     const unsigned end = length - INVCAL_CRC_SIZE;
 
-    (void)invcal_put_two(bytes, kind, length);
-    (void)invcal_put_u32(bytes + end, invcal_crc32(0, bytes, end));
+    (void)invcali_put_two(bytes, kind, length);
+    (void)invcali_put_u32(bytes + end, invcali_crc32(0, bytes, end));
 }
 
 /* Compares the kind last: sound bytes of another version are not damaged ones. */
-invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, unsigned kind)
+invcal_status invcali_unseal(const uint8_t *bytes, uint32_t size, unsigned kind)
 {
     if (size < EMPTY_FRAME) {
         return INVCAL_DAMAGED;
     }
-    const unsigned length = invcal_get_u16(bytes + 2);
-    if (length > size || invcal_crc32(0, bytes, length) != INVCAL_CRC_RESIDUE) {
+    const unsigned length = invcali_get_u16(bytes + 2);
+    if (length > size || invcali_crc32(0, bytes, length) != INVCAL_CRC_RESIDUE) {
         return INVCAL_DAMAGED;
     }
-    return invcal_get_u16(bytes) == kind ? INVCAL_OK : INVCAL_OTHER_VERSION;
+    return invcali_get_u16(bytes) == kind ? INVCAL_OK : INVCAL_OTHER_VERSION;
 }

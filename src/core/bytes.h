@@ -6,6 +6,7 @@
 #define INVCAL_BYTES_H
 
 #include "invcal/invcal.h"
+#include "names.h"
 
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128
 #error "float is not IEEE-754 binary32 here"
@@ -18,38 +19,38 @@
 #define INVCAL_ALWAYS_INLINE inline
 #endif
 
-static inline uint16_t invcal_get_u16(const uint8_t *bytes)
+static inline uint16_t invcali_get_u16(const uint8_t *bytes)
 {
     return (uint16_t)(bytes[0] | (unsigned)bytes[1] << 8);
 }
 
-static INVCAL_ALWAYS_INLINE uint32_t invcal_get_u32(const uint8_t *bytes)
+static INVCAL_ALWAYS_INLINE uint32_t invcali_get_u32(const uint8_t *bytes)
 {
-    return invcal_get_u16(bytes) | (uint32_t)invcal_get_u16(bytes + 2) << 16;
+    return invcali_get_u16(bytes) | (uint32_t)invcali_get_u16(bytes + 2) << 16;
 }
 
 /* Writes four bytes. Returns their end, as do all functions that write. */
-uint8_t *invcal_put_u32(uint8_t *bytes, uint32_t value);
+uint8_t *invcali_put_u32(uint8_t *bytes, uint32_t value);
 
 /* Writes two numbers of 16 bits. */
-static inline uint8_t *invcal_put_two(uint8_t *bytes, unsigned first, unsigned second)
+static inline uint8_t *invcali_put_two(uint8_t *bytes, unsigned first, unsigned second)
 {
-    return invcal_put_u32(bytes, first | (uint32_t)second << 16);
+    return invcali_put_u32(bytes, first | (uint32_t)second << 16);
 }
 
 /* Writes the reals at the beginning of a structure, as binary32; one beyond float becomes a NaN. */
-uint8_t *invcal_put_reals(uint8_t *bytes, const void *reals, unsigned count);
+uint8_t *invcali_put_reals(uint8_t *bytes, const void *reals, unsigned count);
 
 /* Reads them. Returns 1 if all are finite. */
-int invcal_get_reals(const uint8_t *bytes, void *reals, unsigned count);
+int invcali_get_reals(const uint8_t *bytes, void *reals, unsigned count);
 
 /* CRC-32 (IEEE 802.3, as zlib): 0xCBF43926 for "123456789". Starts at 0, and goes on where an
  * earlier call ended. */
-uint32_t invcal_crc32(uint32_t crc, const uint8_t *bytes, unsigned count);
+uint32_t invcali_crc32(uint32_t crc, const uint8_t *bytes, unsigned count);
 #define INVCAL_CRC_RESIDUE UINT32_C(0x2144DF1C) /* of anything followed by its own CRC-32 */
 
 /* A verdict as a byte of a record, and back: its steps of 16 are stored as steps of 1. */
-static inline uint8_t invcal_swap(unsigned verdict)
+static inline uint8_t invcali_swap(unsigned verdict)
 {
     return (uint8_t)(verdict >> 4 | verdict << 4);
 }
@@ -62,10 +63,10 @@ enum {
     INVCAL_THERMAL_KIND = 0x02CB,
     INVCAL_IMU_KIND = 0x01CC
 };
-void invcal_seal(uint8_t *bytes, unsigned kind, unsigned length);
+void invcali_seal(uint8_t *bytes, unsigned kind, unsigned length);
 
 /* Returns INVCAL_OK; INVCAL_DAMAGED; INVCAL_OTHER_VERSION for sound bytes of another kind or
  * version. */
-invcal_status invcal_unseal(const uint8_t *bytes, uint32_t size, unsigned kind);
+invcal_status invcali_unseal(const uint8_t *bytes, uint32_t size, unsigned kind);
 
 #endif

@@ -9,7 +9,7 @@
 #define RADIANS INVCAL_REAL(0.017453292519943296) /* in a degree */
 enum { TERMS = INVCAL_DOUBLE ? 17 : 10 }; /* of an eighth of a turn: the next is below rounding */
 
-void invcal_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine)
+void invcali_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine)
 {
     unsigned quarters = 0;
 

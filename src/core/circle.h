@@ -6,8 +6,9 @@
 #define INVCAL_CIRCLE_H
 
 #include "invcal/invcal.h"
+#include "names.h"
 
 /* Of -720 ... 720 degrees, to 1.2e-7 (float) and 2.2e-16 (double); 0 and 1 are exact. */
-void invcal_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine);
+void invcali_circle(invcal_real degrees, invcal_real *cosine, invcal_real *sine);
 
 #endif

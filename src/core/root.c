@@ -5,7 +5,7 @@
  */
 #include "vector.h"
 
-float invcal_root(float x)
+float invcali_root(float x)
 {
     const uint32_t sign = UINT32_C(0x80000000);
     const uint32_t infinity = UINT32_C(0x7F800000);

@@ -3,7 +3,7 @@
  * From p to the calibration in closed form (mathematics.md, "From p to the calibration"), from
  * X = (delta, dk, gamma) to the same, and the 3x3 algebra that other modules share.
  *
- * invcal_ellipsoid and invcal_triad accept only the semi-axes and the centre of a triad. So
+ * invcali_ellipsoid and invcali_triad accept only the semi-axes and the centre of a triad. So
  * Newton's iteration for the frame ends within a known number of steps, and no caller has to check
  * again.
  */
@@ -21,8 +21,8 @@
 enum { STEPS = 12 }; /* of Newton's iteration: semi-axes from 0.1 to 10 take ten */
 
 #if !INVCAL_FAST
-INVCAL_NOINLINE void invcal_cross(const invcal_real *a, const invcal_real *b,
-                                  invcal_real *restrict out)
+INVCAL_NOINLINE void invcali_cross(const invcal_real *a, const invcal_real *b,
+                                   invcal_real *restrict out)
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
     out[1] = a[2] * b[0] - a[0] * b[2];
@@ -30,24 +30,24 @@ INVCAL_NOINLINE void invcal_cross(const invcal_real *a, const invcal_real *b,
 }
 #endif
 
-invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
+invcal_real invcali_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
 {
     const invcal_real *a = m[1];
     const invcal_real *b = m[2];
 
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
-        invcal_cross(a, b, c[i]);
+        invcali_cross(a, b, c[i]);
         a = b;
         b = m[i];
     }
-    return invcal_dot3(m[0], c[0]);
+    return invcali_dot3(m[0], c[0]);
 }
 
-void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
+void invcali_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
 {
     invcal_real c[3][3];
-    const invcal_real det = invcal_cofactors(m, c);
+    const invcal_real det = invcali_cofactors(m, c);
 
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
@@ -76,7 +76,7 @@ static INVCAL_NOINLINE void multiply(const invcal_real *m, unsigned step, invcal
  * and S = a U, row by row. A singular value s becomes (s + 1/s) / 2, at least 1, and then each step
  * more than halves its distance from 1, and near 1 squares it. So from the second step on det shows
  * the distance: once it is below the root of epsilon, that step was the last. */
-void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
+void invcali_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
 {
     invcal_real *const u = work;     /* U' */
     invcal_real *const c = work + 9; /* its cofactors */
@@ -85,7 +85,7 @@ void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
     unsigned step = 0;
 
     do { /* at most STEPS times */
-        det = invcal_cofactors((const invcal_real(*)[3])from, (invcal_real(*)[3])c);
+        det = invcali_cofactors((const invcal_real(*)[3])from, (invcal_real(*)[3])c);
         INVCAL_ROLL
         for (unsigned i = 0; i < 9; i++) {
             u[i] = (c[i] / det + from[i]) / 2;
@@ -123,8 +123,8 @@ static INVCAL_ONCE void make_triangular(const invcal_real *l, invcal_real root, 
  * With v below Q and then -1, one Cholesky gives all: Q = L L', A A = L L' / k. If zero lies
  * outside the ellipsoid, Q and k are negative, and -Q, -k serve as well. A is then made symmetric:
  * that root turns the axes least. */
-invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
-                               invcal_real work[INVCAL_WORK], invcal_calibration *out)
+invcal_status invcali_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
+                                invcal_real work[INVCAL_WORK], invcal_calibration *out)
 {
     static const uint8_t order[] = {INVCAL_DK_X,     INVCAL_GAMMA_XY, INVCAL_DK_Y,
                                     INVCAL_GAMMA_XZ, INVCAL_GAMMA_ZY, INVCAL_DK_Z,
@@ -138,21 +138,21 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
         q[i] = sign * (r >= INVCAL_DK_X && r <= INVCAL_DK_Z ? 1 + 2 * p[r] : p[r]);
     }
     q[9] = -sign;
-    if (invcal_factor(q, 3, 4, 1 / SQUARE) != INVCAL_OK) {
+    if (invcali_factor(q, 3, 4, 1 / SQUARE) != INVCAL_OK) {
         return INVCAL_NOT_ELLIPSOID;
     }
-    invcal_back_substitute(q, 3);
+    invcali_back_substitute(q, 3);
     make_triangular(q, INVCAL_SQRT(-q[9]), out->matrix);
     memcpy(out->offset, &q[INVCAL_PACKED(3, 0)], sizeof out->offset);
-    invcal_make_symmetric(out->matrix, work);
+    invcali_make_symmetric(out->matrix, work);
     /* the squares of all elements of A are those of 1 / semi-axis, added up; NaN if k <= 0 */
-    return invcal_dot(out->matrix[0], out->matrix[0], 9) < SQUARE &&
-                   invcal_dot3(out->offset, out->offset) < SQUARE
+    return invcali_dot(out->matrix[0], out->matrix[0], 9) < SQUARE &&
+                   invcali_dot3(out->offset, out->offset) < SQUARE
                ? INVCAL_OK
                : INVCAL_NOT_ELLIPSOID;
 }
 
-invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
+invcal_status invcali_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
 {
     const invcal_real xy = x[INVCAL_GAMMA_XY] / 2;
     const invcal_real xz = x[INVCAL_GAMMA_XZ] / 2;
@@ -162,7 +162,7 @@ invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibr
                                  {xz, zy, 1 + x[INVCAL_DK_Z]}}; /* I + S */
     int is_triad = p[0][0] * p[1][1] > xy * xy;
 
-    invcal_inverse3(p, triad->matrix);
+    invcali_inverse3(p, triad->matrix);
     memcpy(triad->offset, x, sizeof triad->offset);
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
@@ -180,7 +180,7 @@ static INVCAL_NOINLINE void compose_unchecked(const invcal_calibration *nominal,
                                               invcal_calibration *c)
 {
     invcal_real cofactor[3][3];
-    const invcal_real det = invcal_cofactors(nominal->matrix, cofactor);
+    const invcal_real det = invcali_cofactors(nominal->matrix, cofactor);
 
     multiply(cofactor[0], 3, c->offset);
     INVCAL_ROLL
@@ -191,10 +191,10 @@ static INVCAL_NOINLINE void compose_unchecked(const invcal_calibration *nominal,
 }
 
 /* A calibration that is not a valid nominal cannot be stored either. */
-invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibration *c)
+invcal_status invcali_compose(const invcal_calibration *nominal, invcal_calibration *c)
 {
     compose_unchecked(nominal, c);
-    return invcal_nominal_check(c);
+    return invcali_nominal_check(c);
 }
 
 invcal_status invcal_sums_solve(invcal_sums *sums, const invcal_calibration *nominal,
@@ -207,13 +207,14 @@ invcal_status invcal_sums_solve(invcal_sums *sums, const invcal_calibration *nom
         return INVCAL_TOO_FEW;
     }
     invcal_real *a = sums->sum;
-    invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
+    invcal_status status =
+        invcali_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
     if (status == INVCAL_OK) {
-        invcal_back_substitute(a, INVCAL_PARAMETERS);
-        status = invcal_ellipsoid(&a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], a, &c);
+        invcali_back_substitute(a, INVCAL_PARAMETERS);
+        status = invcali_ellipsoid(&a[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], a, &c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_compose(nominal, &c);
+        status = invcali_compose(nominal, &c);
     }
     if (status == INVCAL_OK) {
         *out = c; /* which may be nominal */

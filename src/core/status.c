@@ -11,7 +11,7 @@
 #include "invcal/result.h"
 #include "texts.h"
 
-const char *invcal_text(const char *texts, unsigned n, unsigned count)
+const char *invcali_text(const char *texts, unsigned n, unsigned count)
 {
     n = n < count ? n : count;
     while (n > 0) { /* at most as many steps as there are characters */
@@ -22,7 +22,7 @@ const char *invcal_text(const char *texts, unsigned n, unsigned count)
 
 enum { REFUSALS = INVCAL_BAD_RATE - INVCAL_OUT_OF_RANGE + 1 };
 
-const char *invcal_refusal_text(invcal_status status)
+const char *invcali_refusal_text(invcal_status status)
 {
     static const char texts[] = "far from the field: wrong scale or offset\0"
                                 "too short: hold still longer\0"
@@ -36,7 +36,7 @@ const char *invcal_refusal_text(invcal_status status)
                                 "invalid scale\0"
                                 "invalid rate\0";
 
-    return invcal_text(texts, (unsigned)status - INVCAL_OUT_OF_RANGE, REFUSALS);
+    return invcali_text(texts, (unsigned)status - INVCAL_OUT_OF_RANGE, REFUSALS);
 }
 
 const char *invcal_status_text(invcal_status status)
@@ -78,15 +78,15 @@ const char *invcal_status_text(invcal_status status)
     unsigned before = 0;
 
     if (n - INVCAL_OUT_OF_RANGE < REFUSALS) {
-        return invcal_refusal_text(status);
+        return invcali_refusal_text(status);
     }
     for (unsigned i = 0; i < sizeof groups / sizeof groups[0]; i++) {
         if (n >= groups[i].first && n <= groups[i].last) {
-            return invcal_text(texts, before + n - groups[i].first, UINT_MAX);
+            return invcali_text(texts, before + n - groups[i].first, UINT_MAX);
         }
         before += groups[i].last - (unsigned)groups[i].first + 1;
     }
-    return invcal_text(texts, before, before);
+    return invcali_text(texts, before, before);
 }
 
 const char *invcal_parameter_text(unsigned parameter)
@@ -99,7 +99,7 @@ const char *invcal_parameter_text(unsigned parameter)
                                 "gyro_zx\0gyro_zy\0gyro_zz\0"
                                 "?";
 
-    return invcal_text(names, parameter, INVCAL_IMU_PARAMETERS);
+    return invcali_text(names, parameter, INVCAL_IMU_PARAMETERS);
 }
 
 const char *invcal_verdict_text(invcal_verdict verdict)
@@ -107,7 +107,7 @@ const char *invcal_verdict_text(invcal_verdict verdict)
     static const char names[] = "good\0no redundancy\0rough\0drifting\0bent\0weak\0"
                                 "unknown verdict";
 
-    return invcal_text(names, invcal_swap(verdict), invcal_swap(INVCAL_WEAK) + 1u);
+    return invcali_text(names, invcali_swap(verdict), invcali_swap(INVCAL_WEAK) + 1u);
 }
 
 const char *invcal_systematic_text(invcal_systematic systematic)
@@ -119,5 +119,5 @@ const char *invcal_systematic_text(invcal_systematic systematic)
                                 "hysteresis\0"
                                 "unknown error";
 
-    return invcal_text(names, systematic, INVCAL_HYSTERESIS + 1u);
+    return invcali_text(names, systematic, INVCAL_HYSTERESIS + 1u);
 }

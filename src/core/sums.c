@@ -10,7 +10,7 @@
 
 #include "vector.h"
 
-void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
+void invcali_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 {
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
@@ -22,20 +22,20 @@ void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 }
 
 #if !INVCAL_FAST
-INVCAL_NOINLINE void invcal_row_of(invcal_real h[INVCAL_PARAMETERS])
+INVCAL_NOINLINE void invcali_row_of(invcal_real h[INVCAL_PARAMETERS])
 {
 #ifdef __AVR__
-    invcal_products(h, h); /* both factors the same: two equal halves, in less flash */
+    invcali_products(h, h); /* both factors the same: two equal halves, in less flash */
 #else
-    invcal_row_inline(h);
+    invcali_row_inline(h);
 #endif
 }
 
-INVCAL_NOINLINE invcal_status invcal_read(const invcal_calibration *nominal,
-                                          const invcal_real raw[3],
-                                          invcal_real h[INVCAL_PARAMETERS + 1])
+INVCAL_NOINLINE invcal_status invcali_read(const invcal_calibration *nominal,
+                                           const invcal_real raw[3],
+                                           invcal_real h[INVCAL_PARAMETERS + 1])
 {
-    return invcal_read_inline(nominal, raw, h);
+    return invcali_read_inline(nominal, raw, h);
 }
 #endif
 
@@ -77,8 +77,8 @@ static INVCAL_ONCE void rank_one(invcal_real *restrict a, const invcal_real *res
 }
 #endif
 
-INVCAL_NOINLINE void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n,
-                                     invcal_real weight)
+INVCAL_NOINLINE void invcali_rank_one(invcal_real *a, const invcal_real *v, unsigned n,
+                                      invcal_real weight)
 {
 #if INVCAL_FAST
     if (n == INVCAL_PARAMETERS + 1) {
@@ -92,36 +92,36 @@ INVCAL_NOINLINE void invcal_rank_one(invcal_real *a, const invcal_real *v, unsig
 void invcal_sums_init(invcal_sums *sums)
 {
     INVCAL_ASSERT(sums);
-    invcal_zero_array(sums->sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1));
+    invcali_zero_array(sums->sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS + 1));
     sums->count = 0;
 }
 
-invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_real raw[3],
-                             invcal_row *row)
+invcal_status invcali_observe(const invcal_calibration *nominal, const invcal_real raw[3],
+                              invcali_row *row)
 {
     INVCAL_ASSERT(nominal && raw && row);
-    return invcal_read(nominal, raw, row->h);
+    return invcali_read(nominal, raw, row->h);
 }
 
-void invcal_sums_add_row(invcal_sums *sums, const invcal_row *row, invcal_real weight)
+void invcali_sums_add_row(invcal_sums *sums, const invcali_row *row, invcal_real weight)
 {
     INVCAL_ASSERT(sums && row);
-    invcal_rank_one(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight);
+    invcali_rank_one(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight);
     sums->count += sums->count < UINT_MAX; /* 0 would mean empty */
 }
 
 invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nominal,
                               const invcal_real mean[3], invcal_real weight)
 {
-    invcal_row row;
+    invcali_row row;
 
     INVCAL_ASSERT(sums && nominal && mean);
-    if (!invcal_is_positive(weight)) {
+    if (!invcali_is_positive(weight)) {
         return INVCAL_BAD_NOISE;
     }
-    const invcal_status status = invcal_read(nominal, mean, row.h);
+    const invcal_status status = invcali_read(nominal, mean, row.h);
     if (status == INVCAL_OK) {
-        invcal_sums_add_row(sums, &row, weight);
+        invcali_sums_add_row(sums, &row, weight);
     }
     return status;
 }

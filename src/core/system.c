@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
  * Least squares for any number of unknowns: A p = -b in one packed triangle, by Cholesky
- * (mathematics.md, "Normal equations"). invcal_factor makes L, with y of the right side as one more
- * row; invcal_back_substitute turns y into p; invcal_invert makes L^-1, from which variances and
+ * (mathematics.md, "Normal equations"). invcali_factor makes L, with y of the right side as one more
+ * row; invcali_back_substitute turns y into p; invcali_invert makes L^-1, from which variances and
  * leverages are sums of squares that cannot become negative.
  */
 #include "system.h"
 
 #include "vector.h"
 
-invcal_real invcal_trace(const invcal_real *a, unsigned n)
+invcal_real invcali_trace(const invcal_real *a, unsigned n)
 {
     invcal_real sum = *a;
 
@@ -32,7 +32,7 @@ static INVCAL_ONCE invcal_real largest(const invcal_real *a, unsigned n)
     return most;
 }
 
-invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n)
+invcal_real invcali_largest_diagonal(const invcal_real *a, unsigned n)
 {
     const invcal_real most = largest(a, n);
 
@@ -74,7 +74,7 @@ static INVCAL_ONCE invcal_status factor(invcal_real *a, unsigned n, unsigned row
 }
 
 /* If optimised for speed, known sizes are compiled separately. */
-invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor)
+invcal_status invcali_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor)
 {
     INVCAL_ASSERT(a && n >= 1);
 #if INVCAL_FAST
@@ -102,7 +102,7 @@ static INVCAL_ONCE void back_substitute(invcal_real *l, unsigned n)
     }
 }
 
-void invcal_back_substitute(invcal_real *l, unsigned n)
+void invcali_back_substitute(invcal_real *l, unsigned n)
 {
 #if INVCAL_FAST
     if (n == INVCAL_PARAMETERS) {
@@ -113,7 +113,7 @@ void invcal_back_substitute(invcal_real *l, unsigned n)
     back_substitute(l, n);
 }
 
-INVCAL_OFTEN void invcal_transposed(const invcal_real *l, unsigned n, invcal_real *v)
+INVCAL_OFTEN void invcali_transposed(const invcal_real *l, unsigned n, invcal_real *v)
 {
     INVCAL_UNROLL_ROWS
     for (unsigned r = 0; r < n; r++) {
@@ -134,7 +134,7 @@ static INVCAL_ONCE void invert(invcal_real *l, unsigned n)
 
     INVCAL_UNROLL_ROWS
     for (unsigned r = 0; r < n; r++) {
-        invcal_transposed(l, r, row);
+        invcali_transposed(l, r, row);
         INVCAL_UNROLL_ROWS
         for (unsigned c = 0; c < r; c++) {
             row[c] *= -row[r];
@@ -143,7 +143,7 @@ static INVCAL_ONCE void invert(invcal_real *l, unsigned n)
     }
 }
 
-void invcal_invert(invcal_real *l, unsigned n)
+void invcali_invert(invcal_real *l, unsigned n)
 {
 #if INVCAL_FAST
     if (n == INVCAL_PARAMETERS) {
@@ -154,12 +154,12 @@ void invcal_invert(invcal_real *l, unsigned n)
     invert(l, n);
 }
 
-invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r)
+invcal_real invcali_variance(const invcal_real *inverse, unsigned n, unsigned r)
 {
-    return invcal_variance_inline(inverse, n, r);
+    return invcali_variance_inline(inverse, n, r);
 }
 
-invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PARAMETERS])
+invcal_real invcali_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PARAMETERS])
 {
     const invcal_real *row = &inverse[INVCAL_PACKED_SIZE(INVCAL_PARAMETERS)];
     invcal_real sum = 0;
@@ -167,7 +167,7 @@ invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PAR
     INVCAL_UNROLL_ROWS
     for (unsigned r = INVCAL_PARAMETERS; r > 0; r--) { /* from the end: each h is read before */
         row -= r;
-        h[r - 1] = invcal_dot(row, h, r);
+        h[r - 1] = invcali_dot(row, h, r);
         sum += h[r - 1] * h[r - 1];
     }
     return sum;

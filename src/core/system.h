@@ -18,10 +18,10 @@
 #define INVCAL_FLOOR (INVCAL_DOUBLE ? INVCAL_REAL(1e-8) : 16 * INVCAL_EPSILON)
 
 /* The sum of the diagonal. */
-invcal_real invcal_trace(const invcal_real *a, unsigned n);
+invcal_real invcali_trace(const invcal_real *a, unsigned n);
 
 /* The largest element of the diagonal, at least 0. Skips NaN; 0 if the first element is one. */
-invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
+invcal_real invcali_largest_diagonal(const invcal_real *a, unsigned n);
 
 /* A = L L' in place. The diagonal becomes 1 / L(r,r), so that no later step divides. Rows from n to
  * rows - 1 are only divided by L': b' becomes y' of L y = b, and the constant its remainder.
@@ -33,27 +33,27 @@ invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n);
  * Returns INVCAL_OK; INVCAL_UNDETERMINED if a pivot is too small, negative or NaN: a is
  * overwritten.
  * Cost: n^3/6 multiply-adds, n square roots. */
-invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor);
+invcal_status invcali_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor);
 
 /* Replaces y in row n by p = -L'^-1 y. */
-void invcal_back_substitute(invcal_real *l, unsigned n);
+void invcali_back_substitute(invcal_real *l, unsigned n);
 
 /* Replaces L by L^-1: A^-1(r,r) is then the squared length of column r, x'A^-1 x that of L^-1 x. */
-void invcal_invert(invcal_real *l, unsigned n);
+void invcali_invert(invcal_real *l, unsigned n);
 
 /* A^-1(r,r) from L^-1. */
-invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r);
+invcal_real invcali_variance(const invcal_real *inverse, unsigned n, unsigned r);
 
 /* The leverage h K h' of a row, from L^-1 of the nine parameters: what it adds to the rows in the
  * sums. h becomes y = L^-1 h; the result is its squared length. */
-invcal_real invcal_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PARAMETERS]);
+invcal_real invcali_leverage(const invcal_real *inverse, invcal_real h[INVCAL_PARAMETERS]);
 
 /* v = L' v, for a packed triangle of n rows. */
-void invcal_transposed(const invcal_real *l, unsigned n, invcal_real *v);
+void invcali_transposed(const invcal_real *l, unsigned n, invcal_real *v);
 
-/* invcal_variance. */
-static INVCAL_ONCE invcal_real invcal_variance_inline(const invcal_real *inverse, unsigned n,
-                                                      unsigned r)
+/* invcali_variance. */
+static INVCAL_ONCE invcal_real invcali_variance_inline(const invcal_real *inverse, unsigned n,
+                                                       unsigned r)
 {
     invcal_real sum = 0;
 

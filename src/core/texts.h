@@ -6,12 +6,13 @@
 #define INVCAL_TEXTS_H
 
 #include "invcal/invcal.h"
+#include "names.h"
 
 /* The nth of count texts in a row, each terminated by zero, or for any other number the one after
  * them. No table of pointers, which would need relocation and so writable memory. */
-const char *invcal_text(const char *texts, unsigned n, unsigned count);
+const char *invcali_text(const char *texts, unsigned n, unsigned count);
 
 /* Of INVCAL_OUT_OF_RANGE ... INVCAL_BAD_RATE; "" for any other. */
-const char *invcal_refusal_text(invcal_status status);
+const char *invcali_refusal_text(invcal_status status);
 
 #endif

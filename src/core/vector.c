@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * The loops for builds optimised for size: see invcal_zero in vector.h. Volatile: gcc would turn
+ * The loops for builds optimised for size: see invcali_zero in vector.h. Volatile: gcc would turn
  * them into calls of memset and memcpy.
  */
 #include "vector.h"
 
-void invcal_zero_bytes(void *object, size_t size)
+void invcali_zero_bytes(void *object, size_t size)
 {
     volatile uint8_t *at = (volatile uint8_t *)object;
 
@@ -14,7 +14,7 @@ void invcal_zero_bytes(void *object, size_t size)
     }
 }
 
-void invcal_zero_reals(invcal_real *x, unsigned count)
+void invcali_zero_reals(invcal_real *x, unsigned count)
 {
     volatile invcal_real *const at = x;
 
@@ -23,7 +23,7 @@ void invcal_zero_reals(invcal_real *x, unsigned count)
     }
 }
 
-void invcal_copy_bytes(void *to, const void *from, size_t size)
+void invcali_copy_bytes(void *to, const void *from, size_t size)
 {
     volatile uint8_t *at = (volatile uint8_t *)to;
     const uint8_t *source = (const uint8_t *)from;

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "invcal/invcal.h"
+#include "names.h"
 
 /* INVCAL_FAST: short loops of known length are unrolled, and what is called often is inlined. Without
  * it neither happens, whatever the compiler is asked to optimise for: most of this runs once in a
@@ -62,100 +63,100 @@
 
 /* There the library's own square root has the bits of libm's: newlib's takes 300 bytes more of
  * flash, and 100 of memory for errno. That of avr-libc is small. */
-float invcal_root(float x);
+float invcali_root(float x);
 #if !INVCAL_DOUBLE && !INVCAL_HAS_FPU && !defined(__AVR__)
 #undef INVCAL_SQRT
-#define INVCAL_SQRT invcal_root
+#define INVCAL_SQRT invcali_root
 #endif
 
 /* Sets bytes, or reals, to 0; copies. Not by memset and memcpy unless speed matters: newlib's take
  * 160 and 310 bytes. */
-void invcal_zero_bytes(void *object, size_t size);
-void invcal_zero_reals(invcal_real *x, unsigned count);
-void invcal_copy_bytes(void *to, const void *from, size_t size);
+void invcali_zero_bytes(void *object, size_t size);
+void invcali_zero_reals(invcal_real *x, unsigned count);
+void invcali_copy_bytes(void *to, const void *from, size_t size);
 #if INVCAL_FAST || defined(__FRAMAC__)
-#define invcal_zero(object, size) ((void)memset(object, 0, size))
-#define invcal_zero_array(x, count) ((void)memset(x, 0, (count) * sizeof *(x)))
-#define invcal_copy(to, from, size) ((void)memcpy(to, from, size))
+#define invcali_zero(object, size) ((void)memset(object, 0, size))
+#define invcali_zero_array(x, count) ((void)memset(x, 0, (count) * sizeof *(x)))
+#define invcali_copy(to, from, size) ((void)memcpy(to, from, size))
 #else
-#define invcal_zero invcal_zero_bytes
-#define invcal_zero_array invcal_zero_reals
-#define invcal_copy invcal_copy_bytes
+#define invcali_zero invcali_zero_bytes
+#define invcali_zero_array invcali_zero_reals
+#define invcali_copy invcali_copy_bytes
 #endif
 
 #define INVCAL_NORMAL INVCAL_REAL(1.959964) /* sigma to 95 %, if the noise is known */
 
 /* Converts a count below 2^31: as signed, as raw counts are, so that one conversion serves all. */
-static inline invcal_real invcal_number(unsigned n)
+static inline invcal_real invcali_number(unsigned n)
 {
     return (invcal_real)(int32_t)n;
 }
 
 /* False for NaN too. */
-static inline int invcal_is_finite(invcal_real x)
+static inline int invcali_is_finite(invcal_real x)
 {
     return INVCAL_FABS(x) <= INVCAL_REAL_MAX;
 }
 
-static inline int invcal_is_positive(invcal_real x)
+static inline int invcali_is_positive(invcal_real x)
 {
     return x > 0 && x <= INVCAL_REAL_MAX;
 }
 
 /* The dot product of n >= 1 elements. */
-static INVCAL_ONCE invcal_real invcal_dot_inline(const invcal_real *a, const invcal_real *b,
-                                                 unsigned n)
+static INVCAL_ONCE invcal_real invcali_dot_inline(const invcal_real *a, const invcal_real *b,
+                                                  unsigned n)
 {
     invcal_real sum = 0;
 
     INVCAL_UNROLL_ROWS
-    do { /* at most the triangle of all unknowns: see invcal_condition */
+    do { /* at most the triangle of all unknowns: see invcali_condition */
         sum += *a++ * *b++;
     } while (--n > 0);
     return sum;
 }
 #if INVCAL_FAST
-static INVCAL_ONCE invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
+static INVCAL_ONCE invcal_real invcali_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {
-    return invcal_dot_inline(a, b, n);
+    return invcali_dot_inline(a, b, n);
 }
 #else
-invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n);
+invcal_real invcali_dot(const invcal_real *a, const invcal_real *b, unsigned n);
 #endif
 
 /* a x b; out must be neither of them. Inline as above. */
 #if INVCAL_FAST
-static INVCAL_ONCE void invcal_cross(const invcal_real *a, const invcal_real *b,
-                                     invcal_real *restrict out)
+static INVCAL_ONCE void invcali_cross(const invcal_real *a, const invcal_real *b,
+                                      invcal_real *restrict out)
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
     out[1] = a[2] * b[0] - a[0] * b[2];
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 #else
-void invcal_cross(const invcal_real *a, const invcal_real *b, invcal_real *restrict out);
+void invcali_cross(const invcal_real *a, const invcal_real *b, invcal_real *restrict out);
 #endif
 
-static inline invcal_real invcal_dot3(const invcal_real a[3], const invcal_real b[3])
+static inline invcal_real invcali_dot3(const invcal_real a[3], const invcal_real b[3])
 {
-    return invcal_dot(a, b, 3);
+    return invcali_dot(a, b, 3);
 }
 
 /* Are all three finite? Times 0, a number that is not finite gives NaN, and so does the sum. */
-static inline int invcal_are_finite(const invcal_real v[3])
+static inline int invcali_are_finite(const invcal_real v[3])
 {
     return v[0] * 0 + v[1] * 0 + v[2] * 0 >= 0;
 }
 
 /* A unit vector, within 1e-4 of its length? */
-static inline int invcal_is_unit(const invcal_real v[3])
+static inline int invcali_is_unit(const invcal_real v[3])
 {
-    return INVCAL_FABS(invcal_dot3(v, v) - 1) <= INVCAL_REAL(2e-4);
+    return INVCAL_FABS(invcali_dot3(v, v) - 1) <= INVCAL_REAL(2e-4);
 }
 
 /* calibrated = matrix (raw - offset). */
-static INVCAL_ONCE void invcal_correct_inline(const invcal_calibration *c, const invcal_real raw[3],
-                                              invcal_real out[3])
+static INVCAL_ONCE void invcali_correct_inline(const invcal_calibration *c,
+                                               const invcal_real raw[3], invcal_real out[3])
 {
     const invcal_real u[3] = {raw[0] - c->offset[0], raw[1] - c->offset[1], raw[2] - c->offset[2]};
 
@@ -163,18 +164,18 @@ static INVCAL_ONCE void invcal_correct_inline(const invcal_calibration *c, const
     for (unsigned i = 0; i < 3; i++) {
         const invcal_real *const row = c->matrix[i];
         out[i] =
-            INVCAL_HAS_FPU ? row[0] * u[0] + row[1] * u[1] + row[2] * u[2] : invcal_dot3(row, u);
+            INVCAL_HAS_FPU ? row[0] * u[0] + row[1] * u[1] + row[2] * u[2] : invcali_dot3(row, u);
     }
 }
 /* Inline for frequent callers if speed matters. */
 #if INVCAL_FAST
-static INVCAL_ONCE void invcal_correct(const invcal_calibration *c, const invcal_real raw[3],
-                                       invcal_real out[3])
+static INVCAL_ONCE void invcali_correct(const invcal_calibration *c, const invcal_real raw[3],
+                                        invcal_real out[3])
 {
-    invcal_correct_inline(c, raw, out);
+    invcali_correct_inline(c, raw, out);
 }
 #else
-void invcal_correct(const invcal_calibration *c, const invcal_real raw[3], invcal_real out[3]);
+void invcali_correct(const invcal_calibration *c, const invcal_real raw[3], invcal_real out[3]);
 #endif
 
 #endif

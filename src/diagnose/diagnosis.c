@@ -36,10 +36,10 @@ typedef struct {
 } diagnosis;
 
 /* Tests a kind. Returns 1 if its columns leave enough degrees of freedom for it to be named. */
-static INVCAL_OFTEN int test(const invcal_fit *fit, diagnosis *d, unsigned kind, unsigned step,
-                             invcal_test *t)
+static INVCAL_OFTEN int test(const invcali_fit *fit, diagnosis *d, unsigned kind, unsigned step,
+                             invcali_test *t)
 {
-    invcal_test_for(fit, kind, step, t);
+    invcali_test_for(fit, kind, step, t);
     const int has_spare = fit->sums.count >= INVCAL_PARAMETERS + INVCAL_SPARE + t->rank;
     if (has_spare && t->squares < d->least) {
         d->least = t->squares;
@@ -47,18 +47,18 @@ static INVCAL_OFTEN int test(const invcal_fit *fit, diagnosis *d, unsigned kind,
     return has_spare;
 }
 
-static INVCAL_NOINLINE invcal_real chance_of(const invcal_fit *fit, const invcal_test *t,
+static INVCAL_NOINLINE invcal_real chance_of(const invcali_fit *fit, const invcali_test *t,
                                              unsigned stated)
 {
-    return invcal_chance(fit, t->squares, fit->squares, t->rank, t->rank, stated);
+    return invcali_chance(fit, t->squares, fit->squares, t->rank, t->rank, stated);
 }
 
 /* Significant by the stated noise or by the residuals alone: then the verdict is no longer good. A
  * name needs the latter, since the noise may be stated too small. */
-static INVCAL_ONCE void try_kind(const invcal_fit *fit, diagnosis *d, unsigned kind)
+static INVCAL_ONCE void try_kind(const invcali_fit *fit, diagnosis *d, unsigned kind)
 {
     const invcal_real level = fit->selection.given.noise > 0 ? SIGNIFICANT : UNSTATED;
-    invcal_test t;
+    invcali_test t;
     const int may_be_named = test(fit, d, kind, 0, &t);
     const invcal_real own = chance_of(fit, &t, 0);
     const invcal_real chance = chance_of(fit, &t, INVCAL_STATED);
@@ -76,7 +76,7 @@ static INVCAL_ONCE void try_kind(const invcal_fit *fit, diagnosis *d, unsigned k
     }
 }
 
-static INVCAL_ONCE void try_kinds(const invcal_fit *fit, diagnosis *d)
+static INVCAL_ONCE void try_kinds(const invcali_fit *fit, diagnosis *d)
 {
     d->kind = INVCAL_NO_SYSTEMATIC;
     d->squares = INVCAL_REAL_MAX;
@@ -92,10 +92,10 @@ static INVCAL_ONCE void try_kinds(const invcal_fit *fit, diagnosis *d)
 
 /* A systematic error, or a step, may look like two or more outliers. Each test may lower d->least;
  * with that of the four kinds it is then what the best rival of the group leaves. */
-static INVCAL_ONCE int is_ambiguous(const invcal_fit *fit, diagnosis *d, const invcal_group *g)
+static INVCAL_ONCE int is_ambiguous(const invcali_fit *fit, diagnosis *d, const invcali_group *g)
 {
     const unsigned n = fit->selection.given.count;
-    invcal_test t;
+    invcali_test t;
 
     /* at most 2/3 INVCAL_MAX_POSITIONS */
     for (unsigned step = 1; 3 * (n - step) >= n; step++) {
@@ -103,23 +103,23 @@ static INVCAL_ONCE int is_ambiguous(const invcal_fit *fit, diagnosis *d, const i
             (void)test(fit, d, INVCAL_DRIFT, step, &t);
         }
     }
-    return invcal_chance(fit, g->squares, d->least, 1, g->size, INVCAL_STATED) > AMBIGUOUS;
+    return invcali_chance(fit, g->squares, d->least, 1, g->size, INVCAL_STATED) > AMBIGUOUS;
 }
 
 /* If both probabilities underflow in float, no position is blamed. */
-static INVCAL_ONCE int is_likelier(const invcal_group *g, const diagnosis *d)
+static INVCAL_ONCE int is_likelier(const invcali_group *g, const diagnosis *d)
 {
     return g->chance < d->chance * FAVOUR;
 }
 
 /* Names the error, with its largest size. */
-static INVCAL_ONCE void name(const invcal_fit *fit, unsigned kind, invcal_quality *q)
+static INVCAL_ONCE void name(const invcali_fit *fit, unsigned kind, invcal_quality *q)
 {
-    invcal_test t;
+    invcali_test t;
 
-    invcal_test_for(fit, kind, 0, &t);
+    invcali_test_for(fit, kind, 0, &t);
     q->systematic = (uint8_t)kind;
-    invcal_raise(q, kind == INVCAL_DRIFT ? INVCAL_DRIFTING : INVCAL_BENT);
+    invcali_raise(q, kind == INVCAL_DRIFT ? INVCAL_DRIFTING : INVCAL_BENT);
     INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
         if (INVCAL_FABS(t.size[a]) > INVCAL_FABS(q->size)) {
@@ -130,8 +130,8 @@ static INVCAL_ONCE void name(const invcal_fit *fit, unsigned kind, invcal_qualit
 }
 
 /* Returns the positions to leave out. */
-static INVCAL_NOINLINE invcal_set choose(const invcal_fit *fit, const invcal_group *g,
-                                         invcal_quality *q)
+static INVCAL_NOINLINE invcali_set choose(const invcali_fit *fit, const invcali_group *g,
+                                          invcal_quality *q)
 {
     diagnosis d;
 
@@ -142,26 +142,26 @@ static INVCAL_NOINLINE invcal_set choose(const invcal_fit *fit, const invcal_gro
         if (g->group && (g->size < 2 || !is_ambiguous(fit, &d, g))) {
             return g->group;
         }
-        invcal_raise(q, INVCAL_ROUGH);
+        invcali_raise(q, INVCAL_ROUGH);
     } else if (d.kind != INVCAL_NO_SYSTEMATIC) {
         name(fit, d.kind, q);
     } else if (d.is_significant) {
-        invcal_raise(q, INVCAL_ROUGH);
+        invcali_raise(q, INVCAL_ROUGH);
     } /* cppcheck-suppress misra-c2012-15.7 ; nothing is wrong */
     return 0;
 }
 
-invcal_set invcal_diagnose(const invcal_selection *selection, const invcal_calibration *c,
-                           invcal_quality *q)
+invcali_set invcali_diagnose(const invcali_selection *selection, const invcal_calibration *c,
+                             invcal_quality *q)
 {
-    invcal_set out = 0;
-    invcal_group g;
-    invcal_fit fit;
+    invcali_set out = 0;
+    invcali_group g;
+    invcali_fit fit;
 
     fit.selection = *selection;
     fit.selection.given.nominal = c;
-    if (invcal_fit_solve(&fit) == INVCAL_OK) { /* uncovered: else c was determined by rounding */
-        invcal_outliers_search(&fit, &g);
+    if (invcali_fit_solve(&fit) == INVCAL_OK) { /* uncovered: else c was determined by rounding */
+        invcali_outliers_search(&fit, &g);
         out = q != NULL ? choose(&fit, &g, q) : g.group;
     }
     return out;

@@ -16,7 +16,7 @@
  *            unchecked, and raises the verdict.
  *
  * Returns the further positions to leave out; 0: none. */
-invcal_set invcal_diagnose(const invcal_selection *selection, const invcal_calibration *c,
-                           invcal_quality *q);
+invcali_set invcali_diagnose(const invcali_selection *selection, const invcal_calibration *c,
+                             invcal_quality *q);
 
 #endif

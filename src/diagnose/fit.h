@@ -14,17 +14,17 @@
 
 /* The fit of the positions that are not left out. */
 typedef struct {
-    invcal_selection selection;
+    invcali_selection selection;
     invcal_real
         squares;      /* of the residuals; with rounding errors, so that exact readings have some */
     invcal_sums sums; /* their number; L^-1 of their system, then p */
-} invcal_fit;
+} invcali_fit;
 
-/* Returns as invcal_positions_solve. */
-invcal_status invcal_fit_solve(invcal_fit *fit);
+/* Returns as invcali_positions_solve. */
+invcal_status invcali_fit_solve(invcali_fit *fit);
 
 /* The row of position k: h, and in place of J its residual J + h p. */
-void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_real row[INVCAL_PARAMETERS + 1]);
+void invcali_fit_row(const invcali_fit *fit, unsigned k, invcal_real row[INVCAL_PARAMETERS + 1]);
 
 /* Of an unknown's column c the nine explain all but this share of c'c: it is not one of its own. */
 #define INVCAL_TOLERANCE INVCAL_REAL(0.001)
@@ -45,13 +45,13 @@ void invcal_fit_row(const invcal_fit *fit, unsigned k, invcal_real row[INVCAL_PA
  * stated  how many residuals a stated noise counts as.
  *
  * Returns at most 1; 0 on underflow. */
-invcal_real invcal_chance(const invcal_fit *fit, invcal_real after, invcal_real before, unsigned m,
-                          unsigned unknowns, unsigned stated);
+invcal_real invcali_chance(const invcali_fit *fit, invcal_real after, invcal_real before,
+                           unsigned m, unsigned unknowns, unsigned stated);
 
 enum { INVCAL_SPARE = 2 }; /* min degrees of freedom left, to name a cause */
 
 /* Degrees of freedom left by that many unknowns after the nine. */
-static inline unsigned invcal_fit_spare(const invcal_fit *fit, unsigned unknowns)
+static inline unsigned invcali_fit_spare(const invcali_fit *fit, unsigned unknowns)
 {
     const unsigned taken = INVCAL_PARAMETERS + unknowns;
 

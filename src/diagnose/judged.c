@@ -16,7 +16,7 @@
 #define VISITED INVCAL_REAL(0.0228) /* three times the square of the chord of 5 degrees */
 
 /* Has the direction of position i been visited before? near: a squared distance, counts. */
-static INVCAL_ONCE int is_visited(const invcal_vector *mean, invcal_set left_out, unsigned i,
+static INVCAL_ONCE int is_visited(const invcal_vector *mean, invcali_set left_out, unsigned i,
                                   invcal_real near)
 {
     for (unsigned k = 0; k < i; k++) {
@@ -39,8 +39,8 @@ static INVCAL_ONCE int is_visited(const invcal_vector *mean, invcal_set left_out
 static INVCAL_ONCE void judge_directions(const invcal_positions *p, const invcal_calibration *c,
                                          invcal_quality *q)
 {
-    const invcal_real near = VISITED / invcal_dot(c->matrix[0], c->matrix[0], 9);
-    const invcal_set left_out = (invcal_set)q->left_out;
+    const invcal_real near = VISITED / invcali_dot(c->matrix[0], c->matrix[0], 9);
+    const invcali_set left_out = (invcali_set)q->left_out;
 
     for (unsigned i = 0; i < p->count; i++) {
         if (!(left_out >> i & 1u) && is_visited(p->mean, left_out, i, near) && q->dof > 0) {
@@ -48,28 +48,28 @@ static INVCAL_ONCE void judge_directions(const invcal_positions *p, const invcal
         }
     }
     if (q->dof == 0) {
-        invcal_raise(q, INVCAL_NO_REDUNDANCY);
+        invcali_raise(q, INVCAL_NO_REDUNDANCY);
     }
 }
 
 /* Group by group, since one may mask the next. If one is so wrong that all together give no
  * ellipsoid, search in nominal units. Rough: too many are left out, or the others are not
  * determined without them. */
-static INVCAL_ONCE invcal_status leave_out_groups(invcal_selection *s, invcal_calibration *c,
+static INVCAL_ONCE invcal_status leave_out_groups(invcali_selection *s, invcal_calibration *c,
                                                   invcal_quality *q)
 {
     int has_solution = 0;
 
     for (;;) { /* at most INVCAL_MAX_POSITIONS times: each but the last leaves one out */
-        const invcal_status status = invcal_positions_calibrate(s, c, q);
+        const invcal_status status = invcali_positions_calibrate(s, c, q);
         const int is_solved = status == INVCAL_OK;
-        invcal_set more = 0;
+        invcali_set more = 0;
         has_solution |= is_solved;
-        if (is_solved ? !invcal_are_many(q->positions, s->given.count)
+        if (is_solved ? !invcali_are_many(q->positions, s->given.count)
                       : !has_solution && status == INVCAL_NOT_ELLIPSOID) {
-            more = invcal_diagnose(s, is_solved ? c : s->given.nominal, is_solved ? q : NULL);
+            more = invcali_diagnose(s, is_solved ? c : s->given.nominal, is_solved ? q : NULL);
         } else if (has_solution) {
-            invcal_raise(q, INVCAL_ROUGH);
+            invcali_raise(q, INVCAL_ROUGH);
         } /* cppcheck-suppress misra-c2012-15.7 ; there is no calibration */
         if (more == 0) {
             return has_solution ? INVCAL_OK : status;
@@ -85,7 +85,7 @@ invcal_status invcal_calibrate(const invcal_positions *positions, invcal_calibra
     if (positions->count > INVCAL_MAX_POSITIONS) {
         return INVCAL_BAD_COUNT;
     }
-    invcal_selection selection = {*positions, 0};
+    invcali_selection selection = {*positions, 0};
     const invcal_status status = leave_out_groups(&selection, out, quality);
     if (status == INVCAL_OK) {
         judge_directions(&selection.given, out, quality);

@@ -25,8 +25,8 @@ enum { STATED = 1 }; /* residuals that the stated noise counts as */
 
 /* Groups of one size: the best and the second best, and the remaining sum of squares. */
 typedef struct {
-    invcal_set best;
-    invcal_set rival;
+    invcali_set best;
+    invcali_set rival;
     invcal_real squares;
     invcal_real rival_squares;
 } contest;
@@ -45,7 +45,7 @@ typedef struct {
 
 /* A member of a group, by what the nine and the member before it leave of its column. */
 typedef struct {
-    invcal_set out;                       /* it and those before it */
+    invcali_set out;                      /* it and those before it */
     invcal_real squares;                  /* of the others */
     invcal_real reciprocal;               /* of c'c */
     invcal_real v[INVCAL_PARAMETERS + 1]; /* its product with column k is -h_k v; then c'r */
@@ -53,7 +53,7 @@ typedef struct {
 
 /* The search in a fit. */
 typedef struct {
-    const invcal_fit *fit;
+    const invcali_fit *fit;
     unsigned size;         /* max members of a group */
     invcal_real promising; /* max squares left by a pair, see visit */
     contest contests[INVCAL_GROUP + 1];
@@ -61,15 +61,15 @@ typedef struct {
     member group[INVCAL_GROUP]; /* nobody, the first, the second; the third needs no more than v */
 } search;
 
-static invcal_set bit(unsigned i)
+static invcali_set bit(unsigned i)
 {
-    return (invcal_set)((invcal_set)1 << i);
+    return (invcali_set)((invcali_set)1 << i);
 }
 
 /* ---- the best group of each size ------------------------------------------------------------- */
 
 /* A triple may come up once for each of its pairs; it must not be its own rival. */
-static INVCAL_ONCE void enter(contest *c, invcal_set out, invcal_real squares)
+static INVCAL_ONCE void enter(contest *c, invcali_set out, invcal_real squares)
 {
     if (out == c->best || !(squares < c->rival_squares)) {
         return;
@@ -85,15 +85,15 @@ static INVCAL_ONCE void enter(contest *c, invcal_set out, invcal_real squares)
     }
 }
 
-/* The row of position k and its residual, as invcal_fit_row. */
+/* The row of position k and its residual, as invcali_fit_row. */
 static INVCAL_ONCE void recall_row(const search *s, unsigned k,
                                    invcal_real row[INVCAL_PARAMETERS + 1])
 {
 #ifdef __AVR__
-    invcal_fit_row(s->fit, k, row);
+    invcali_fit_row(s->fit, k, row);
 #else
     memcpy(row, s->alone[k].u, sizeof s->alone[k].u);
-    invcal_row_of(row);
+    invcali_row_of(row);
     row[INVCAL_J] = s->alone[k].rest;
 #endif
 }
@@ -101,8 +101,8 @@ static INVCAL_ONCE void recall_row(const search *s, unsigned k,
 /* h becomes v = K h = L^-T (L^-1 h), from L^-1. */
 static INVCAL_ONCE void make_weights(const invcal_real *inverse, invcal_real v[INVCAL_PARAMETERS])
 {
-    (void)invcal_leverage(inverse, v);
-    invcal_transposed(inverse, INVCAL_PARAMETERS, v);
+    (void)invcali_leverage(inverse, v);
+    invcali_transposed(inverse, INVCAL_PARAMETERS, v);
 }
 
 /* Position k as member d, from 1: the group enters the contest of its size. Returns 1 if a member
@@ -117,13 +117,13 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
     if ((before->out | s->fit->selection.left_out) >> k & 1u) {
         return 0;
     }
-    const invcal_set out = before->out | bit(k);
+    const invcali_set out = before->out | bit(k);
     recall_row(s, k, m->v);
     invcal_real left = s->alone[k].unexplained;
     invcal_real rest = m->v[INVCAL_J];
     INVCAL_ROLL
     for (unsigned i = 1; i < d; i++) {
-        const invcal_real product = invcal_dot(m->v, s->group[i].v, INVCAL_PARAMETERS);
+        const invcal_real product = invcali_dot(m->v, s->group[i].v, INVCAL_PARAMETERS);
         share = product * s->group[i].reciprocal;
         rest += share * s->group[i].v[INVCAL_J];
         left -= share * product;
@@ -150,18 +150,18 @@ static INVCAL_OFTEN int visit(search *s, unsigned d, unsigned k)
 /* All groups of one and two, and those of three with a promising pair. */
 static INVCAL_ONCE void search_groups(search *s)
 {
-    const invcal_fit *const fit = s->fit;
+    const invcali_fit *const fit = s->fit;
     const unsigned count = fit->selection.given.count;
     invcal_real *const row = s->group[0].v;
 
     for (unsigned k = 0; k < count; k++) {
         single *const one = &s->alone[k];
-        invcal_fit_row(fit, k, row);
+        invcali_fit_row(fit, k, row);
 #ifndef __AVR__
         memcpy(one->u, row, sizeof one->u);
         one->rest = row[INVCAL_J];
 #endif
-        one->unexplained = 1 - invcal_leverage(fit->sums.sum, row);
+        one->unexplained = 1 - invcali_leverage(fit->sums.sum, row);
     }
     for (unsigned i = 0; i < count; i++) {
         if (!visit(s, 1, i)) {
@@ -189,13 +189,13 @@ static INVCAL_ONCE int beats_fewer(const search *s, unsigned k, invcal_real *cha
 
     //@ split k;
     for (unsigned j = k; j-- > 0;) {
-        choices *= invcal_number(s->fit->sums.count - j) / invcal_number(k - j);
-        *chance = choices * invcal_chance(s->fit, c[k].squares, c[j].squares, k - j, k, STATED);
+        choices *= invcali_number(s->fit->sums.count - j) / invcali_number(k - j);
+        *chance = choices * invcali_chance(s->fit, c[k].squares, c[j].squares, k - j, k, STATED);
         if (!(*chance <= LEVEL)) {
             return 0;
         }
     }
-    return choices * invcal_chance(s->fit, c[k].squares, c[0].squares, k, k, 0) <= OWN_LEVEL;
+    return choices * invcali_chance(s->fit, c[k].squares, c[0].squares, k, k, 0) <= OWN_LEVEL;
 }
 
 /* Else the data do not show which of the two groups is wrong. */
@@ -203,15 +203,15 @@ static INVCAL_ONCE int beats_rival(const search *s, unsigned k)
 {
     const contest *const c = &s->contests[k];
 
-    return invcal_chance(s->fit, c->squares, c->rival_squares, 1, k, STATED) <= RIVAL_LEVEL;
+    return invcali_chance(s->fit, c->squares, c->rival_squares, 1, k, STATED) <= RIVAL_LEVEL;
 }
 
 /* The largest clear group. */
-static INVCAL_ONCE void clear_group(const search *s, invcal_group *found)
+static INVCAL_ONCE void clear_group(const search *s, invcali_group *found)
 {
     invcal_real chance = 1;
 
-    invcal_zero(found, sizeof *found);
+    invcali_zero(found, sizeof *found);
     found->chance = INVCAL_REAL_MAX;
     for (unsigned k = s->size; k > 0 && !found->group; k--) { /* at most INVCAL_GROUP times */
         const contest *const c = &s->contests[k];
@@ -231,17 +231,17 @@ static INVCAL_ONCE void clear_group(const search *s, invcal_group *found)
     }
 }
 
-void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
+void invcali_outliers_search(const invcali_fit *fit, invcali_group *found)
 {
     search s;
 
-    invcal_zero(&s, sizeof s); /* nobody is out */
+    invcali_zero(&s, sizeof s); /* nobody is out */
     s.fit = fit;
-    s.size = invcal_fit_spare(fit, INVCAL_SPARE);
+    s.size = invcali_fit_spare(fit, INVCAL_SPARE);
     if (s.size > INVCAL_GROUP) {
         s.size = INVCAL_GROUP;
     }
-    s.promising = fit->squares * (1 - PROMISING / invcal_number(fit->sums.count));
+    s.promising = fit->squares * (1 - PROMISING / invcali_number(fit->sums.count));
     INVCAL_ROLL
     for (unsigned k = 0; k <= INVCAL_GROUP; k++) {
         s.contests[k].squares = fit->squares;

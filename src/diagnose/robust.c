@@ -7,18 +7,18 @@
 #include "../core/vector.h"
 
 /* In nominal units, in which no position is too wrong to be tested. Returns the suspected ones. */
-static INVCAL_NOINLINE invcal_set find_outliers(const invcal_positions *positions,
-                                                invcal_set *left_out)
+static INVCAL_NOINLINE invcali_set find_outliers(const invcal_positions *positions,
+                                                 invcali_set *left_out)
 {
-    invcal_group g;
-    invcal_fit fit;
+    invcali_group g;
+    invcali_fit fit;
 
     fit.selection.given = *positions;
     fit.selection.left_out = 0;
     g.suspected = 0;
-    while (invcal_fit_solve(&fit) == INVCAL_OK) { /* at most INVCAL_MAX_POSITIONS times */
+    while (invcali_fit_solve(&fit) == INVCAL_OK) { /* at most INVCAL_MAX_POSITIONS times */
         *left_out = fit.selection.left_out;
-        invcal_outliers_search(&fit, &g);
+        invcali_outliers_search(&fit, &g);
         if (g.group == 0) {
             break;
         }
@@ -29,29 +29,29 @@ static INVCAL_NOINLINE invcal_set find_outliers(const invcal_positions *position
 
 /* Not inline: its frame should not lie under the search. */
 static INVCAL_NOINLINE invcal_status calibrate_others(const invcal_positions *positions,
-                                                      invcal_set left_out, invcal_calibration *out,
+                                                      invcali_set left_out, invcal_calibration *out,
                                                       invcal_quality *quality)
 {
-    const invcal_selection selection = {*positions, left_out};
+    const invcali_selection selection = {*positions, left_out};
 
-    return invcal_positions_calibrate(&selection, out, quality);
+    return invcali_positions_calibrate(&selection, out, quality);
 }
 
 invcal_status invcal_calibrate_robust(const invcal_positions *positions, invcal_calibration *out,
                                       invcal_quality *quality)
 {
-    invcal_set left_out = 0;
+    invcali_set left_out = 0;
 
     INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && out && quality);
     if (positions->count > INVCAL_MAX_POSITIONS) {
         return INVCAL_BAD_COUNT;
     }
-    const invcal_set suspected = find_outliers(positions, &left_out);
+    const invcali_set suspected = find_outliers(positions, &left_out);
     const invcal_status status = calibrate_others(positions, left_out, out, quality);
     if (status == INVCAL_OK) {
         quality->suspected = suspected;
-        if (suspected != 0 || invcal_are_many(quality->positions, positions->count)) {
-            invcal_raise(quality, INVCAL_ROUGH);
+        if (suspected != 0 || invcali_are_many(quality->positions, positions->count)) {
+            invcali_raise(quality, INVCAL_ROUGH);
         }
     }
     return status;

@@ -44,19 +44,19 @@ static INVCAL_ONCE invcal_real error_of(unsigned kind, invcal_real x, invcal_rea
 
 /* An error e of an axis moves J by eta e. A position left out still counts as the one before the
  * next: hysteresis depends on how the axis was turned, whether or not that reading is used. */
-static INVCAL_ONCE void sum_columns(const invcal_fit *fit, unsigned kind, unsigned step,
+static INVCAL_ONCE void sum_columns(const invcali_fit *fit, unsigned kind, unsigned step,
                                     column columns[MORE])
 {
     const invcal_positions *p = &fit->selection.given;
     invcal_real before[3];
     column v;
 
-    invcal_zero_array(before, 3);
+    invcali_zero_array(before, 3);
     for (unsigned k = 0; k < p->count; k++) {
         const unsigned passed = step ? k >= step : k;
         const unsigned all = step ? 1 : p->count - 1;
-        const invcal_real tau = invcal_number(passed) / invcal_number(all) - INVCAL_REAL(0.5);
-        (void)invcal_read(p->nominal, p->mean[k].v, v);
+        const invcal_real tau = invcali_number(passed) / invcali_number(all) - INVCAL_REAL(0.5);
+        (void)invcali_read(p->nominal, p->mean[k].v, v);
         v[REST] = v[INVCAL_J];
         INVCAL_UNROLL
         for (unsigned a = 0; a < MORE; a++) {
@@ -86,18 +86,18 @@ static INVCAL_ONCE void sum_columns(const invcal_fit *fit, unsigned kind, unsign
  * for all of them").
  *
  * Returns the part of c'c that the nine do not explain. */
-static INVCAL_ONCE invcal_real append(const invcal_fit *fit, column columns[MORE], unsigned d)
+static INVCAL_ONCE invcal_real append(const invcali_fit *fit, column columns[MORE], unsigned d)
 {
     const invcal_real *const l = fit->sums.sum;
     invcal_real *const x = columns[d];
     const invcal_real whole = x[C + d];
 
-    x[REST] += invcal_dot(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], x, INVCAL_PARAMETERS);
-    const invcal_real unexplained = whole - invcal_leverage(l, x);
+    x[REST] += invcali_dot(&l[INVCAL_PACKED(INVCAL_PARAMETERS, 0)], x, INVCAL_PARAMETERS);
+    const invcal_real unexplained = whole - invcali_leverage(l, x);
     invcal_real left = unexplained;
     for (unsigned b = 0; b < d; b++) {
         const invcal_real *const before = columns[b];
-        const invcal_real y = (x[C + b] - invcal_dot(x, before, C + b)) * before[C + b];
+        const invcal_real y = (x[C + b] - invcali_dot(x, before, C + b)) * before[C + b];
         x[C + b] = y;
         x[REST] -= y * before[REST];
         left -= y * y;
@@ -107,14 +107,14 @@ static INVCAL_ONCE invcal_real append(const invcal_fit *fit, column columns[MORE
     return unexplained / whole;
 }
 
-void invcal_test_for(const invcal_fit *fit, unsigned kind, unsigned step, invcal_test *out)
+void invcali_test_for(const invcali_fit *fit, unsigned kind, unsigned step, invcali_test *out)
 {
     column columns[MORE];
     invcal_real squares = fit->squares;
     invcal_real least = 1;
     unsigned rank = 0;
 
-    invcal_zero_array(columns[0], MORE * (REST + 1));
+    invcali_zero_array(columns[0], MORE * (REST + 1));
     sum_columns(fit, kind, step, columns);
     INVCAL_ROLL
     for (unsigned a = 0; a < MORE; a++) {

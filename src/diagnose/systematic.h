@@ -16,10 +16,10 @@ typedef struct {
     /* the min share of a column's square that the nine leave: if it is 1 / f^2, fitting the column
      * too would make sigma of the nine at most f times as large */
     invcal_real shown;
-} invcal_test;
+} invcali_test;
 
 /* kind  an invcal_systematic.
  * step  0; or INVCAL_DRIFT not as a slope, but as a step before this position. */
-void invcal_test_for(const invcal_fit *fit, unsigned kind, unsigned step, invcal_test *out);
+void invcali_test_for(const invcali_fit *fit, unsigned kind, unsigned step, invcali_test *out);
 
 #endif

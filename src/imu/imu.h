@@ -27,14 +27,14 @@ enum { INVCAL_OF_RESTS, INVCAL_OF_MOVES, INVCAL_KINDS };
 enum { INVCAL_GYRO_PARAMETERS = INVCAL_IMU_PARAMETERS - INVCAL_PARAMETERS };
 
 /* The parameter that is unknown r of a solution; and the other way round. */
-static inline unsigned invcal_imu_parameter(unsigned r)
+static inline unsigned invcali_imu_parameter(unsigned r)
 {
     return r < INVCAL_PARAMETERS ? r + INVCAL_PARAMETERS : r - INVCAL_PARAMETERS;
 }
 
 /* Follows the rests: after every event of the session but INVCAL_NOTHING. For rests that a session
  * did not find: session.rests is their detector. */
-void invcal_imu_follow(invcal_imu *imu, invcal_event event);
+void invcali_imu_follow(invcal_imu *imu, invcal_event event);
 
 /* The data of a pass, and its results. */
 typedef struct {
@@ -65,49 +65,49 @@ typedef struct {
         invcal_real sum[INVCAL_PACKED_SIZE(INVCAL_IMU_PARAMETERS + 1)];
     } pass;                                /* results */
     invcal_real bias[INVCAL_MAX_MOVES][3]; /* of the rests: measured, later fitted */
-} invcal_imu_work;
+} invcali_imu_work;
 
 /* A move, integrated from its segments. */
 typedef struct {
     invcal_real c[3][3];     /* from its end to its beginning */
     invcal_real s[3][3][3];  /* derivative of its rotation by each row of E */
     invcal_real time, angle; /* seconds; squares of its segments, rad^2 */
-} invcal_replay;
+} invcali_replay;
 
 /* Integrates a move with its bias, rad/s; up points up before and after it. */
-void invcal_replay_move(const invcal_imu_work *work, const invcal_private_segment *segment,
-                        unsigned count, const invcal_real bias[3], const invcal_real up[2][3],
-                        invcal_replay *replay);
+void invcali_replay_move(const invcali_imu_work *work, const invcal_private_segment *segment,
+                         unsigned count, const invcal_real bias[3], const invcal_real up[2][3],
+                         invcali_replay *replay);
 
 /* The means, nominal and noise of a session. */
-invcal_positions invcal_imu_positions(const invcal_imu *imu);
+invcal_positions invcali_imu_positions(const invcal_imu *imu);
 
 /* Returns INVCAL_OK, INVCAL_BAD_NOISE or INVCAL_BAD_PRIOR.
  *
  * noise  of a position mean. */
-invcal_status invcal_imu_settings_check(const invcal_imu_settings *settings, invcal_real noise);
+invcal_status invcali_imu_settings_check(const invcal_imu_settings *settings, invcal_real noise);
 
 /* invcal_imu_solve with these means, any number, and their nominal and noise. */
-invcal_status invcal_imu_solve_of(const invcal_imu *imu, const invcal_positions *positions,
-                                  const invcal_imu_settings *settings, invcal_imu_result *out);
+invcal_status invcali_imu_solve_of(const invcal_imu *imu, const invcal_positions *positions,
+                                   const invcal_imu_settings *settings, invcal_imu_result *out);
 
 /* Begins a solution. Returns INVCAL_OK, or which argument is bad. */
-invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_imu *imu,
-                               const invcal_positions *positions,
-                               const invcal_imu_settings *settings, invcal_imu_result *out);
+invcal_status invcali_imu_begin(invcali_imu_work *work, const invcal_imu *imu,
+                                const invcal_positions *positions,
+                                const invcal_imu_settings *settings, invcal_imu_result *out);
 
 /* Sums all equations. Returns INVCAL_OK; INVCAL_OUT_OF_RANGE if a mean is not a reading of the
  * field. */
-invcal_status invcal_imu_sum(invcal_imu_work *work);
+invcal_status invcali_imu_sum(invcali_imu_work *work);
 
 /* invcal_imu_mounting with these means. */
-invcal_status invcal_imu_mounting_of(const invcal_imu *imu, const invcal_positions *positions,
-                                     int8_t axes[3], invcal_real *unit);
+invcal_status invcali_imu_mounting_of(const invcal_imu *imu, const invcal_positions *positions,
+                                      int8_t axes[3], invcal_real *unit);
 
 /* Were both begun? */
-static inline int invcal_imu_is_begun(const invcal_imu *imu)
+static inline int invcali_imu_is_begun(const invcal_imu *imu)
 {
-    return imu->own.layout == INVCAL_MOVES_LAYOUT && invcal_session_is_begun(&imu->session);
+    return imu->own.layout == INVCAL_MOVES_LAYOUT && invcali_session_is_begun(&imu->session);
 }
 
 #endif

@@ -16,7 +16,7 @@ void invcal_imu_apply(const invcal_imu_result *result, invcal_real x, invcal_rea
     if (result->g_is_used) {
         INVCAL_UNROLL
         for (unsigned i = 0; i < 3; i++) {
-            rate[i] -= invcal_dot3(result->slope[i], acceleration);
+            rate[i] -= invcali_dot3(result->slope[i], acceleration);
         }
     }
 }

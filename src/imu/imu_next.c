@@ -30,8 +30,8 @@ typedef struct {
 /* The up direction of a reading. */
 static void find_up(const invcal_imu *imu, const invcal_real raw[3], invcal_real up[3])
 {
-    invcal_correct(&imu->session.nominal, raw, up);
-    const invcal_real length = INVCAL_SQRT(invcal_dot3(up, up));
+    invcali_correct(&imu->session.nominal, raw, up);
+    const invcal_real length = INVCAL_SQRT(invcali_dot3(up, up));
     for (unsigned i = 0; i < 3; i++) {
         up[i] /= length;
     }
@@ -51,8 +51,8 @@ static unsigned face_of(const invcal_real up[3])
 /* The other face of the turn, if it has this one; or NO_FACE. */
 static unsigned other_face(unsigned i, unsigned face)
 {
-    const unsigned from = invcal_tour_face(i);
-    const unsigned to = invcal_tour_face(i + 1);
+    const unsigned from = invcali_tour_face(i);
+    const unsigned to = invcali_tour_face(i + 1);
 
     return from == face ? to : to == face ? from : NO_FACE;
 }
@@ -82,7 +82,8 @@ static int follow_path(path *p)
     for (unsigned i = 0; i < both; i++) {
         go(p, s->mean[s->count - both + i].v, p->imu->own.rest[rests - both + i].move > 0);
     }
-    if (s->last != INVCAL_TAKEN && s->last != INVCAL_REFUSED && invcal_rests_mean(&s->rests, raw)) {
+    if (s->last != INVCAL_TAKEN && s->last != INVCAL_REFUSED &&
+        invcali_rests_mean(&s->rests, raw)) {
         /* its move is not complete, but may have been refused already */
         go(p, raw, p->imu->own.fault == INVCAL_OK);
         p->is_held = 1;
@@ -103,8 +104,8 @@ static unsigned next_face(const path *p)
                 return other;
             }
             if (next == NO_FACE) {
-                const unsigned from = invcal_tour_face(i);
-                next = (from ^ 1u) == p->face ? invcal_tour_face(i + 1) : from;
+                const unsigned from = invcali_tour_face(i);
+                next = (from ^ 1u) == p->face ? invcali_tour_face(i + 1) : from;
             }
         }
     }
@@ -119,7 +120,7 @@ static void turn_to_face(const path *p, invcal_turn *turn)
 
     if (face < NO_FACE) { /* a turn was not made */
         up[face / 2] = face % 2 == 0 ? 1 : -1;
-        (void)invcal_turn_to(p->up, up, turn);
+        (void)invcali_turn_to(p->up, up, turn);
     }
 }
 
@@ -127,15 +128,15 @@ static void turn_to_face(const path *p, invcal_turn *turn)
  * counts as the shortest. */
 static void find_informative(const path *p, invcal_turn *turn)
 {
-    const invcal_positions positions = invcal_imu_positions(p->imu);
-    invcal_turns turns;
+    const invcal_positions positions = invcali_imu_positions(p->imu);
+    invcali_turns turns;
 
-    if (invcal_turns_after(&turns, p->imu, &positions, NULL) == INVCAL_OK) {
-        if (p->is_held && invcal_turn_to(turns.up, p->up, turn) == INVCAL_OK) {
-            (void)invcal_turns_add(&turns, turn);
+    if (invcali_turns_after(&turns, p->imu, &positions, NULL) == INVCAL_OK) {
+        if (p->is_held && invcali_turn_to(turns.up, p->up, turn) == INVCAL_OK) {
+            (void)invcali_turns_add(&turns, turn);
         }
         memcpy(turns.up, p->up, sizeof turns.up);
-        invcal_turns_next(&turns, turn);
+        invcali_turns_next(&turns, turn);
     }
 }
 
@@ -144,12 +145,12 @@ void invcal_imu_next(const invcal_imu *imu, invcal_turn *turn)
     path p;
 
     INVCAL_ASSERT(imu && turn);
-    invcal_zero(turn, sizeof *turn);
+    invcali_zero(turn, sizeof *turn);
     turn->up[2] = 1;
-    invcal_zero(&p, sizeof p);
+    invcali_zero(&p, sizeof p);
     p.imu = imu;
     p.face = NO_FACE;
-    if (!invcal_imu_is_begun(imu) || !follow_path(&p)) {
+    if (!invcali_imu_is_begun(imu) || !follow_path(&p)) {
         return;
     }
     if (p.made == TOUR_MADE) {

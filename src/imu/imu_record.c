@@ -22,13 +22,13 @@ enum { FIRST_REALS = 15, LAST_REALS = 33, LAST_AT = IMU_REALS_AT + 4 * FIRST_REA
 #define IMU_WEAK 0x1FFu /* as a mask */
 
 /* The reals come first in the structure, too, and in the same order. */
-typedef char invcal_imu_is_in_order[offsetof(invcal_imu_result, sigma) ==
-                                                FIRST_REALS * sizeof(invcal_real) &&
-                                            offsetof(invcal_imu_result, accelerometer) ==
-                                                (FIRST_REALS + INVCAL_PARAMETERS + LAST_REALS) *
-                                                    sizeof(invcal_real)
-                                        ? 1
-                                        : -1];
+typedef char invcali_imu_is_in_order[offsetof(invcal_imu_result, sigma) ==
+                                                 FIRST_REALS * sizeof(invcal_real) &&
+                                             offsetof(invcal_imu_result, accelerometer) ==
+                                                 (FIRST_REALS + INVCAL_PARAMETERS + LAST_REALS) *
+                                                     sizeof(invcal_real)
+                                         ? 1
+                                         : -1];
 
 /* A result is WEAK if and only if it has weak parameters. */
 static int is_sensible(const invcal_imu_result *r, unsigned weak)
@@ -41,34 +41,34 @@ static int is_sensible(const invcal_imu_result *r, unsigned weak)
 static invcal_status read_imu(const uint8_t *bytes, uint32_t size, invcal_imu_result *r,
                               invcal_record *a)
 {
-    invcal_status status = invcal_unseal(bytes, size, INVCAL_IMU_KIND);
+    invcal_status status = invcali_unseal(bytes, size, INVCAL_IMU_KIND);
     if (status != INVCAL_OK) {
         return status;
     }
-    if (invcal_get_u16(bytes + 2) != INVCAL_IMU_RECORD_SIZE || bytes[IMU_NOTHING_AT] != 0) {
+    if (invcali_get_u16(bytes + 2) != INVCAL_IMU_RECORD_SIZE || bytes[IMU_NOTHING_AT] != 0) {
         return INVCAL_DAMAGED;
     }
     status = invcal_record_decode(bytes + IMU_RECORD_AT, INVCAL_RECORD_SIZE, a);
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_zero(r, sizeof *r);
+    invcali_zero(r, sizeof *r);
     const int are_finite =
-        invcal_get_reals(bytes + IMU_REALS_AT, r, FIRST_REALS) &
-        invcal_get_reals(bytes + LAST_AT, &r->sigma[INVCAL_PARAMETERS], LAST_REALS);
+        invcali_get_reals(bytes + IMU_REALS_AT, r, FIRST_REALS) &
+        invcali_get_reals(bytes + LAST_AT, &r->sigma[INVCAL_PARAMETERS], LAST_REALS);
     if (!are_finite) {
         return INVCAL_NOT_FINITE;
     }
-    const unsigned weak = invcal_get_u16(bytes + IMU_WEAK_AT);
+    const unsigned weak = invcali_get_u16(bytes + IMU_WEAK_AT);
     memcpy(r->sigma, a->sigma, sizeof a->sigma);
     r->accelerometer = a->calibration;
     r->noise = a->noise;
     r->weak = (uint32_t)weak << INVCAL_PARAMETERS | a->weak;
-    r->dof = invcal_get_u16(bytes + IMU_DOF_AT);
-    r->verdict = invcal_swap(bytes[IMU_VERDICT_AT]);
+    r->dof = invcali_get_u16(bytes + IMU_DOF_AT);
+    r->verdict = invcali_swap(bytes[IMU_VERDICT_AT]);
     r->moves = bytes[IMU_MOVES_AT];
     r->g_is_used = bytes[IMU_G_AT];
-    return is_sensible(r, weak) ? invcal_nominal_check(&r->gyro) : INVCAL_DAMAGED;
+    return is_sensible(r, weak) ? invcali_nominal_check(&r->gyro) : INVCAL_DAMAGED;
 }
 
 /* The record of the accelerometer: its own, or one made from the result. It may be WEAK only for a
@@ -78,12 +78,13 @@ static void make_record(const invcal_imu_result *r, const invcal_record *about, 
 {
     if (about != NULL) {
         *a = *about;
-        if (invcal_is_same((const uint8_t *)&about->calibration, (const uint8_t *)&r->accelerometer,
-                           (unsigned)sizeof r->accelerometer)) {
+        if (invcali_is_same((const uint8_t *)&about->calibration,
+                            (const uint8_t *)&r->accelerometer,
+                            (unsigned)sizeof r->accelerometer)) {
             return;
         }
     } else {
-        invcal_zero(a, sizeof *a);
+        invcali_zero(a, sizeof *a);
     }
     a->noise = r->noise;
     a->rms = 0;
@@ -110,13 +111,13 @@ invcal_status invcal_imu_encode(const invcal_imu_result *result, const invcal_re
     if (status != INVCAL_OK) {
         return status;
     }
-    uint8_t *at = invcal_put_two(bytes + IMU_WEAK_AT, (unsigned)(result->weak >> INVCAL_PARAMETERS),
-                                 result->dof);
-    at = invcal_put_two(at, invcal_swap(result->verdict) | (unsigned)result->moves << 8,
-                        result->g_is_used);
-    at = invcal_put_reals(at, result, FIRST_REALS);
-    (void)invcal_put_reals(at, &result->sigma[INVCAL_PARAMETERS], LAST_REALS);
-    invcal_seal(bytes, INVCAL_IMU_KIND, INVCAL_IMU_RECORD_SIZE);
+    uint8_t *at = invcali_put_two(bytes + IMU_WEAK_AT,
+                                  (unsigned)(result->weak >> INVCAL_PARAMETERS), result->dof);
+    at = invcali_put_two(at, invcali_swap(result->verdict) | (unsigned)result->moves << 8,
+                         result->g_is_used);
+    at = invcali_put_reals(at, result, FIRST_REALS);
+    (void)invcali_put_reals(at, &result->sigma[INVCAL_PARAMETERS], LAST_REALS);
+    invcali_seal(bytes, INVCAL_IMU_KIND, INVCAL_IMU_RECORD_SIZE);
     return read_imu(bytes, INVCAL_IMU_RECORD_SIZE, &r, &a);
 }
 

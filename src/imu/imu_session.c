@@ -53,7 +53,7 @@ static void remember(const invcal_imu *both, both_settings *begun)
     begun->rate = both->own.rate;
     begun->low = both->own.low;
     begun->between = both->own.between;
-    invcal_copy(begun->session, &both->session, sizeof begun->session);
+    invcali_copy(begun->session, &both->session, sizeof begun->session);
 }
 
 static invcal_status check_moves(const invcal_imu *both, const both_settings *begun, uint32_t size)
@@ -61,14 +61,14 @@ static invcal_status check_moves(const invcal_imu *both, const both_settings *be
     const invcal_private_moves *m = &both->own;
 
     if (size < OF_MOVES || m->layout != INVCAL_MOVES_LAYOUT ||
-        !invcal_is_same((const uint8_t *)&both->nominal, (const uint8_t *)&begun->nominal,
-                        (unsigned)sizeof both->nominal) ||
-        !invcal_is_same((const uint8_t *)&m->rate, (const uint8_t *)&begun->rate,
-                        (unsigned)sizeof m->rate)) {
+        !invcali_is_same((const uint8_t *)&both->nominal, (const uint8_t *)&begun->nominal,
+                         (unsigned)sizeof both->nominal) ||
+        !invcali_is_same((const uint8_t *)&m->rate, (const uint8_t *)&begun->rate,
+                         (unsigned)sizeof m->rate)) {
         return INVCAL_OTHER_SETTINGS;
     }
     return both->rests > INVCAL_MAX_MOVES || m->first > INVCAL_MAX_SEGMENTS || !are_moves(both) ||
-                   !invcal_are_finite(m->bias)
+                   !invcali_are_finite(m->bias)
                ? INVCAL_DAMAGED
                : INVCAL_OK;
 }
@@ -76,21 +76,21 @@ static invcal_status check_moves(const invcal_imu *both, const both_settings *be
 invcal_status invcal_imu_save(const invcal_imu *imu, const invcal_store *store)
 {
     INVCAL_ASSERT(imu && store);
-    if (!invcal_imu_is_begun(imu)) {
+    if (!invcali_imu_is_begun(imu)) {
         return INVCAL_NOT_BEGUN;
     }
     return invcal_store_save(store, (const uint8_t *)imu + FROM,
                              OF_MOVES + invcal_session_size(&imu->session));
 }
 
-/* As invcal_session_take, of both: all is taken over, or nothing. */
+/* As invcali_session_take, of both: all is taken over, or nothing. */
 invcal_status invcal_imu_load(invcal_imu *imu, const invcal_store *store)
 {
     uint32_t size = 0;
     both_settings begun;
 
     INVCAL_ASSERT(imu && store);
-    if (!invcal_imu_is_begun(imu)) {
+    if (!invcali_imu_is_begun(imu)) {
         return INVCAL_NOT_BEGUN;
     }
     remember(imu, &begun);
@@ -98,11 +98,11 @@ invcal_status invcal_imu_load(invcal_imu *imu, const invcal_store *store)
     if (status == INVCAL_OK) {
         status = check_moves(imu, &begun, size);
     }
-    status = invcal_session_take(&imu->session, begun.session, status, size - OF_MOVES);
+    status = invcali_session_take(&imu->session, begun.session, status, size - OF_MOVES);
     if (status == INVCAL_OK) {
-        invcal_moves_restart(imu);
+        invcali_moves_restart(imu);
     } else {
-        invcal_moves_empty(imu, &begun.nominal, begun.rate);
+        invcali_moves_empty(imu, &begun.nominal, begun.rate);
     }
     imu->own.low = begun.low;
     imu->own.between = begun.between;

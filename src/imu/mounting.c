@@ -16,7 +16,7 @@ enum { SIGNS = 8, ORDERS = 6, MOUNTINGS = SIGNS * ORDERS, LEAST_TURNS = 2 };
 
 /* Sets M to mounting k of 48: row i has one element, at of[i]. Half of them are mirror images, as
  * after a single wrong sign. */
-static void set_mounting(invcal_imu_work *w, unsigned k, invcal_real unit, int8_t axes[3])
+static void set_mounting(invcali_imu_work *w, unsigned k, invcal_real unit, int8_t axes[3])
 {
     const unsigned order = k / SIGNS;
     const unsigned first = order / 2;
@@ -72,13 +72,13 @@ static void compare(best_mounting *best, const int8_t axes[3], invcal_real unit,
     } /* cppcheck-suppress misra-c2012-15.7 ; it is one of many */
 }
 
-static invcal_status try_all(invcal_imu_work *w, best_mounting *best)
+static invcal_status try_all(invcali_imu_work *w, best_mounting *best)
 {
     for (unsigned k = 0; k < 2 * MOUNTINGS; k++) {
         const invcal_real unit = k < MOUNTINGS ? 1 : DEGREES;
         int8_t axes[3];
         set_mounting(w, k % MOUNTINGS, unit, axes);
-        const invcal_status status = invcal_imu_sum(w);
+        const invcal_status status = invcali_imu_sum(w);
         if (status != INVCAL_OK) {
             return status;
         }
@@ -90,14 +90,14 @@ static invcal_status try_all(invcal_imu_work *w, best_mounting *best)
     return best->next > CLEAR * best->squares ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
-invcal_status invcal_imu_mounting_of(const invcal_imu *imu, const invcal_positions *positions,
-                                     int8_t axes[3], invcal_real *unit)
+invcal_status invcali_imu_mounting_of(const invcal_imu *imu, const invcal_positions *positions,
+                                      int8_t axes[3], invcal_real *unit)
 {
-    invcal_imu_work w;
+    invcali_imu_work w;
     invcal_imu_result out;
     best_mounting best;
 
-    invcal_status status = invcal_imu_begin(&w, imu, positions, NULL, &out);
+    invcal_status status = invcali_imu_begin(&w, imu, positions, NULL, &out);
     best.squares = INVCAL_REAL_MAX;
     best.next = INVCAL_REAL_MAX;
     best.unit = 1;
@@ -115,9 +115,9 @@ invcal_status invcal_imu_mounting_of(const invcal_imu *imu, const invcal_positio
 invcal_status invcal_imu_mounting(const invcal_imu *imu, int8_t axes[3], invcal_real *unit)
 {
     INVCAL_ASSERT(imu && axes && unit);
-    if (!invcal_imu_is_begun(imu)) {
+    if (!invcali_imu_is_begun(imu)) {
         return INVCAL_NOT_BEGUN;
     }
-    const invcal_positions positions = invcal_imu_positions(imu);
-    return invcal_imu_mounting_of(imu, &positions, axes, unit);
+    const invcal_positions positions = invcali_imu_positions(imu);
+    return invcali_imu_mounting_of(imu, &positions, axes, unit);
 }

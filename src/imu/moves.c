@@ -37,17 +37,17 @@ enum {
  * accurate to 1e-6 for the 20 degrees of a segment. */
 static INVCAL_OFTEN void turn(invcal_real rho[3], const invcal_real th[3])
 {
-    const invcal_real k = INVCAL_REAL(0.5) + invcal_dot3(rho, th) / 24;
+    const invcal_real k = INVCAL_REAL(0.5) + invcali_dot3(rho, th) / 24;
     invcal_real a[3];
     invcal_real b[3];
     invcal_real c[3];
 
-    invcal_cross(rho, th, a);
+    invcali_cross(rho, th, a);
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
         c[i] = (rho[i] - th[i]) / 12;
     }
-    invcal_cross(c, a, b);
+    invcali_cross(c, a, b);
     INVCAL_UNROLL
     for (unsigned i = 0; i < 3; i++) {
         rho[i] += th[i] + k * a[i] + b[i];
@@ -84,7 +84,7 @@ static int pack_segment(const invcal_real rho[3], const invcal_real v[3],
     return fits;
 }
 
-INVCAL_NOINLINE void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
+INVCAL_NOINLINE void invcali_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
 {
     for (unsigned i = 0; i < 3; i++) {
         out[i] += (invcal_real)packed[i] * unit;
@@ -98,16 +98,16 @@ static int merge(invcal_private_segment *a, const invcal_private_segment *b)
     invcal_real of[3][3]; /* rotations of a and of b; v of both */
     invcal_private_segment both;
 
-    invcal_zero(of, sizeof of);
-    invcal_unpack(a->v, INVCAL_V_UNIT, of[0]);
-    invcal_unpack(a->v, INVCAL_V_UNIT, of[2]);
-    invcal_unpack(b->v, INVCAL_V_UNIT, of[1]);
-    invcal_unpack(b->v, INVCAL_V_UNIT, of[2]);
-    if (invcal_dot3(of[2], of[2]) > MERGED_LIMIT || samples > MOST_SAMPLES) {
+    invcali_zero(of, sizeof of);
+    invcali_unpack(a->v, INVCAL_V_UNIT, of[0]);
+    invcali_unpack(a->v, INVCAL_V_UNIT, of[2]);
+    invcali_unpack(b->v, INVCAL_V_UNIT, of[1]);
+    invcali_unpack(b->v, INVCAL_V_UNIT, of[2]);
+    if (invcali_dot3(of[2], of[2]) > MERGED_LIMIT || samples > MOST_SAMPLES) {
         return 0;
     }
-    invcal_unpack(a->kappa, INVCAL_KAPPA_UNIT, of[0]);
-    invcal_unpack(b->kappa, INVCAL_KAPPA_UNIT, of[1]);
+    invcali_unpack(a->kappa, INVCAL_KAPPA_UNIT, of[0]);
+    invcali_unpack(b->kappa, INVCAL_KAPPA_UNIT, of[1]);
     turn(of[0], of[1]);
     both.time = (uint16_t)(2 * samples);
     if (!pack_segment(of[0], of[2], &both)) {
@@ -184,7 +184,7 @@ INVCAL_NOINLINE static void forget_rest(invcal_private_moves *m)
 {
     m->cut = NOWHERE;
     m->still_samples = 0;
-    invcal_zero(m->still, sizeof m->still);
+    invcali_zero(m->still, sizeof m->still);
 }
 
 /* Why a move cannot use the oldest segment that is not merged. */
@@ -206,7 +206,7 @@ static void add_still(invcal_private_moves *m, const invcal_private_segment *s)
     }
     if (s->v[0] != SPOILT) {
         m->still_samples += s->time / 2u;
-        invcal_unpack(s->v, INVCAL_V_UNIT, m->still);
+        invcali_unpack(s->v, INVCAL_V_UNIT, m->still);
     }
 }
 
@@ -322,25 +322,25 @@ static void keep_move(invcal_imu *imu)
     forget_rest(m);
 }
 
-void invcal_moves_restart(invcal_imu *imu)
+void invcali_moves_restart(invcal_imu *imu)
 {
     invcal_private_moves *m = &imu->own;
 
-    invcal_zero(m, offsetof(invcal_private_moves, layout));
+    invcali_zero(m, offsetof(invcal_private_moves, layout));
     m->fixed = m->first;
     m->used = m->first;
     /* no move leads to the first rest, so nothing before it is kept */
     m->fault = imu->rests > 0 ? INVCAL_MOVE_GAP : INVCAL_TOO_FEW;
 }
 
-void invcal_moves_empty(invcal_imu *imu, const invcal_calibration *nominal, invcal_real rate)
+void invcali_moves_empty(invcal_imu *imu, const invcal_calibration *nominal, invcal_real rate)
 {
-    invcal_copy(&imu->nominal, nominal, sizeof *nominal);
-    invcal_zero(&imu->own, sizeof imu->own);
+    invcali_copy(&imu->nominal, nominal, sizeof *nominal);
+    invcali_zero(&imu->own, sizeof imu->own);
     imu->rests = 0;
     imu->own.layout = INVCAL_MOVES_LAYOUT;
     imu->own.rate = rate;
-    invcal_moves_restart(imu);
+    invcali_moves_restart(imu);
 }
 
 /* ---- settings -------------------------------------------------------------------------------- */
@@ -365,7 +365,7 @@ static void refuse_session(invcal_imu *imu, size_t size)
 
     if (size > offsetof(invcal_imu, own.rate) + sizeof imu->session && size % alignment == 0) {
         invcal_session *session = (invcal_session *)(void *)((uint8_t *)imu + size) - 1;
-        if (invcal_session_is_begun(session)) {
+        if (invcali_session_is_begun(session)) {
             session->layout = 0;
             session->reason = INVCAL_OTHER_BUILD;
         }
@@ -375,13 +375,13 @@ static void refuse_session(invcal_imu *imu, size_t size)
 static invcal_status check_begin(const invcal_imu *imu, const invcal_calibration *nominal,
                                  invcal_real rate)
 {
-    if (!invcal_session_is_begun(&imu->session)) {
+    if (!invcali_session_is_begun(&imu->session)) {
         return INVCAL_NOT_BEGUN;
     }
     if (!(rate >= INVCAL_LEAST_RATE && rate <= INVCAL_MOST_RATE)) {
         return INVCAL_BAD_RATE;
     }
-    return invcal_nominal_check(nominal);
+    return invcali_nominal_check(nominal);
 }
 
 /* What it writes of another build is at the same place in every build. */
@@ -397,7 +397,7 @@ invcal_status invcal_imu_init_nominal(invcal_imu *imu, size_t size,
     }
     const invcal_status status = check_begin(imu, nominal, rate);
     if (status == INVCAL_OK) {
-        invcal_moves_empty(imu, nominal, rate);
+        invcali_moves_empty(imu, nominal, rate);
         set_limits(&imu->own, INT32_MIN, INT32_MAX);
     } else {
         imu->own.fault = INVCAL_OK;
@@ -413,7 +413,7 @@ invcal_status invcal_imu_init(invcal_imu *imu, size_t size, invcal_real counts, 
     const invcal_real k = 1 / counts;
     invcal_calibration nominal;
 
-    invcal_zero(&nominal, sizeof nominal);
+    invcali_zero(&nominal, sizeof nominal);
     nominal.matrix[0][0] = k;
     nominal.matrix[1][1] = k;
     nominal.matrix[2][2] = k;
@@ -462,12 +462,12 @@ void invcal_imu_feed_gyro(invcal_imu *imu, int32_t x, int32_t y, int32_t z)
     }
     turn(m->rho, th);
     m->missing++;
-    if (!(invcal_dot3(m->v, m->v) < UNMERGED_LIMIT) || m->missing == MOST_SAMPLES) {
+    if (!(invcali_dot3(m->v, m->v) < UNMERGED_LIMIT) || m->missing == MOST_SAMPLES) {
         close_segment(m, 0);
     }
 }
 
-void invcal_imu_follow(invcal_imu *imu, invcal_event event)
+void invcali_imu_follow(invcal_imu *imu, invcal_event event)
 {
     invcal_private_moves *m = &imu->own;
     const invcal_private_rests *rests = &imu->session.rests;
@@ -504,7 +504,7 @@ invcal_event invcal_imu_feed(invcal_imu *imu, int32_t x, int32_t y, int32_t z)
     }
     const invcal_event event = invcal_session_feed(&imu->session, x, y, z);
     if (event != INVCAL_NOTHING) {
-        invcal_imu_follow(imu, event);
+        invcali_imu_follow(imu, event);
     }
     return event;
 }

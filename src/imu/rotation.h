@@ -22,12 +22,12 @@
      (uint32_t)sizeof(invcal_real) * 0x1000u + INVCAL_MAX_SEGMENTS)
 
 /* No rest and no move, with these settings. */
-void invcal_moves_empty(invcal_imu *imu, const invcal_calibration *nominal, invcal_real rate);
+void invcali_moves_empty(invcal_imu *imu, const invcal_calibration *nominal, invcal_real rate);
 
 /* Begins a stream; rests and moves so far are kept. */
-void invcal_moves_restart(invcal_imu *imu);
+void invcali_moves_restart(invcal_imu *imu);
 
 /* out += unit packed */
-void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3]);
+void invcali_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3]);
 
 #endif

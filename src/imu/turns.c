@@ -59,7 +59,7 @@ static invcal_real degrees_of(invcal_real cosine, invcal_real sine)
     for (unsigned pass = 0; pass < 2; pass++) {
         invcal_real c;
         invcal_real s;
-        invcal_circle(degrees, &c, &s);
+        invcali_circle(degrees, &c, &s);
         const invcal_real x = sine * c - cosine * s;
         degrees += (x + x * x * x / 6) / RADIANS;
     }
@@ -69,31 +69,31 @@ static invcal_real degrees_of(invcal_real cosine, invcal_real sine)
 /* Returns the square of the sine. If it is below NO_SINE, or not a number, out is lost. */
 static invcal_real turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out)
 {
-    invcal_cross(up, from, out->axis);
-    const invcal_real square = invcal_dot3(out->axis, out->axis);
+    invcali_cross(up, from, out->axis);
+    const invcal_real square = invcali_dot3(out->axis, out->axis);
 
     if (square >= NO_SINE) {
         const invcal_real sine = INVCAL_SQRT(square);
         scale(out->axis, 1 / sine);
-        out->angle = degrees_of(invcal_dot3(from, up), sine) * RADIANS;
+        out->angle = degrees_of(invcali_dot3(from, up), sine) * RADIANS;
         memcpy(out->up, up, sizeof out->up);
     }
     return square;
 }
 
-invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out)
+invcal_status invcali_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out)
 {
     invcal_turn turn;
 
     INVCAL_ASSERT(from && up && out);
-    if (!invcal_is_unit(from) || !invcal_is_unit(up) || !(turn_to(from, up, &turn) >= NO_SINE)) {
+    if (!invcali_is_unit(from) || !invcali_is_unit(up) || !(turn_to(from, up, &turn) >= NO_SINE)) {
         return INVCAL_BAD_DIRECTION;
     }
     *out = turn;
     return INVCAL_OK;
 }
 
-unsigned invcal_tour_face(unsigned i)
+unsigned invcali_tour_face(unsigned i)
 {
     /* faces: x up and down, y up and down, z up and down. Each of the twelve edges between them
      * once, and back; then full turns about x and y, and, after a quarter turn, about z */
@@ -103,7 +103,7 @@ unsigned invcal_tour_face(unsigned i)
     return tour[i];
 }
 
-invcal_status invcal_tour(unsigned i, invcal_turn *out)
+invcal_status invcali_tour(unsigned i, invcal_turn *out)
 {
     invcal_real from[3] = {0, 0, 0};
 
@@ -111,14 +111,14 @@ invcal_status invcal_tour(unsigned i, invcal_turn *out)
     if (i >= INVCAL_TOUR_FULL) {
         return INVCAL_BAD_ANGLE;
     }
-    const unsigned was = invcal_tour_face(i);
-    const unsigned is = invcal_tour_face(i + 1);
-    invcal_zero(out, sizeof *out);
+    const unsigned was = invcali_tour_face(i);
+    const unsigned is = invcali_tour_face(i + 1);
+    invcali_zero(out, sizeof *out);
     from[was / 2] = was % 2 == 0 ? 1 : -1;
     out->up[is / 2] = is % 2 == 0 ? 1 : -1;
     out->angle = QUARTER;
     if (was != is) {
-        invcal_cross(out->up, from, out->axis);
+        invcali_cross(out->up, from, out->axis);
     } else {
         out->axis[(i + 1) / 2 % 3] = 1; /* 12: x; 13: y; 15: z */
         out->angle = 4 * QUARTER;
@@ -130,7 +130,7 @@ invcal_status invcal_tour(unsigned i, invcal_turn *out)
 
 /* The variance of each of the two angles of a turn, over that of a position mean: as in add_move of
  * imu.c, with a time in proportion to the angle, but at least that of a quarter turn. */
-static invcal_real variance_of(const invcal_turns *turns, invcal_real angle)
+static invcal_real variance_of(const invcali_turns *turns, invcal_real angle)
 {
     const invcal_real quarters = INVCAL_FABS(angle) / QUARTER;
     const invcal_real time = quarters > 1 ? quarters * turns->seconds : turns->seconds;
@@ -143,9 +143,9 @@ static void rotate_back(const invcal_real n[3], invcal_real cosine, invcal_real 
                         const invcal_real v[3], invcal_real out[3])
 {
     invcal_real across[3];
-    const invcal_real along = (1 - cosine) * invcal_dot3(n, v);
+    const invcal_real along = (1 - cosine) * invcali_dot3(n, v);
 
-    invcal_cross(n, v, across);
+    invcali_cross(n, v, across);
     for (unsigned i = 0; i < 3; i++) {
         out[i] = cosine * v[i] + along * n[i] - sine * across[i];
     }
@@ -168,14 +168,14 @@ static void find_across(const invcal_real up[3], invcal_real b[2][3])
 
 static void make_rest_row(invcal_real h[TURNS_ALL], const invcal_real up[3])
 {
-    invcal_zero(h, TURNS_GYRO * sizeof *h);
+    invcali_zero(h, TURNS_GYRO * sizeof *h);
     memcpy(&h[TURNS_GYRO], up, 3 * sizeof *up);
-    invcal_products(up, &h[TURNS_GYRO]);
+    invcali_products(up, &h[TURNS_GYRO]);
 }
 
 /* The rows of imu.c for a turn exactly about one axis n: then S = J th n', with
  * J th = sin + (th - sin) n n' + (1 - cos) [n x]. */
-INVCAL_NOINLINE static void make_turn_rows(const invcal_turns *turns, const invcal_turn *turn,
+INVCAL_NOINLINE static void make_turn_rows(const invcali_turns *turns, const invcal_turn *turn,
                                            turn_rows *out)
 {
     const invcal_real *n = turn->axis;
@@ -186,25 +186,25 @@ INVCAL_NOINLINE static void make_turn_rows(const invcal_turns *turns, const invc
     invcal_real across[2][3];
     invcal_real g[INVCAL_PARAMETERS];
 
-    invcal_circle(angle / RADIANS, &cosine, &sine);
+    invcali_circle(angle / RADIANS, &cosine, &sine);
     rotate_back(n, cosine, sine, turns->up, out->up);
     find_across(turns->up, across);
     for (unsigned k = 0; k < 2; k++) {
         const invcal_real *b = across[k];
         invcal_real *h = out->h[k];
-        const invcal_real along = (angle - sine) * invcal_dot3(b, n);
-        invcal_cross(b, n, g);
+        const invcal_real along = (angle - sine) * invcali_dot3(b, n);
+        invcali_cross(b, n, g);
         for (unsigned i = 0; i < 3; i++) {
             const invcal_real q = sine * b[i] + along * n[i] + (1 - cosine) * g[i];
             for (unsigned j = 0; j < 3; j++) {
                 h[3 * i + j] = root * q * n[j];
             }
         }
-        invcal_cross(turns->up, b, g);
+        invcali_cross(turns->up, b, g);
         rotate_back(n, cosine, sine, g, &h[TURNS_GYRO]);
-        invcal_products(out->up, &h[TURNS_GYRO]);
+        invcali_products(out->up, &h[TURNS_GYRO]);
         scale(g, -1);
-        invcal_products(turns->up, g);
+        invcali_products(turns->up, g);
         for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
             h[TURNS_GYRO + i] = root * (h[TURNS_GYRO + i] + g[i]);
         }
@@ -215,7 +215,7 @@ INVCAL_NOINLINE static void make_turn_rows(const invcal_turns *turns, const invc
 
 static invcal_status check(const invcal_turn *turn)
 {
-    if (!invcal_is_unit(turn->axis)) {
+    if (!invcali_is_unit(turn->axis)) {
         return INVCAL_BAD_DIRECTION;
     }
     return INVCAL_FABS(turn->angle) <= MOST_ANGLE ? INVCAL_OK : INVCAL_BAD_ANGLE;
@@ -224,11 +224,11 @@ static invcal_status check(const invcal_turn *turn)
 static void add_rows(invcal_real *sum, unsigned n, const turn_rows *rows)
 {
     for (unsigned k = 0; k < rows->rows; k++) {
-        invcal_rank_one(sum, rows->h[k], n, 1);
+        invcali_rank_one(sum, rows->h[k], n, 1);
     }
 }
 
-invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
+invcal_status invcali_turns_add(invcali_turns *turns, const invcal_turn *turn)
 {
     turn_rows rows;
 
@@ -237,7 +237,7 @@ invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
     if (status == INVCAL_OK) {
         make_turn_rows(turns, turn, &rows);
         add_rows(turns->sum, turns->n, &rows);
-        scale(rows.up, 1 / INVCAL_SQRT(invcal_dot3(rows.up, rows.up)));
+        scale(rows.up, 1 / INVCAL_SQRT(invcali_dot3(rows.up, rows.up)));
         memcpy(turns->up, rows.up, sizeof turns->up);
     }
     return status;
@@ -245,10 +245,10 @@ invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
 
 /* ---- beginnings ------------------------------------------------------------------------------ */
 
-static void begin_turns(invcal_turns *turns, unsigned n, invcal_real noise, invcal_real rate_noise,
+static void begin_turns(invcali_turns *turns, unsigned n, invcal_real noise, invcal_real rate_noise,
                         invcal_real instability)
 {
-    invcal_zero(turns, sizeof *turns);
+    invcali_zero(turns, sizeof *turns);
     turns->n = (uint8_t)n;
     turns->noise = noise;
     turns->seconds = USUAL_SECONDS;
@@ -258,15 +258,15 @@ static void begin_turns(invcal_turns *turns, unsigned n, invcal_real noise, invc
     turns->square = turns->linear / 2 + wander * wander; /* the bias of rests of 1 s */
 }
 
-invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
-                                 const invcal_imu_settings *settings, invcal_real noise)
+invcal_status invcali_turns_begin(invcali_turns *turns, const invcal_real up[3],
+                                  const invcal_imu_settings *settings, invcal_real noise)
 {
     static const invcal_imu_settings unknown = {0, 0, 0, NULL};
     const invcal_imu_settings *s = settings ? settings : &unknown;
 
     INVCAL_ASSERT(turns && up);
     const invcal_status status =
-        invcal_is_unit(up) ? invcal_imu_settings_check(s, noise) : INVCAL_BAD_DIRECTION;
+        invcali_is_unit(up) ? invcali_imu_settings_check(s, noise) : INVCAL_BAD_DIRECTION;
     if (status != INVCAL_OK) {
         return status;
     }
@@ -277,10 +277,10 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
     if (turns->n == TURNS_ALL) {
         invcal_real h[TURNS_ALL];
         make_rest_row(h, up);
-        invcal_rank_one(turns->sum, h, TURNS_ALL, 1);
+        invcali_rank_one(turns->sum, h, TURNS_ALL, 1);
     }
     for (unsigned i = 0; s->prior && i < turns->n; i++) {
-        const invcal_real sigma = s->prior[invcal_imu_parameter(i)];
+        const invcal_real sigma = s->prior[invcali_imu_parameter(i)];
         if (sigma > 0) {
             const invcal_real known = turns->noise / sigma;
             turns->sum[INVCAL_PACKED(i, i)] += known * known;
@@ -289,29 +289,29 @@ invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
     return INVCAL_OK;
 }
 
-invcal_status invcal_turns_after(invcal_turns *turns, const invcal_imu *imu,
-                                 const invcal_positions *positions,
-                                 const invcal_imu_settings *settings)
+invcal_status invcali_turns_after(invcali_turns *turns, const invcal_imu *imu,
+                                  const invcal_positions *positions,
+                                  const invcal_imu_settings *settings)
 {
-    invcal_imu_work w;
+    invcali_imu_work w;
     invcal_imu_result out;
 
     INVCAL_ASSERT(turns && imu && positions);
-    invcal_status status = invcal_imu_begin(&w, imu, positions, settings, &out);
+    invcal_status status = invcali_imu_begin(&w, imu, positions, settings, &out);
     const unsigned last = imu->rests - w.begin - 1u; /* of the rests; or too large */
     if (status == INVCAL_OK && last >= INVCAL_MAX_MOVES) {
         status = INVCAL_TOO_FEW;
     }
     if (status == INVCAL_OK) {
-        status = invcal_imu_sum(&w);
+        status = invcali_imu_sum(&w);
     }
     if (status == INVCAL_OK) {
         begin_turns(turns, w.n, INVCAL_SQRT(w.noise_square), w.rate_noise, w.instability);
         for (unsigned i = 0; i < SIZE; i++) { /* with 9 unknowns the surplus is never read */
             turns->sum[i] = w.noise_square * w.pass.sum[i];
         }
-        invcal_correct(positions->nominal, w.mean[last].v, turns->up);
-        scale(turns->up, 1 / INVCAL_SQRT(invcal_dot3(turns->up, turns->up)));
+        invcali_correct(positions->nominal, w.mean[last].v, turns->up);
+        scale(turns->up, 1 / INVCAL_SQRT(invcali_dot3(turns->up, turns->up)));
     }
     return status;
 }
@@ -324,9 +324,9 @@ static invcal_status invert_sums(invcal_real *a, unsigned n, invcal_real vague, 
     for (unsigned i = 0; i < n; i++) {
         a[INVCAL_PACKED(i, i)] += vague;
     }
-    const invcal_status status = invcal_factor(a, n, n, floor);
+    const invcal_status status = invcali_factor(a, n, n, floor);
     if (status == INVCAL_OK) {
-        invcal_invert(a, n);
+        invcali_invert(a, n);
     }
     return status;
 }
@@ -342,20 +342,20 @@ static invcal_real merit_of(const invcal_real *inverse, unsigned n, turn_rows *r
     for (unsigned k = 0; k < rows->rows; k++) {
         invcal_real *h = rows->h[k];
         for (unsigned r = n; r > 0; r--) {
-            h[r - 1] = invcal_dot(&inverse[INVCAL_PACKED(r - 1, 0)], h, r);
+            h[r - 1] = invcali_dot(&inverse[INVCAL_PACKED(r - 1, 0)], h, r);
         }
         for (unsigned i = 0; i <= k; i++) {
-            *at++ = invcal_dot(rows->h[i], h, n) + (i == k ? 1 : 0);
+            *at++ = invcali_dot(rows->h[i], h, n) + (i == k ? 1 : 0);
         }
     }
-    (void)invcal_factor(gram, rows->rows, rows->rows, 0); /* positive definite */
+    (void)invcali_factor(gram, rows->rows, rows->rows, 0); /* positive definite */
     for (unsigned k = 0; k < rows->rows; k++) {
         root *= gram[INVCAL_PACKED(k, k)];
     }
     return 1 / (root * root);
 }
 
-void invcal_turns_next(const invcal_turns *turns, invcal_turn *out)
+void invcali_turns_next(const invcali_turns *turns, invcal_turn *out)
 {
     invcal_real inverse[SIZE];
     turn_rows rows;
@@ -366,10 +366,10 @@ void invcal_turns_next(const invcal_turns *turns, invcal_turn *out)
     INVCAL_ASSERT(turns && out);
     memcpy(inverse, turns->sum, sizeof inverse);
     (void)invert_sums(inverse, turns->n, VAGUE, 0); /* positive definite */
-    invcal_zero(&turn, sizeof turn);
+    invcali_zero(&turn, sizeof turn);
     *out = turn;
     for (unsigned n = 0; n < INVCAL_DIRECTIONS; n++) {
-        invcal_direction(n, up);
+        invcali_direction(n, up);
         if (turn_to(turns->up, up, &turn) >= NO_ARC) {
             make_turn_rows(turns, &turn, &rows);
             const invcal_real merit = merit_of(inverse, turns->n, &rows);
@@ -387,11 +387,11 @@ static invcal_real find_sigma(const invcal_real *inverse, unsigned n, invcal_rea
 {
     invcal_real largest = 0;
 
-    invcal_zero(sigma, TURNS_ALL * sizeof *sigma);
+    invcali_zero(sigma, TURNS_ALL * sizeof *sigma);
     *open = 0;
     for (unsigned i = 0; i < n; i++) {
-        const invcal_real k = invcal_variance(inverse, n, i);
-        const unsigned parameter = invcal_imu_parameter(i);
+        const invcal_real k = invcali_variance(inverse, n, i);
+        const unsigned parameter = invcali_imu_parameter(i);
         sigma[parameter] = INVCAL_SQRT(k);
         if (!(k <= most)) {
             *open |= (uint32_t)1 << parameter;
@@ -401,8 +401,8 @@ static invcal_real find_sigma(const invcal_real *inverse, unsigned n, invcal_rea
     return largest;
 }
 
-invcal_status invcal_turns_sigma(const invcal_turns *turns, const invcal_turn *turn,
-                                 invcal_real sigma[INVCAL_IMU_PARAMETERS], uint32_t *open)
+invcal_status invcali_turns_sigma(const invcali_turns *turns, const invcal_turn *turn,
+                                  invcal_real sigma[INVCAL_IMU_PARAMETERS], uint32_t *open)
 {
     invcal_real a[SIZE];
     turn_rows rows;

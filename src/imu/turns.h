@@ -9,7 +9,7 @@
 #include "imu.h"
 
 enum {
-    INVCAL_TOUR = 12,     /* quarter turns of invcal_tour */
+    INVCAL_TOUR = 12,     /* quarter turns of invcali_tour */
     INVCAL_TOUR_FULL = 16 /* all of its turns, full ones included */
 };
 
@@ -24,7 +24,7 @@ typedef struct {
     /* normal equations in the order of a solution, lower triangle by rows, times the square of
      * noise */
     invcal_real sum[INVCAL_IMU_PARAMETERS * (INVCAL_IMU_PARAMETERS + 1) / 2];
-} invcal_turns;
+} invcali_turns;
 
 /* Begins a plan with one rest.
  *
@@ -33,26 +33,26 @@ typedef struct {
  * noise     of a position mean, over field; 0: unknown.
  *
  * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, INVCAL_BAD_NOISE, INVCAL_BAD_PRIOR. */
-invcal_status invcal_turns_begin(invcal_turns *turns, const invcal_real up[3],
-                                 const invcal_imu_settings *settings, invcal_real noise);
+invcal_status invcali_turns_begin(invcali_turns *turns, const invcal_real up[3],
+                                  const invcal_imu_settings *settings, invcal_real noise);
 
-/* Begins a plan with the rests and moves measured so far: arguments as for invcal_imu_solve_of.
+/* Begins a plan with the rests and moves measured so far: arguments as for invcali_imu_solve_of.
  *
  * Returns INVCAL_OK; INVCAL_TOO_FEW without a rest; and as that for its arguments.
  * Cost: a pass of invcal_imu_solve. Stack: about 2,500 bytes. */
-invcal_status invcal_turns_after(invcal_turns *turns, const invcal_imu *imu,
-                                 const invcal_positions *positions,
-                                 const invcal_imu_settings *settings);
+invcal_status invcali_turns_after(invcali_turns *turns, const invcal_imu *imu,
+                                  const invcal_positions *positions,
+                                  const invcal_imu_settings *settings);
 
 /* Finds the shortest turn after which another direction points up. Both are unit vectors.
  *
  * Returns INVCAL_OK; INVCAL_BAD_DIRECTION, also within 0.06 degrees of equal or of opposite
  * directions: no turn is the shortest. */
-invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out);
+invcal_status invcali_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out);
 
 /* The face up before turn i of that program, and after the one before: x up 0, down 1, y 2, 3, z 4,
  * 5. i is at most INVCAL_TOUR_FULL. */
-unsigned invcal_tour_face(unsigned i);
+unsigned invcali_tour_face(unsigned i);
 
 /* Turn i of a program that begins with z up. From 0 to INVCAL_TOUR - 1: quarter turns between the
  * six faces, each of the twelve edges once,
@@ -64,20 +64,20 @@ unsigned invcal_tour_face(unsigned i);
  * horizontal.
  *
  * Returns INVCAL_OK; INVCAL_BAD_ANGLE if there is no turn i. */
-invcal_status invcal_tour(unsigned i, invcal_turn *out);
+invcal_status invcali_tour(unsigned i, invcal_turn *out);
 
 /* Finds the turn that adds most: of the shortest turns to 26 directions (faces, edges and corners
  * of a cube), the one with the largest determinant of the normal equations. Twelve of these are
  * better than the tour, but six faces are easier to find by hand than corners.
  *
  * Cost: 175,000 instructions for 18 unknowns. Stack: about 1,300 bytes. */
-void invcal_turns_next(const invcal_turns *turns, invcal_turn *out);
+void invcali_turns_next(const invcali_turns *turns, invcal_turn *out);
 
 /* Adds a turn and the rest after it. turn->up is ignored.
  *
  * Returns INVCAL_OK; INVCAL_BAD_DIRECTION for the axis; INVCAL_BAD_ANGLE for more than two turns.
  * Cost: 4,300 instructions. Stack: about 450 bytes. */
-invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn);
+invcal_status invcali_turns_add(invcali_turns *turns, const invcal_turn *turn);
 
 /* Computes the expected sigma.
  *
@@ -87,10 +87,10 @@ invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn);
  * open   out: bit r: parameter r is undetermined; or, with INVCAL_OK, weak: above 2.5 times the
  *        noise of a turn, as in a result.
  *
- * Returns INVCAL_OK; INVCAL_UNDETERMINED; and as invcal_turns_add for the turn: nothing is written
+ * Returns INVCAL_OK; INVCAL_UNDETERMINED; and as invcali_turns_add for the turn: nothing is written
  * then.
  * Cost: 26,000 instructions. Stack: about 1,200 bytes. */
-invcal_status invcal_turns_sigma(const invcal_turns *turns, const invcal_turn *turn,
-                                 invcal_real sigma[INVCAL_IMU_PARAMETERS], uint32_t *open);
+invcal_status invcali_turns_sigma(const invcali_turns *turns, const invcal_turn *turn,
+                                  invcal_real sigma[INVCAL_IMU_PARAMETERS], uint32_t *open);
 
 #endif

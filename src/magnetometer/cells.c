@@ -14,12 +14,12 @@
 #define ROOT_HALF INVCAL_REAL(0.70710678118654752)
 enum { PRODUCTS = 6 };
 
-unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS])
+unsigned invcali_cell_of(const invcal_real h[INVCAL_PARAMETERS])
 {
-    return invcal_cell_of_inline(h);
+    return invcali_cell_of_inline(h);
 }
 
-void invcal_cell_direction(unsigned k, invcal_real d[3])
+void invcali_cell_direction(unsigned k, invcal_real d[3])
 {
     static const uint8_t after[] = {1, 2, 0, 1}; /* this axis, and the next */
 
@@ -35,7 +35,7 @@ void invcal_cell_direction(unsigned k, invcal_real d[3])
     }
 }
 
-void invcal_cells_halve(invcal_private_cells *cells, unsigned k)
+void invcali_cells_halve(invcal_private_cells *cells, unsigned k)
 {
     for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
         cells->sum[k][i] /= 2;
@@ -53,11 +53,11 @@ static void move_cell(invcal_private_cells *into, unsigned to, invcal_private_ce
     into->count[to] = (uint16_t)(into->count[to] + from->count[k]);
     from->count[k] = 0;
     if (into->count[to] >= INVCAL_FULL_CELL) {
-        invcal_cells_halve(into, to);
+        invcali_cells_halve(into, to);
     }
 }
 
-void invcal_cells_merge(invcal_private_cells *into, invcal_private_cells *from)
+void invcali_cells_merge(invcal_private_cells *into, invcal_private_cells *from)
 {
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         move_cell(into, k, from, k);
@@ -88,16 +88,16 @@ static unsigned cell_of_mean(const invcal_private_cells *cells, unsigned k)
     invcal_real h[INVCAL_PARAMETERS];
 
     memcpy(h, cells->sum[k], 3 * sizeof *h);
-    invcal_row_of(h);
-    return invcal_cell_of(h);
+    invcali_row_of(h);
+    return invcali_cell_of(h);
 }
 
 /* Converts all sums before any cell moves: those that come together must have the same
  * coordinates. */
-void invcal_cells_move(invcal_private_cells *cells, const invcal_real shift[3], invcal_real scale)
+void invcali_cells_move(invcal_private_cells *cells, const invcal_real shift[3], invcal_real scale)
 {
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
-        move_sum(cells->sum[k], invcal_number(cells->count[k]), shift, scale);
+        move_sum(cells->sum[k], invcali_number(cells->count[k]), shift, scale);
     }
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         const unsigned to = cell_of_mean(cells, k);

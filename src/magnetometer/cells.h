@@ -13,7 +13,7 @@
 #include "../core/vector.h"
 
 /* The cell into which (x y z) of a row points; its products must be those of (x y z). */
-unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS]);
+unsigned invcali_cell_of(const invcal_real h[INVCAL_PARAMETERS]);
 
 /* Cells have equal areas if faces end where the tangent is t, 4 asin(t^2 / (1 + t^2)) = 4 pi / 18
  * (mathematics_magnetometer.md, "Cells"). */
@@ -21,7 +21,7 @@ unsigned invcal_cell_of(const invcal_real h[INVCAL_PARAMETERS]);
 enum { INVCAL_FACES = 6 };
 
 /* Faces: axis and sign. Edges: the axis perpendicular to them, and the signs of the next two. */
-static inline unsigned invcal_cell_of_inline(const invcal_real h[INVCAL_PARAMETERS])
+static inline unsigned invcali_cell_of_inline(const invcal_real h[INVCAL_PARAMETERS])
 {
     static const uint8_t in_turn[] = {0, 1, 2, 0, 1}; /* axes */
     static const uint8_t first[] = {INVCAL_FACES, INVCAL_FACES + 4, INVCAL_FACES + 8};
@@ -49,22 +49,22 @@ static inline unsigned invcal_cell_of_inline(const invcal_real h[INVCAL_PARAMETE
 
 /* Inlined where it is called often, if speed matters. */
 #if INVCAL_FAST
-#define invcal_cell_of_often invcal_cell_of_inline
+#define invcali_cell_of_often invcali_cell_of_inline
 #else
-#define invcal_cell_of_often invcal_cell_of
+#define invcali_cell_of_often invcali_cell_of
 #endif
 
 /* The centre of a cell, a unit vector. */
-void invcal_cell_direction(unsigned k, invcal_real d[3]);
+void invcali_cell_direction(unsigned k, invcal_real d[3]);
 
 /* A full cell is halved: its mean stays, and later samples count more. 16 bits hold two full
  * cells. */
 enum { INVCAL_FULL_CELL = 16384 };
-void invcal_cells_halve(invcal_private_cells *cells, unsigned k);
+void invcali_cells_halve(invcal_private_cells *cells, unsigned k);
 
 /* Adds a sample to cell k. */
-static inline void invcal_cells_add(invcal_private_cells *cells, unsigned k,
-                                    const invcal_real h[INVCAL_PARAMETERS])
+static inline void invcali_cells_add(invcal_private_cells *cells, unsigned k,
+                                     const invcal_real h[INVCAL_PARAMETERS])
 {
     invcal_real *const sum = cells->sum[k];
 
@@ -74,15 +74,15 @@ static inline void invcal_cells_add(invcal_private_cells *cells, unsigned k,
     }
     cells->count[k]++;
     if (cells->count[k] >= INVCAL_FULL_CELL) {
-        invcal_cells_halve(cells, k);
+        invcali_cells_halve(cells, k);
     }
 }
 
 /* Moves all of `from` into `into`. */
-void invcal_cells_merge(invcal_private_cells *into, invcal_private_cells *from);
+void invcali_cells_merge(invcal_private_cells *into, invcal_private_cells *from);
 
 /* Readings v become (v - shift) / scale; a mean that then points into another cell moves there. */
-void invcal_cells_move(invcal_private_cells *cells, const invcal_real shift[3], invcal_real scale);
+void invcali_cells_move(invcal_private_cells *cells, const invcal_real shift[3], invcal_real scale);
 
 /* ---- their solution -------------------------------------------------------------------------- */
 
@@ -90,52 +90,52 @@ void invcal_cells_move(invcal_private_cells *cells, const invcal_real shift[3], 
 typedef struct {
     const invcal_private_cells *early;
     const invcal_private_cells *late;
-} invcal_cell_tables;
+} invcali_cell_tables;
 
 /* The number of samples in cell k; less once it was halved. */
-unsigned invcal_cells_count(const invcal_cell_tables *tables, unsigned k);
+unsigned invcali_cells_count(const invcali_cell_tables *tables, unsigned k);
 
 /* Returns the cosine of the gap, 1 if there is none. worst: its cell, or the one with the fewest
  * samples. */
-invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst);
+invcal_real invcali_cells_gap(const invcali_cell_tables *tables, unsigned *worst);
 
 /* The solution of cells, in the coordinates of their rows. */
 typedef struct {
-    invcal_cell_tables tables;
+    invcali_cell_tables tables;
     invcal_real p[INVCAL_PARAMETERS]; /* J + h p = 0 */
     invcal_calibration triad;
     invcal_quality quality; /* cells are its positions */
-} invcal_cell_fit;
+} invcali_cell_fit;
 
 /* Solves the tables: p and triad. Returns as invcal_calibrate_plain. */
-invcal_status invcal_cells_solve(invcal_cell_fit *fit);
+invcal_status invcali_cells_solve(invcali_cell_fit *fit);
 
 /* Solves them, with the quality. */
-invcal_status invcal_cells_calibrate(invcal_cell_fit *fit);
+invcal_status invcali_cells_calibrate(invcali_cell_fit *fit);
 
 /* Cell k as a position: along the mean, with the root-mean-square length of its samples.
  *
  * triad  calibration of the coordinates of the rows; of any frame.
  *
  * Returns the number of samples; if 0, point is unchanged. */
-unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calibration *triad,
-                            unsigned k, invcal_real point[3]);
+unsigned invcali_cells_point(const invcali_cell_tables *tables, const invcal_calibration *triad,
+                             unsigned k, invcal_real point[3]);
 
 /* Computes noise and sigma again, now with the scatter of the samples.
  *
  * power  the variance of a cell's mean times the number of its samples: their variance, times how
  *        many in a row have a common error. 0: unknown, sigma remains that of the scatter of the
  *        cells. */
-void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power);
+void invcali_cells_weigh(invcali_cell_fit *fit, invcal_real power);
 
 /* Returns whether late samples differ from early ones of the same cells as after a change of offset
  * or length. In 999 of 1000 cases without a change they do not.
  *
  * power  the same, from before the late ones. 0: unknown, then it returns 0. */
-int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power);
+int invcali_cells_step(const invcali_cell_fit *fit, invcal_real power);
 
 /* 1 over the mean of the diagonal of its matrix: the length of the field. */
-invcal_real invcal_cells_field(const invcal_cell_fit *fit);
+invcal_real invcali_cells_field(const invcali_cell_fit *fit);
 
 /* A cell as a position, for display by the host tool: along the mean of its samples, with the
  * root-mean-square length of the calibrated samples.
@@ -145,8 +145,8 @@ invcal_real invcal_cells_field(const invcal_cell_fit *fit);
  * raw          out: raw counts.
  *
  * Returns the number of its samples; if 0, raw is unchanged. */
-unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
-                                  const invcal_calibration *calibration, unsigned k,
-                                  invcal_real raw[3]);
+unsigned invcali_magnetometer_cell(const invcal_magnetometer *magnetometer,
+                                   const invcal_calibration *calibration, unsigned k,
+                                   invcal_real raw[3]);
 
 #endif

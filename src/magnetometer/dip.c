@@ -23,7 +23,7 @@ enum { DIP_UNKNOWNS = 4, DIP_STEPS = 8 };
 void invcal_dip_init(invcal_dip *dip)
 {
     INVCAL_ASSERT(dip);
-    invcal_zero(dip, sizeof *dip);
+    invcali_zero(dip, sizeof *dip);
 }
 
 invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const invcal_real field[3])
@@ -31,13 +31,13 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
     invcal_real row[INVCAL_PRIVATE_DIP];
 
     INVCAL_ASSERT(dip && up && field);
-    const invcal_real a = invcal_dot3(up, up);
-    const invcal_real m = invcal_dot3(field, field);
-    if (!invcal_are_finite(up) || !invcal_are_finite(field)) {
+    const invcal_real a = invcali_dot3(up, up);
+    const invcal_real m = invcali_dot3(field, field);
+    if (!invcali_are_finite(up) || !invcali_are_finite(field)) {
         return INVCAL_NOT_FINITE;
     }
     const invcal_real scale = 1 / (INVCAL_SQRT(a) * INVCAL_SQRT(m));
-    if (!invcal_is_positive(scale)) { /* a length is 0, or beyond the number type */
+    if (!invcali_is_positive(scale)) { /* a length is 0, or beyond the number type */
         return INVCAL_OUT_OF_RANGE;
     }
     for (unsigned i = 0; i < 3; i++) {
@@ -46,7 +46,7 @@ invcal_status invcal_dip_add(invcal_dip *dip, const invcal_real up[3], const inv
         }
     }
     row[INVCAL_PRIVATE_DIP - 1] = 1;
-    invcal_rank_one(dip->own_sum, row, INVCAL_PRIVATE_DIP, 1);
+    invcali_rank_one(dip->own_sum, row, INVCAL_PRIVATE_DIP, 1);
     dip->count += dip->count < UINT_MAX;
     return INVCAL_OK;
 }
@@ -72,7 +72,7 @@ static invcal_real between(const invcal_dip *dip, const invcal_real u[INVCAL_PRI
 static void make_rows(const invcal_real r[3][3], invcal_real s,
                       invcal_real row[DIP_UNKNOWNS + 1][INVCAL_PRIVATE_DIP])
 {
-    invcal_zero(row, (DIP_UNKNOWNS + 1) * sizeof row[0]);
+    invcali_zero(row, (DIP_UNKNOWNS + 1) * sizeof row[0]);
     for (unsigned k = 0; k < 3; k++) {
         const unsigned i = (k + 1) % 3;
         const unsigned j = (k + 2) % 3;
@@ -100,7 +100,7 @@ static invcal_status make_step(const invcal_dip *dip, const invcal_real r[3][3],
             n++;
         }
     }
-    return invcal_factor(a, DIP_UNKNOWNS, DIP_UNKNOWNS + 1, DIP_FLOOR);
+    return invcali_factor(a, DIP_UNKNOWNS, DIP_UNKNOWNS + 1, DIP_FLOOR);
 }
 
 /* R becomes (I + [angle]) R, made orthonormal again. */
@@ -116,7 +116,7 @@ static void turn_by(const invcal_real angle[3], invcal_real r[3][3])
             turned[i][c] = r[i][c] + angle[j] * r[k][c] - angle[k] * r[j][c];
         }
     }
-    invcal_make_symmetric(turned, work);
+    invcali_make_symmetric(turned, work);
     memcpy(r, work, sizeof turned);
 }
 
@@ -131,9 +131,9 @@ static void judge_dip(const invcal_dip *dip, invcal_real alike, invcal_real s,
     invcal_real sum = 0;
 
     quality->scatter = square > 0 ? INVCAL_SQRT(square) : 0;
-    invcal_invert(a, DIP_UNKNOWNS);
+    invcali_invert(a, DIP_UNKNOWNS);
     for (unsigned i = 0; i < 3; i++) {
-        const invcal_real variance = invcal_variance(a, DIP_UNKNOWNS, i) / n;
+        const invcal_real variance = invcali_variance(a, DIP_UNKNOWNS, i) / n;
         quality->sigma[i] = quality->scatter * INVCAL_SQRT(variance * (alike > 1 ? alike : 1));
         sum += quality->sigma[i] * quality->sigma[i] / 3;
     }
@@ -157,11 +157,11 @@ invcal_status invcal_dip_solve(const invcal_dip *dip, invcal_real alike, invcal_
     invcal_real change = 1;
     invcal_status status = make_step(dip, (const invcal_real(*)[3])r, s, a);
     for (unsigned n = 0; n < DIP_STEPS && status == INVCAL_OK && change > INVCAL_EPSILON; n++) {
-        invcal_back_substitute(a, DIP_UNKNOWNS);
+        invcali_back_substitute(a, DIP_UNKNOWNS);
         const invcal_real *const x = &a[INVCAL_PACKED(DIP_UNKNOWNS, 0)];
         turn_by(x, r);
         s += x[3];
-        change = invcal_dot(x, x, DIP_UNKNOWNS);
+        change = invcali_dot(x, x, DIP_UNKNOWNS);
         status = make_step(dip, (const invcal_real(*)[3])r, s, a);
     }
     if (status != INVCAL_OK) {

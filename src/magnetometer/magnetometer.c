@@ -44,10 +44,10 @@ invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
 
     INVCAL_ASSERT(magnetometer);
     const invcal_calibration *const work = nominal != NULL ? nominal : &as_read;
-    const invcal_status status = invcal_nominal_check(work);
+    const invcal_status status = invcali_nominal_check(work);
     magnetometer->own.due = 0; /* not begun */
     if (status == INVCAL_OK) {
-        invcal_zero(&magnetometer->own, sizeof magnetometer->own);
+        invcali_zero(&magnetometer->own, sizeof magnetometer->own);
         magnetometer->own_work = *work;
         magnetometer->own.unit = 1;
         magnetometer->own.due = FIRST_LOOK;
@@ -55,9 +55,9 @@ invcal_status invcal_magnetometer_init(invcal_magnetometer *magnetometer,
     return status;
 }
 
-static invcal_cell_tables both_tables(const invcal_magnetometer *m)
+static invcali_cell_tables both_tables(const invcal_magnetometer *m)
 {
-    const invcal_cell_tables tables = {&m->own.early, &m->own.late};
+    const invcali_cell_tables tables = {&m->own.early, &m->own.late};
 
     return tables;
 }
@@ -73,9 +73,9 @@ static invcal_real power_of(const invcal_magnetometer *m)
 
 static void end_block(invcal_magnetometer *m)
 {
-    m->own.products += invcal_dot3(m->own.block, m->own.block);
+    m->own.products += invcali_dot3(m->own.block, m->own.block);
     m->own.blocked += m->own.in_block;
-    invcal_zero(m->own.block, sizeof m->own.block);
+    invcali_zero(m->own.block, sizeof m->own.block);
     m->own.in_block = 0;
 }
 
@@ -84,7 +84,7 @@ static void end_block(invcal_magnetometer *m)
  * outlasts errors that neighbours share. */
 static int is_alike(invcal_magnetometer *m, const invcal_real h[INVCAL_PARAMETERS])
 {
-    const invcal_real r = invcal_dot(m->own.p, h, INVCAL_PARAMETERS) - INVCAL_REAL(0.5);
+    const invcal_real r = invcali_dot(m->own.p, h, INVCAL_PARAMETERS) - INVCAL_REAL(0.5);
     const invcal_real n = (invcal_real)(m->own.blocked + m->own.in_block + INITIAL_COUNT);
 
     if (!(r * r * n <= CONTRADICTS * (m->own.squares + INITIAL_SQUARES))) {
@@ -110,13 +110,13 @@ static int is_recentred(invcal_magnetometer *m, const invcal_real shift[3], invc
     invcal_calibration c = {{shift[0], shift[1], shift[2]},
                             {{1 / scale, 0, 0}, {0, 1 / scale, 0}, {0, 0, 1 / scale}}};
 
-    if (invcal_compose(&m->own_work, &c) != INVCAL_OK) {
+    if (invcali_compose(&m->own_work, &c) != INVCAL_OK) {
         return 0;
     }
     m->own_work = c;
     m->own.unit *= scale;
-    invcal_cells_move(&m->own.early, shift, scale);
-    invcal_cells_move(&m->own.late, shift, scale);
+    invcali_cells_move(&m->own.early, shift, scale);
+    invcali_cells_move(&m->own.late, shift, scale);
     return 1;
 }
 
@@ -153,43 +153,43 @@ static void recentre_by_box(invcal_magnetometer *m)
 }
 
 /* Returns whether there is a solution. Its quality is checked only before the second one. */
-static int is_found(const invcal_magnetometer *m, invcal_cell_fit *fit)
+static int is_found(const invcal_magnetometer *m, invcali_cell_fit *fit)
 {
     if (m->own.stage == SECOND_SOLUTION) {
-        return invcal_cells_solve(fit) == INVCAL_OK;
+        return invcali_cells_solve(fit) == INVCAL_OK;
     }
-    return invcal_cells_calibrate(fit) == INVCAL_OK && fit->quality.verdict != INVCAL_WEAK &&
+    return invcali_cells_calibrate(fit) == INVCAL_OK && fit->quality.verdict != INVCAL_WEAK &&
            fit->quality.dof >= 2;
 }
 
 /* Returns whether the centre or the scale has moved by more than a hundredth. Less does not change
  * the cells. */
-static int is_far(const invcal_cell_fit *fit)
+static int is_far(const invcali_cell_fit *fit)
 {
     const invcal_real *const shift = fit->triad.offset;
 
-    return !(invcal_dot3(shift, shift) < FAR * FAR &&
-             INVCAL_FABS(invcal_cells_field(fit) - 1) < FAR);
+    return !(invcali_dot3(shift, shift) < FAR * FAR &&
+             INVCAL_FABS(invcali_cells_field(fit) - 1) < FAR);
 }
 
 /* Solves table `one` and the late samples, and moves the readings to the unit sphere. Samples are
  * then compared with p. Returns 0 if there is no solution. */
 static int has_solution(invcal_magnetometer *m, const invcal_private_cells *one,
-                        invcal_cell_fit *fit)
+                        invcali_cell_fit *fit)
 {
     unsigned worst;
 
     fit->tables.early = one;
     fit->tables.late = &m->own.late;
-    if (!(invcal_cells_gap(&fit->tables, &worst) > WIDE_GAP) || !is_found(m, fit)) {
+    if (!(invcali_cells_gap(&fit->tables, &worst) > WIDE_GAP) || !is_found(m, fit)) {
         return 0;
     }
     fit->tables = both_tables(m);
     m->own.has_step |=
-        (uint8_t)invcal_cells_step(fit, m->own.before > 0 ? m->own.before : power_of(m));
+        (uint8_t)invcali_cells_step(fit, m->own.before > 0 ? m->own.before : power_of(m));
     fit->tables.early = one;
-    if (is_far(fit) && (!is_recentred(m, fit->triad.offset, invcal_cells_field(fit)) ||
-                        invcal_cells_solve(fit) != INVCAL_OK)) {
+    if (is_far(fit) && (!is_recentred(m, fit->triad.offset, invcali_cells_field(fit)) ||
+                        invcali_cells_solve(fit) != INVCAL_OK)) {
         return 0;
     }
     memcpy(m->own.p, fit->p, sizeof m->own.p);
@@ -209,14 +209,14 @@ static void drop_unlike(invcal_magnetometer *m)
 
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         if (m->own.early.count[k] > 0) {
-            const invcal_real n = invcal_number(m->own.early.count[k]);
+            const invcal_real n = invcali_number(m->own.early.count[k]);
             const invcal_real sum =
-                invcal_dot(m->own.p, m->own.early.sum[k], INVCAL_PARAMETERS) - n / 2;
+                invcali_dot(m->own.p, m->own.early.sum[k], INVCAL_PARAMETERS) - n / 2;
             excess += sum * sum / n - power;
         }
     }
     if (!(excess <= 0)) {
-        invcal_zero(&m->own.early, sizeof m->own.early);
+        invcali_zero(&m->own.early, sizeof m->own.early);
     }
 }
 
@@ -227,25 +227,27 @@ static invcal_real spread_of(const invcal_private_cells *cells)
     invcal_real n = 0;
 
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
-        n += invcal_number(cells->count[k]);
+        n += invcali_number(cells->count[k]);
         for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {
             sum[i] += cells->sum[k][i];
         }
     }
-    return (sum[INVCAL_DK_X] + sum[INVCAL_DK_Y] + sum[INVCAL_DK_Z] - invcal_dot3(sum, sum) / n) / n;
+    return (sum[INVCAL_DK_X] + sum[INVCAL_DK_Y] + sum[INVCAL_DK_Z] - invcali_dot3(sum, sum) / n) /
+           n;
 }
 
 /* A wild sample widens the box, so that all others share a few cells, and there would be no
  * solution, however many come. So if nearly all are deep inside the box, and do not lie on an
  * ellipsoid, the next sample is the first again. */
-static void forget_wild(invcal_magnetometer *m, invcal_cell_fit *fit)
+static void forget_wild(invcal_magnetometer *m, invcali_cell_fit *fit)
 {
     const invcal_real half = half_of_box(m);
 
     fit->tables = both_tables(m);
-    if (spread_of(&m->own.early) < DEEP * half * half && invcal_cells_calibrate(fit) != INVCAL_OK) {
-        invcal_zero(&m->own.early, sizeof m->own.early);
-        invcal_zero(m->own.p, sizeof m->own.p);
+    if (spread_of(&m->own.early) < DEEP * half * half &&
+        invcali_cells_calibrate(fit) != INVCAL_OK) {
+        invcali_zero(&m->own.early, sizeof m->own.early);
+        invcali_zero(m->own.p, sizeof m->own.p);
         m->own.samples = 0;
         m->own.due = FIRST_LOOK;
     }
@@ -256,7 +258,7 @@ static void forget_wild(invcal_magnetometer *m, invcal_cell_fit *fit)
 static void look_at_samples(invcal_magnetometer *m)
 {
     const int is_first = m->own.stage == NO_SOLUTION;
-    invcal_cell_fit fit;
+    invcali_cell_fit fit;
 
     if (is_first) {
         recentre_by_box(m);
@@ -270,7 +272,7 @@ static void look_at_samples(invcal_magnetometer *m)
         }
     }
     if (is_first || m->own.stage == SECOND_SOLUTION) {
-        invcal_cells_merge(&m->own.early, &m->own.late);
+        invcali_cells_merge(&m->own.early, &m->own.late);
     }
     if (m->own.stage == NO_SOLUTION) {
         forget_wild(m, &fit);
@@ -287,7 +289,7 @@ static void look_at_samples(invcal_magnetometer *m)
 /* Returns 0 if it is not a number, or could not be squared. */
 static int widen_box(invcal_magnetometer *m, const invcal_real v[INVCAL_PARAMETERS])
 {
-    if (!invcal_are_finite(&v[INVCAL_DK_X])) {
+    if (!invcali_are_finite(&v[INVCAL_DK_X])) {
         return 0;
     }
     for (unsigned i = 0; i < 3; i++) {
@@ -312,19 +314,19 @@ invcal_event invcal_magnetometer_feed(invcal_magnetometer *magnetometer, invcal_
     if (m->own.due == 0) { /* not begun */
         return INVCAL_REFUSED;
     }
-    if (m->own.samples == 0 && invcal_are_finite(raw)) {
+    if (m->own.samples == 0 && invcali_are_finite(raw)) {
         memcpy(m->own_work.offset, raw,
                sizeof m->own_work.offset); /* so that the readings are small */
     }
-    invcal_correct(&m->own_work, raw, h);
-    invcal_row_of(h);
+    invcali_correct(&m->own_work, raw, h);
+    invcali_row_of(h);
     if (m->own.stage != NO_SOLUTION ? !is_alike(m, h) : !widen_box(m, h)) {
-        m->own.dropped += m->own.dropped < FULL_COUNT && invcal_are_finite(&h[INVCAL_DK_X]);
+        m->own.dropped += m->own.dropped < FULL_COUNT && invcali_are_finite(&h[INVCAL_DK_X]);
         return INVCAL_REFUSED;
     }
-    const unsigned k = invcal_cell_of_often(h);
+    const unsigned k = invcali_cell_of_often(h);
     const unsigned before = (unsigned)m->own.early.count[k] + m->own.late.count[k];
-    invcal_cells_add(&m->own.late, k, h);
+    invcali_cells_add(&m->own.late, k, h);
     m->own.samples++;
     if (m->own.samples >= m->own.due) {
         look_at_samples(m);
@@ -343,9 +345,9 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
     unsigned worst;
 
     INVCAL_ASSERT(magnetometer && along);
-    const invcal_cell_tables tables = both_tables(magnetometer);
-    (void)invcal_cells_gap(&tables, &worst);
-    invcal_cell_direction(worst, along);
+    const invcali_cell_tables tables = both_tables(magnetometer);
+    (void)invcali_cells_gap(&tables, &worst);
+    invcali_cell_direction(worst, along);
 }
 
 /* ---- result ---------------------------------------------------------------------------------- */
@@ -359,26 +361,26 @@ static uint8_t degrees_of(invcal_real cosine)
                                         : 90u;
 }
 
-static void fill_found(const invcal_magnetometer *m, const invcal_cell_fit *fit,
+static void fill_found(const invcal_magnetometer *m, const invcali_cell_fit *fit,
                        invcal_magnetometer_found *found)
 {
     const invcal_real power = power_of(m);
     unsigned worst;
 
-    found->field = m->own.unit * invcal_cells_field(fit);
+    found->field = m->own.unit * invcali_cells_field(fit);
     const uint32_t compared = m->own.blocked + m->own.in_block;
     found->rms = compared > 0 ? INVCAL_SQRT(m->own.squares / (invcal_real)compared) : 0;
     found->alike = m->own.squares > 0 ? power / (found->rms * found->rms) : 0;
     found->samples = m->own.samples;
     found->dropped = m->own.dropped;
     found->covered = (uint8_t)fit->quality.positions;
-    found->gap_deg = degrees_of(invcal_cells_gap(&fit->tables, &worst));
+    found->gap_deg = degrees_of(invcali_cells_gap(&fit->tables, &worst));
     found->disturbance = m->own.dropped > 0 ? INVCAL_PASSING : INVCAL_UNDISTURBED;
     if (found->rms > PLACES_RMS && found->alike > PLACES_ALIKE) {
         found->disturbance = INVCAL_PLACES;
     }
     if (m->own.has_step || m->own.dropped > m->own.samples / 4 ||
-        invcal_cells_step(fit, m->own.before > 0 ? m->own.before : power)) {
+        invcali_cells_step(fit, m->own.before > 0 ? m->own.before : power)) {
         found->disturbance = INVCAL_STEP;
     }
 }
@@ -392,7 +394,7 @@ static uint16_t parameters_along(unsigned cell)
     unsigned axes = 0;
     unsigned sum = 0;
 
-    invcal_cell_direction(cell, along);
+    invcali_cell_direction(cell, along);
     for (unsigned i = 0; i < 3; i++) {
         if (INVCAL_FABS(along[i]) > 0) {
             bits |= 1u << (INVCAL_DELTA_X + i) | 1u << (INVCAL_DK_X + i);
@@ -404,20 +406,20 @@ static uint16_t parameters_along(unsigned cell)
 }
 
 static void judge_motion(const invcal_magnetometer *m, const invcal_magnetometer_found *found,
-                         const invcal_cell_tables *tables, invcal_quality *quality)
+                         const invcali_cell_tables *tables, invcal_quality *quality)
 {
     unsigned worst;
 
     if (m->own.blocked < POWER_SAMPLES) { /* their correlation is not known yet */
-        invcal_raise(quality, INVCAL_NO_REDUNDANCY);
+        invcali_raise(quality, INVCAL_NO_REDUNDANCY);
     }
     if (found->gap_deg > 45) {
-        (void)invcal_cells_gap(tables, &worst);
+        (void)invcali_cells_gap(tables, &worst);
         quality->weak |= parameters_along(worst);
-        invcal_raise(quality, INVCAL_WEAK);
+        invcali_raise(quality, INVCAL_WEAK);
     }
     if (found->disturbance > INVCAL_PASSING || found->dropped > found->samples / 8) {
-        invcal_raise(quality, INVCAL_ROUGH);
+        invcali_raise(quality, INVCAL_ROUGH);
     }
 }
 
@@ -427,25 +429,25 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
 {
     const invcal_magnetometer *const m = magnetometer;
     invcal_magnetometer_found f;
-    invcal_cell_fit fit;
+    invcali_cell_fit fit;
 
     INVCAL_ASSERT(m && out && quality);
     if (m->own.due == 0) {
         return INVCAL_NOT_BEGUN;
     }
     fit.tables = both_tables(m);
-    invcal_status status = invcal_cells_calibrate(&fit);
+    invcal_status status = invcali_cells_calibrate(&fit);
     if (status != INVCAL_OK) {
         return status;
     }
     fill_found(m, &fit, &f);
-    invcal_cells_weigh(&fit, power_of(m));
+    invcali_cells_weigh(&fit, power_of(m));
     /* of delta, which is in units of the cells so far */
     for (unsigned i = 0; i < 3; i++) {
-        fit.quality.sigma[i] /= invcal_cells_field(&fit);
+        fit.quality.sigma[i] /= invcali_cells_field(&fit);
     }
     judge_motion(m, &f, &fit.tables, &fit.quality);
-    status = invcal_compose(&m->own_work, &fit.triad);
+    status = invcali_compose(&m->own_work, &fit.triad);
     if (status == INVCAL_OK) {
         *out = fit.triad;
         *quality = fit.quality;
@@ -458,9 +460,9 @@ invcal_status invcal_magnetometer_solve(const invcal_magnetometer *magnetometer,
 
 /* The calibration of raw counts, after the inverse of work, calibrates the coordinates of the
  * cells. */
-unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
-                                  const invcal_calibration *calibration, unsigned k,
-                                  invcal_real raw[3])
+unsigned invcali_magnetometer_cell(const invcal_magnetometer *magnetometer,
+                                   const invcal_calibration *calibration, unsigned k,
+                                   invcal_real raw[3])
 {
     invcal_real inverse[3][3];
     invcal_calibration triad;
@@ -468,18 +470,18 @@ unsigned invcal_magnetometer_cell(const invcal_magnetometer *magnetometer,
 
     INVCAL_ASSERT(magnetometer && calibration && k < INVCAL_CELLS && raw);
     const invcal_calibration *const work = &magnetometer->own_work;
-    const invcal_cell_tables tables = both_tables(magnetometer);
-    invcal_inverse3(work->matrix, inverse);
-    invcal_correct(work, calibration->offset, triad.offset);
+    const invcali_cell_tables tables = both_tables(magnetometer);
+    invcali_inverse3(work->matrix, inverse);
+    invcali_correct(work, calibration->offset, triad.offset);
     for (unsigned i = 0; i < 3; i++) {
         const invcal_real *const a = calibration->matrix[i];
         for (unsigned j = 0; j < 3; j++) {
             triad.matrix[i][j] = a[0] * inverse[0][j] + a[1] * inverse[1][j] + a[2] * inverse[2][j];
         }
     }
-    const unsigned count = invcal_cells_point(&tables, &triad, k, point);
+    const unsigned count = invcali_cells_point(&tables, &triad, k, point);
     for (unsigned i = 0; i < 3 && count > 0; i++) {
-        raw[i] = work->offset[i] + invcal_dot3(inverse[i], point);
+        raw[i] = work->offset[i] + invcali_dot3(inverse[i], point);
     }
     return count;
 }
@@ -493,5 +495,5 @@ const char *invcal_disturbance_text(invcal_disturbance disturbance)
         "readings changed at some time, as if something magnetic had moved: begin again\0"
         "unknown disturbance";
 
-    return invcal_text(texts, disturbance, INVCAL_STEP + 1u);
+    return invcali_text(texts, disturbance, INVCAL_STEP + 1u);
 }

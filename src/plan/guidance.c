@@ -19,7 +19,7 @@
 #define CLEARLY INVCAL_REAL(1.001)  /* if directions differ by less, the first wins */
 #define NO_LENGTH INVCAL_REAL(1e-6) /* a square, so that 0 has a length too */
 
-INVCAL_NOINLINE void invcal_direction(unsigned n, invcal_real up[3])
+INVCAL_NOINLINE void invcali_direction(unsigned n, invcal_real up[3])
 {
     n += n >= INVCAL_DIRECTIONS / 2; /* not the centre */
     //@ split n;
@@ -29,7 +29,7 @@ INVCAL_NOINLINE void invcal_direction(unsigned n, invcal_real up[3])
         up[i] = (invcal_real)(1 - (int)(n - 3 * third));
         n = third;
     }
-    const invcal_real length = INVCAL_SQRT(invcal_dot3(up, up));
+    const invcal_real length = INVCAL_SQRT(invcali_dot3(up, up));
     INVCAL_ROLL
     for (unsigned i = 0; i < 3; i++) {
         up[i] /= length;
@@ -38,88 +38,88 @@ INVCAL_NOINLINE void invcal_direction(unsigned n, invcal_real up[3])
 
 /* ---- information ----------------------------------------------------------------------------- */
 
-INVCAL_NOINLINE invcal_real invcal_ridged_inverse(invcal_sums *sums)
+INVCAL_NOINLINE invcal_real invcali_ridged_inverse(invcal_sums *sums)
 {
     invcal_real *const a = sums->sum;
     invcal_real *diagonal = a;
 
     /* 10: at first the trace is 0 */
-    const invcal_real ridge = RIDGE * (10 + invcal_trace(a, INVCAL_PARAMETERS));
+    const invcal_real ridge = RIDGE * (10 + invcali_trace(a, INVCAL_PARAMETERS));
     INVCAL_ROLL
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         *diagonal += ridge;
         diagonal += r + 2;
     }
     /* a sum of squares and a ridge is positive definite */
-    (void)invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS, INVCAL_EPSILON);
-    invcal_invert(a, INVCAL_PARAMETERS);
+    (void)invcali_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS, INVCAL_EPSILON);
+    invcali_invert(a, INVCAL_PARAMETERS);
     return ridge;
 }
 
 /* The direction with the most information; of equals the closest to the current one, but not the
  * same again. */
-void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
+void invcali_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
 {
-    const invcal_real length = INVCAL_SQRT(invcal_dot3(current, current) + NO_LENGTH);
+    const invcal_real length = INVCAL_SQRT(invcali_dot3(current, current) + NO_LENGTH);
     invcal_real h[INVCAL_PARAMETERS];
     invcal_real most = 0;
     unsigned next = 0;
 
-    (void)invcal_ridged_inverse(sums);
+    (void)invcali_ridged_inverse(sums);
     for (unsigned n = 0; n < INVCAL_DIRECTIONS; n++) {
-        invcal_direction(n, h);
-        const invcal_real along = invcal_dot3(h, current);
-        invcal_row_of(h);
-        const invcal_real merit = invcal_leverage(sums->sum, h) * (ACROSS * length + along);
+        invcali_direction(n, h);
+        const invcal_real along = invcali_dot3(h, current);
+        invcali_row_of(h);
+        const invcal_real merit = invcali_leverage(sums->sum, h) * (ACROSS * length + along);
         if (along <= THE_SAME * length && !(merit <= most)) { /* any, if all are NaN */
             most = CLEARLY * merit;
             next = n;
         }
     }
-    invcal_direction(next, up);
+    invcali_direction(next, up);
 }
 
-void invcal_sum_readings(const invcal_positions *positions, invcal_sums *sums, invcal_real last[3])
+void invcali_sum_readings(const invcal_positions *positions, invcal_sums *sums, invcal_real last[3])
 {
-    invcal_row row;
+    invcali_row row;
 
     invcal_sums_init(sums);
-    invcal_zero(last, 3 * sizeof *last);
+    invcali_zero(last, 3 * sizeof *last);
     for (unsigned i = 0; i < positions->count; i++) {
-        if (invcal_observe(positions->nominal, positions->mean[i].v, &row) == INVCAL_OK) {
-            invcal_sums_add_row(sums, &row, 1);
+        if (invcali_observe(positions->nominal, positions->mean[i].v, &row) == INVCAL_OK) {
+            invcali_sums_add_row(sums, &row, 1);
             memcpy(last, row.h, 3 * sizeof *last);
         }
     }
 }
 
-void invcal_next(const invcal_positions *positions, invcal_real up[3])
+void invcali_next(const invcal_positions *positions, invcal_real up[3])
 {
     invcal_sums sums;
     invcal_real last[3];
 
     INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && up);
-    invcal_sum_readings(positions, &sums, last);
-    invcal_next_of_sums(&sums, last, up);
+    invcali_sum_readings(positions, &sums, last);
+    invcali_next_of_sums(&sums, last, up);
 }
 
 /* J of a direction only planned is 0: it does not enter K. */
-void invcal_prospect(const invcal_positions *positions, const invcal_real *up,
-                     invcal_real root[INVCAL_PARAMETERS])
+void invcali_prospect(const invcal_positions *positions, const invcal_real *up,
+                      invcal_real root[INVCAL_PARAMETERS])
 {
     invcal_sums sums;
-    invcal_row row;
+    invcali_row row;
 
     INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions) && root);
-    invcal_sum_readings(positions, &sums, row.h);
+    invcali_sum_readings(positions, &sums, row.h);
     if (up != NULL) {
         memcpy(row.h, up, 3 * sizeof *up);
-        invcal_row_of(row.h);
+        invcali_row_of(row.h);
         row.h[INVCAL_J] = 0;
-        invcal_sums_add_row(&sums, &row, 1);
+        invcali_sums_add_row(&sums, &row, 1);
     }
-    (void)invcal_ridged_inverse(&sums);
+    (void)invcali_ridged_inverse(&sums);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        root[r] = INVCAL_SQRT(invcal_variance(sums.sum, INVCAL_PARAMETERS, r));
+        root[r] = INVCAL_SQRT(invcali_variance(sums.sum, INVCAL_PARAMETERS, r));
     }
 }

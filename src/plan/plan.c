@@ -22,7 +22,7 @@ static invcal_status check_per_group(unsigned per_group)
     return per_group <= INVCAL_PLAN_PER_GROUP_MAX ? INVCAL_OK : INVCAL_BAD_COUNT;
 }
 
-invcal_status invcal_plan_check(const invcal_plan *plan)
+invcal_status invcali_plan_check(const invcal_plan *plan)
 {
     INVCAL_ASSERT(plan);
     for (unsigned g = 0; g < INVCAL_PLAN_GROUPS; g++) {
@@ -60,7 +60,7 @@ invcal_status invcal_plan_get(const invcal_plan *plan, unsigned i, invcal_plan_p
     invcal_real s;
 
     INVCAL_ASSERT(plan && out);
-    const invcal_status status = invcal_plan_check(plan);
+    const invcal_status status = invcali_plan_check(plan);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -75,7 +75,7 @@ invcal_status invcal_plan_get(const invcal_plan *plan, unsigned i, invcal_plan_p
     out->index = k + 1;
     out->alpha_deg = g == 1 ? -TURN / 4 : turned; /* Table 1 */
     out->beta_deg = g == 0 ? 0 : g == 1 ? turned : TURN / 4;
-    invcal_circle(turned, &c, &s);
+    invcali_circle(turned, &c, &s);
     const invcal_real eta[INVCAL_PLAN_GROUPS][3] = {{0, c, s}, {-s, 0, -c}, {s, c, 0}};
     memcpy(out->up, eta[g], sizeof out->up);
     return INVCAL_OK;
@@ -99,7 +99,7 @@ invcal_status invcal_plan_init(invcal_plan *plan, unsigned per_group)
     return status;
 }
 
-uint8_t invcal_axis_up(const invcal_real up[3])
+uint8_t invcali_axis_up(const invcal_real up[3])
 {
     INVCAL_ASSERT(up);
     for (unsigned i = 0; i < 3; i++) {

@@ -6,13 +6,14 @@
 #define INVCAL_PLAN_AXES_H
 
 #include "invcal/plan.h"
+#include "../core/names.h"
 
 #define INVCAL_PLAN_GROUPS 3u        /* of a program */
 #define INVCAL_PLAN_PER_GROUP_MIN 5u /* positions in a group: one per coefficient of its series */
 #define INVCAL_PLAN_PER_GROUP_MAX 1000u /* max positions in a group */
 
 /* Is the plan usable? Returns as invcal_plan_get. */
-invcal_status invcal_plan_check(const invcal_plan *plan);
+invcal_status invcali_plan_check(const invcal_plan *plan);
 
 /* The six directions of the axes as bits: 1 << INVCAL_AXIS_PLUS_X and so on. */
 enum {
@@ -30,6 +31,6 @@ enum {
  * all six count, even if N is odd.
  *
  * up  a unit vector; any other, or a NaN, does no harm. */
-uint8_t invcal_axis_up(const invcal_real up[3]);
+uint8_t invcali_axis_up(const invcal_real up[3]);
 
 #endif

@@ -11,13 +11,13 @@
 
 unsigned invcal_bad_reading(const invcal_positions *positions)
 {
-    invcal_row row;
+    invcali_row row;
     unsigned i = 0;
 
     INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions));
     /* at most count steps */
     while (i < positions->count &&
-           invcal_observe(positions->nominal, positions->mean[i].v, &row) == INVCAL_OK) {
+           invcali_observe(positions->nominal, positions->mean[i].v, &row) == INVCAL_OK) {
         i++;
     }
     return i;
@@ -32,10 +32,10 @@ uint16_t invcal_undetermined(const invcal_positions *positions)
     unsigned open = 0;
 
     INVCAL_ASSERT(INVCAL_ARE_GIVEN(positions));
-    invcal_sum_readings(positions, &sums, last);
-    const invcal_real ridge = invcal_ridged_inverse(&sums);
+    invcali_sum_readings(positions, &sums, last);
+    const invcal_real ridge = invcali_ridged_inverse(&sums);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        const invcal_real k = invcal_variance(sums.sum, INVCAL_PARAMETERS, r);
+        const invcal_real k = invcali_variance(sums.sum, INVCAL_PARAMETERS, r);
         open |= (ridge * k <= RIDGED ? 0u : 1u) << r;
     }
     return (uint16_t)open;

@@ -25,7 +25,7 @@ invcal_status invcal_background_init(invcal_background *background, size_t size,
     const invcal_status status =
         invcal_session_init_nominal(&background->session, of_session, nominal, rate);
     if (status == INVCAL_OK) {
-        invcal_zero(background->age, sizeof background->age);
+        invcali_zero(background->age, sizeof background->age);
     }
     return status;
 }
@@ -51,14 +51,14 @@ INVCAL_NOINLINE static invcal_event sift(invcal_background *b)
     invcal_real leverage = 0;
     unsigned which = 0;
     invcal_sums sums;
-    invcal_row row;
+    invcali_row row;
 
     const invcal_positions kept = {session->mean, session->count, &session->nominal, 0, NULL};
-    invcal_sum_readings(&kept, &sums, row.h);
-    (void)invcal_ridged_inverse(&sums);
+    invcali_sum_readings(&kept, &sums, row.h);
+    (void)invcali_ridged_inverse(&sums);
     for (unsigned i = 0; i < b->session.count; i++) {
-        (void)invcal_observe(&session->nominal, session->mean[i].v, &row); /* it was accepted */
-        leverage = invcal_leverage(sums.sum, row.h); /* finally that of the newest */
+        (void)invcali_observe(&session->nominal, session->mean[i].v, &row); /* it was accepted */
+        leverage = invcali_leverage(sums.sum, row.h); /* finally that of the newest */
         const invcal_real worth = (invcal_real)(DAYS - b->age[i]) * leverage;
         if (worth < least) {
             least = worth;

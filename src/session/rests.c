@@ -610,7 +610,7 @@ static INVCAL_ONCE void look_for(invcal_private_rests *s)
 {
     INVCAL_ROLL
     for (unsigned a = 0; a < 3; a++) {
-        invcal_zero(&s->axis[a].rest, sizeof s->axis[a].rest);
+        invcali_zero(&s->axis[a].rest, sizeof s->axis[a].rest);
     }
     s->variance = 0;
     s->flags = 0;
@@ -697,14 +697,14 @@ static invcal_real as_real(uint64_t x)
 
 /* ---- public functions ------------------------------------------------------------------------ */
 
-invcal_status invcal_rests_init(invcal_private_rests *rests, invcal_real rate)
+invcal_status invcali_rests_init(invcal_private_rests *rests, invcal_real rate)
 {
     INVCAL_ASSERT(rests);
     if (!(rate >= INVCAL_RATE_MIN && rate <= INVCAL_RATE_MAX)) {
         return INVCAL_BAD_RATE;
     }
     const uint32_t whole = (uint32_t)rate;
-    invcal_zero(rests, sizeof *rests);
+    invcali_zero(rests, sizeof *rests);
     rests->bits = BITS_MIN;
     while (11u << rests->bits < whole) { /* at most 8 steps: a block is 1/11 to 2/11 s */
         rests->bits++;
@@ -715,10 +715,10 @@ invcal_status invcal_rests_init(invcal_private_rests *rests, invcal_real rate)
     rests->least = (uint8_t)(least > LEAST ? least : LEAST);
     rests->dwell = rests->least;
     clear_rest(rests);
-    return invcal_rests_rails(rests, INT32_MIN, INT32_MAX);
+    return invcali_rests_rails(rests, INT32_MIN, INT32_MAX);
 }
 
-invcal_status invcal_rests_rails(invcal_private_rests *rests, int32_t low, int32_t high)
+invcal_status invcali_rests_rails(invcal_private_rests *rests, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(rests);
     if (low >= high) {
@@ -729,7 +729,7 @@ invcal_status invcal_rests_rails(invcal_private_rests *rests, int32_t low, int32
     return INVCAL_OK;
 }
 
-void invcal_rests_hold(invcal_private_rests *rests, uint32_t milliseconds)
+void invcali_rests_hold(invcal_private_rests *rests, uint32_t milliseconds)
 {
     INVCAL_ASSERT(rests);
     const uint32_t time = smaller(milliseconds / 8 + 1, HOUR);
@@ -740,7 +740,7 @@ void invcal_rests_hold(invcal_private_rests *rests, uint32_t milliseconds)
     }
 }
 
-invcal_event invcal_rests_feed(invcal_private_rests *rests, const int32_t raw[3])
+invcal_event invcali_rests_feed(invcal_private_rests *rests, const int32_t raw[3])
 {
     INVCAL_ASSERT(rests && raw);
 #if INVCAL_FAST
@@ -754,21 +754,21 @@ invcal_event invcal_rests_feed(invcal_private_rests *rests, const int32_t raw[3]
     return rests->missing > 0 ? INVCAL_NOTHING : decide(rests);
 }
 
-void invcal_rests_gap(invcal_private_rests *rests)
+void invcali_rests_gap(invcal_private_rests *rests)
 {
     INVCAL_ASSERT(rests);
     drop(rests);
     rests->flags |= LOST;
 }
 
-invcal_event invcal_rests_finish(invcal_private_rests *rests)
+invcal_event invcali_rests_finish(invcal_private_rests *rests)
 {
     INVCAL_ASSERT(rests);
     drop(rests);
     return rests->stage == LEFT ? INVCAL_MOVING : finish(rests);
 }
 
-unsigned invcal_rests_progress(const invcal_private_rests *rests)
+unsigned invcali_rests_progress(const invcal_private_rests *rests)
 {
     INVCAL_ASSERT(rests);
     if (rests->blocks == 0 || rests->stage == LEFT) {
@@ -781,13 +781,13 @@ unsigned invcal_rests_progress(const invcal_private_rests *rests)
     return (unsigned)smaller(percent, 99);
 }
 
-invcal_status invcal_rests_reason(const invcal_private_rests *rests)
+invcal_status invcali_rests_reason(const invcal_private_rests *rests)
 {
     INVCAL_ASSERT(rests);
     return (invcal_status)rests->reason;
 }
 
-int invcal_rests_get(const invcal_private_rests *rests, invcal_rest *out)
+int invcali_rests_get(const invcal_private_rests *rests, invcali_rest *out)
 {
     INVCAL_ASSERT(rests && out);
     if (!is_readable(rests)) {
@@ -806,7 +806,7 @@ int invcal_rests_get(const invcal_private_rests *rests, invcal_rest *out)
 }
 
 /* In two parts, as in as_real: a total has less than 48 bits and a sign. */
-int invcal_rests_mean(const invcal_private_rests *rests, invcal_real mean[3])
+int invcali_rests_mean(const invcal_private_rests *rests, invcal_real mean[3])
 {
     INVCAL_ASSERT(rests && mean);
     if (!is_readable(rests)) {

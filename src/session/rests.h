@@ -33,6 +33,7 @@
 #define INVCAL_RESTS_H
 
 #include "invcal/invcal.h"
+#include "../core/names.h"
 
 #define INVCAL_RATE_MIN 8    /* samples per second */
 #define INVCAL_RATE_MAX 8000 /* the same */
@@ -45,59 +46,59 @@ typedef struct {
                              end - begin are summed if the rest was disturbed in between. Samples
                              in full blocks count, from 0, modulo 2^32 */
     invcal_real variance; /* of one sample about its block, counts^2, the mean of the three axes */
-} invcal_rest;
+} invcali_rest;
 
 /* Begins a stream.
  *
  * rate  samples per second, INVCAL_RATE_MIN ... INVCAL_RATE_MAX; an error of 10 % does no harm.
  *
  * Returns INVCAL_OK; INVCAL_BAD_RATE for any other. */
-invcal_status invcal_rests_init(invcal_private_rests *rests, invcal_real rate);
+invcal_status invcali_rests_init(invcal_private_rests *rests, invcal_real rate);
 
 /* Sets the counts at which the sensor clips (-32768, 32767), from now on. Without it only the
  * ends of int32 count as clipped.
  *
  * Returns INVCAL_OK; INVCAL_BAD_LIMITS unless low < high. */
-invcal_status invcal_rests_rails(invcal_private_rests *rests, int32_t low, int32_t high);
+invcal_status invcali_rests_rails(invcal_private_rests *rests, int32_t low, int32_t high);
 
 /* Sets how long a rest must be measured from now on, trimmed ends not included; a shorter one is
  * refused. If the current rest is READY but shorter, it is no longer READY; READY is returned again
  * later.
  *
  * milliseconds  clamped to 600 (the minimum for a position) ... 3,600,000. */
-void invcal_rests_hold(invcal_private_rests *rests, uint32_t milliseconds);
+void invcali_rests_hold(invcal_private_rests *rests, uint32_t milliseconds);
 
 /* Feeds one sample, of any value.
  *
  * Returns what happened. INVCAL_TAKEN comes 0.6 to 1 s after motion began. Costs as much as
  * invcal_session_feed. */
-invcal_event invcal_rests_feed(invcal_private_rests *rests, const int32_t raw[3]);
+invcal_event invcali_rests_feed(invcal_private_rests *rests, const int32_t raw[3]);
 
 /* Call it where samples were lost: a new block begins. The rest goes on if the next samples agree
  * with it; otherwise it ends as if by motion. */
-void invcal_rests_gap(invcal_private_rests *rests);
+void invcali_rests_gap(invcal_private_rests *rests);
 
 /* Ends the stream: closes the current rest, if any, as motion would.
  *
  * Returns INVCAL_TAKEN, INVCAL_REFUSED, or INVCAL_MOVING if there is none. Samples may follow; what
  * was learned is kept. */
-invcal_event invcal_rests_finish(invcal_private_rests *rests);
+invcal_event invcali_rests_finish(invcal_private_rests *rests);
 
 /* Progress of the current position, percent of the time to hold: 0 in motion, 100 from READY on. It
  * does not fall during a rest, unless the rest is refused for drift and restarts, or the time to
  * hold is raised. */
-unsigned invcal_rests_progress(const invcal_private_rests *rests);
+unsigned invcali_rests_progress(const invcal_private_rests *rests);
 
 /* Why the last rest was REFUSED: an INVCAL_REST_ of invcal_status. INVCAL_OK after READY or TAKEN,
  * and before the first. */
-invcal_status invcal_rests_reason(const invcal_private_rests *rests);
+invcal_status invcali_rests_reason(const invcal_private_rests *rests);
 
 /* The rest that is READY, as measured so far without the newest quarter of a second; or the one
  * just TAKEN, until the next sample. Returns 1; 0, out untouched, if there is neither. */
-int invcal_rests_get(const invcal_private_rests *rests, invcal_rest *out);
+int invcali_rests_get(const invcal_private_rests *rests, invcali_rest *out);
 
 /* Only the mean of its samples: computed from differences, so the size of the sum costs no
- * precision. Within 1 ulp of the largest reading; returns as invcal_rests_get. */
-int invcal_rests_mean(const invcal_private_rests *rests, invcal_real mean[3]);
+ * precision. Within 1 ulp of the largest reading; returns as invcali_rests_get. */
+int invcali_rests_mean(const invcal_private_rests *rests, invcal_real mean[3]);
 
 #endif

@@ -32,16 +32,16 @@ invcal_status invcal_session_init_nominal(invcal_session *session, size_t size,
 {
     INVCAL_ASSERT(session && nominal);
     invcal_status status =
-        size == sizeof *session ? invcal_nominal_check(nominal) : INVCAL_OTHER_BUILD;
+        size == sizeof *session ? invcali_nominal_check(nominal) : INVCAL_OTHER_BUILD;
     if (status == INVCAL_OK) {
-        status = invcal_rests_init(&session->rests, rate);
+        status = invcali_rests_init(&session->rests, rate);
     }
-    invcal_zero(session, offsetof(invcal_session, rate));
+    invcali_zero(session, offsetof(invcal_session, rate));
     session->reason = (uint8_t)status;
     if (status == INVCAL_OK) {
         session->layout = INVCAL_SESSION_LAYOUT;
         session->rate = rate;
-        invcal_copy(&session->nominal, nominal, sizeof *nominal);
+        invcali_copy(&session->nominal, nominal, sizeof *nominal);
         session->noise = 0;
     }
     return status;
@@ -53,7 +53,7 @@ invcal_status invcal_session_init(invcal_session *session, size_t size, invcal_r
     const invcal_real k = 1 / counts;
     invcal_calibration nominal;
 
-    invcal_zero(&nominal, sizeof nominal);
+    invcali_zero(&nominal, sizeof nominal);
     nominal.matrix[0][0] = k;
     nominal.matrix[1][1] = k;
     nominal.matrix[2][2] = k;
@@ -64,14 +64,14 @@ invcal_status invcal_session_init(invcal_session *session, size_t size, invcal_r
 invcal_status invcal_session_set_limits(invcal_session *session, int32_t low, int32_t high)
 {
     INVCAL_ASSERT(session);
-    return invcal_session_is_begun(session) ? invcal_rests_rails(&session->rests, low, high)
-                                            : INVCAL_NOT_BEGUN;
+    return invcali_session_is_begun(session) ? invcali_rests_rails(&session->rests, low, high)
+                                             : INVCAL_NOT_BEGUN;
 }
 
 invcal_status invcal_session_set_noise(invcal_session *session, invcal_real noise)
 {
     INVCAL_ASSERT(session);
-    if (!invcal_session_is_begun(session)) {
+    if (!invcali_session_is_begun(session)) {
         return INVCAL_NOT_BEGUN;
     }
     if (!(noise > 0 && noise < 1)) {
@@ -85,7 +85,7 @@ invcal_status invcal_session_set_noise(invcal_session *session, invcal_real nois
 invcal_status invcal_session_set_hold(invcal_session *session, invcal_real seconds)
 {
     INVCAL_ASSERT(session);
-    if (!invcal_session_is_begun(session)) {
+    if (!invcali_session_is_begun(session)) {
         return INVCAL_NOT_BEGUN;
     }
     if (!(seconds <= LONGEST_HOLD)) {
@@ -93,7 +93,7 @@ invcal_status invcal_session_set_hold(invcal_session *session, invcal_real secon
     }
     const invcal_real positive = seconds > 0 ? seconds : 0;
     //@ assert \is_finite(positive); // no NaN is at most an hour
-    invcal_rests_hold(&session->rests, (uint32_t)(1000 * positive + INVCAL_REAL(0.5)));
+    invcali_rests_hold(&session->rests, (uint32_t)(1000 * positive + INVCAL_REAL(0.5)));
     return INVCAL_OK;
 }
 
@@ -106,8 +106,8 @@ uint32_t invcal_session_size(const invcal_session *session)
 }
 
 /* What must be the same is in a row: layout, rate, nominal. */
-invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
-                                  invcal_status status, uint32_t size)
+invcal_status invcali_session_take(invcal_session *session, const uint8_t *begun,
+                                   invcal_status status, uint32_t size)
 {
     const unsigned same = (unsigned)offsetof(invcal_session, layout);
     const unsigned end = (unsigned)offsetof(invcal_session, noise);
@@ -115,7 +115,7 @@ invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
     uint8_t count = 0;
 
     if (status == INVCAL_OK) {
-        if (!invcal_is_same(&loaded[same], &begun[same], end - same)) {
+        if (!invcali_is_same(&loaded[same], &begun[same], end - same)) {
             status = INVCAL_OTHER_SETTINGS;
         } else if (session->count > INVCAL_MAX_POSITIONS || size != invcal_session_size(session)) {
             status = INVCAL_DAMAGED;
@@ -123,7 +123,7 @@ invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
             count = session->count;
         }
     }
-    invcal_copy(session, begun, HEAD);
+    invcali_copy(session, begun, HEAD);
     session->count = count;
     session->good = NOT_ASKED;
     return status;
@@ -135,25 +135,25 @@ invcal_status invcal_session_resume(invcal_session *session, const uint8_t *byte
     uint8_t begun[HEAD];
 
     INVCAL_ASSERT(session && bytes);
-    if (!invcal_session_is_begun(session)) {
+    if (!invcali_session_is_begun(session)) {
         return INVCAL_NOT_BEGUN;
     }
     if (size > INVCAL_SESSION_SIZE) {
         status = INVCAL_NO_SPACE;
         size = 0;
     }
-    invcal_copy(begun, session, HEAD);
-    invcal_copy(session, bytes, (size_t)size);
-    return invcal_session_take(session, begun, status, size);
+    invcali_copy(begun, session, HEAD);
+    invcali_copy(session, bytes, (size_t)size);
+    return invcali_session_take(session, begun, status, size);
 }
 
 /* ---- samples --------------------------------------------------------------------------------- */
 
 /* The reading of the rest that is READY or was just TAKEN. */
-INVCAL_NOINLINE static invcal_status read_rest(const invcal_session *session, invcal_row *row)
+INVCAL_NOINLINE static invcal_status read_rest(const invcal_session *session, invcali_row *row)
 {
-    return invcal_session_is_begun(session) && invcal_rests_mean(&session->rests, row->h)
-               ? invcal_observe(&session->nominal, row->h, row)
+    return invcali_session_is_begun(session) && invcali_rests_mean(&session->rests, row->h)
+               ? invcali_observe(&session->nominal, row->h, row)
                : INVCAL_TOO_FEW;
 }
 
@@ -165,10 +165,10 @@ static INVCAL_ONCE void keep(invcal_session *session)
     if (count == INVCAL_MAX_POSITIONS) {
         count--;
         for (unsigned i = 0; i < count; i++) {
-            invcal_copy(&session->mean[i], &session->mean[i + 1], sizeof session->mean[0]);
+            invcali_copy(&session->mean[i], &session->mean[i + 1], sizeof session->mean[0]);
         }
     }
-    (void)invcal_rests_mean(&session->rests, session->mean[count].v); /* TAKEN: there is one */
+    (void)invcali_rests_mean(&session->rests, session->mean[count].v); /* TAKEN: there is one */
     session->count = (uint8_t)(count + 1u);
     session->good = NOT_ASKED;
 }
@@ -178,10 +178,10 @@ INVCAL_NOINLINE static invcal_event digest(invcal_session *session, invcal_event
 {
     session->last = (uint8_t)event;
     if (event == INVCAL_REFUSED) {
-        session->reason = (uint8_t)invcal_rests_reason(&session->rests);
+        session->reason = (uint8_t)invcali_rests_reason(&session->rests);
     }
     if (event == INVCAL_READY || event == INVCAL_TAKEN) {
-        invcal_row row;
+        invcali_row row;
         const invcal_status status = read_rest(session, &row);
         if (status != INVCAL_OK) {
             session->last = INVCAL_REFUSED;
@@ -207,26 +207,27 @@ invcal_event invcal_session_feed(invcal_session *session, int32_t x, int32_t y, 
     const int32_t raw[3] = {x, y, z};
 
     INVCAL_ASSERT(session);
-    if (!invcal_session_is_begun(session)) {
+    if (!invcali_session_is_begun(session)) {
         return refuse_all(session);
     }
-    const invcal_event event = invcal_rests_feed(&session->rests, raw);
+    const invcal_event event = invcali_rests_feed(&session->rests, raw);
     return event == INVCAL_NOTHING ? event : digest(session, event);
 }
 
 void invcal_session_gap(invcal_session *session)
 {
     INVCAL_ASSERT(session);
-    if (invcal_session_is_begun(session)) {
-        invcal_rests_gap(&session->rests);
+    if (invcali_session_is_begun(session)) {
+        invcali_rests_gap(&session->rests);
     }
 }
 
 invcal_event invcal_session_end(invcal_session *session)
 {
     INVCAL_ASSERT(session);
-    return invcal_session_is_begun(session) ? digest(session, invcal_rests_finish(&session->rests))
-                                            : refuse_all(session);
+    return invcali_session_is_begun(session)
+               ? digest(session, invcali_rests_finish(&session->rests))
+               : refuse_all(session);
 }
 
 static INVCAL_ONCE invcal_positions positions_of(const invcal_session *session)
@@ -242,7 +243,7 @@ static INVCAL_ONCE invcal_positions positions_of(const invcal_session *session)
 unsigned invcal_session_progress(const invcal_session *session)
 {
     INVCAL_ASSERT(session);
-    return invcal_session_is_begun(session) ? invcal_rests_progress(&session->rests) : 0;
+    return invcali_session_is_begun(session) ? invcali_rests_progress(&session->rests) : 0;
 }
 
 invcal_status invcal_session_reason(const invcal_session *session)
@@ -253,34 +254,34 @@ invcal_status invcal_session_reason(const invcal_session *session)
 
 const char *invcal_session_reason_text(const invcal_session *session)
 {
-    return invcal_refusal_text(invcal_session_reason(session));
+    return invcali_refusal_text(invcal_session_reason(session));
 }
 
 /* Reads the last position. Returns 0 if there is none. */
-INVCAL_NOINLINE static int read_last(const invcal_session *session, invcal_row *row)
+INVCAL_NOINLINE static int read_last(const invcal_session *session, invcali_row *row)
 {
     if (session->count == 0) {
         return 0;
     }
-    (void)invcal_observe(&session->nominal, session->mean[session->count - 1].v,
-                         row); /* accepted */
+    (void)invcali_observe(&session->nominal, session->mean[session->count - 1].v,
+                          row); /* accepted */
     return 1;
 }
 
 void invcal_session_next(const invcal_session *session, invcal_real up[3])
 {
     invcal_sums sums;
-    invcal_row row;
+    invcali_row row;
 
     INVCAL_ASSERT(session && up);
-    const invcal_selection taken = {positions_of(session), 0};
-    (void)invcal_positions_sum(&taken, &sums); /* accepted */
+    const invcali_selection taken = {positions_of(session), 0};
+    (void)invcali_positions_sum(&taken, &sums); /* accepted */
     if (session->last != INVCAL_TAKEN && read_rest(session, &row) == INVCAL_OK) {
-        invcal_sums_add_row(&sums, &row, 1);
+        invcali_sums_add_row(&sums, &row, 1);
     } else if (!read_last(session, &row)) {
-        invcal_zero(&row, sizeof row);
+        invcali_zero(&row, sizeof row);
     } /* cppcheck-suppress misra-c2012-15.7 ; the row is that of the last position */
-    invcal_next_of_sums(&sums, row.h, up);
+    invcali_next_of_sums(&sums, row.h, up);
 }
 
 const char *invcal_session_next_text(const invcal_session *session, char text[INVCAL_TEXT_SIZE])
@@ -293,14 +294,14 @@ const char *invcal_session_next_text(const invcal_session *session, char text[IN
 
 int invcal_session_is_at(const invcal_session *session, const invcal_real up[3])
 {
-    invcal_row row;
+    invcali_row row;
 
     INVCAL_ASSERT(session && up);
     int is_known = read_rest(session, &row) == INVCAL_OK;
     if (!is_known) {
         is_known = read_last(session, &row);
     }
-    return is_known && invcal_dot3(row.h, up) >= CLOSE * INVCAL_SQRT(invcal_dot3(row.h, row.h));
+    return is_known && invcali_dot3(row.h, up) >= CLOSE * INVCAL_SQRT(invcali_dot3(row.h, row.h));
 }
 
 /* ---- the result ------------------------------------------------------------------------------ */
@@ -311,8 +312,8 @@ invcal_status invcal_session_solve(const invcal_session *session, invcal_calibra
     INVCAL_ASSERT(session && out && quality);
 #ifndef __AVR__
     if (session->good == GOOD) {
-        invcal_copy(out, &session->calibration, sizeof *out);
-        invcal_copy(quality, &session->quality, sizeof *quality);
+        invcali_copy(out, &session->calibration, sizeof *out);
+        invcali_copy(quality, &session->quality, sizeof *quality);
         return INVCAL_OK;
     }
 #endif

@@ -16,13 +16,13 @@
 #define INVCAL_SESSION_LAYOUT ((INVCAL_SESSION_HEAD + 1u) << 20)
 
 /* Like all before the means, at the same place in every build. */
-static inline int invcal_session_is_begun(const invcal_session *session)
+static inline int invcali_session_is_begun(const invcal_session *session)
 {
     return session->layout == INVCAL_SESSION_LAYOUT;
 }
 
 /* Are they the same bytes? */
-static INVCAL_ONCE int invcal_is_same(const uint8_t *a, const uint8_t *b, unsigned size)
+static INVCAL_ONCE int invcali_is_same(const uint8_t *a, const uint8_t *b, unsigned size)
 {
     for (unsigned i = 0; i < size; i++) {
         if (a[i] != b[i]) {
@@ -40,7 +40,7 @@ static INVCAL_ONCE int invcal_is_same(const uint8_t *a, const uint8_t *b, unsign
  * size    how many bytes were loaded.
  *
  * Returns status; INVCAL_OTHER_SETTINGS, INVCAL_DAMAGED. */
-invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
-                                  invcal_status status, uint32_t size);
+invcal_status invcali_session_take(invcal_session *session, const uint8_t *begun,
+                                   invcal_status status, uint32_t size);
 
 #endif

@@ -18,11 +18,11 @@ invcal_status invcal_session_load(invcal_session *session, const invcal_store *s
     uint32_t size = 0;
 
     INVCAL_ASSERT(session);
-    if (!invcal_session_is_begun(session)) {
+    if (!invcali_session_is_begun(session)) {
         return INVCAL_NOT_BEGUN;
     }
-    invcal_copy(begun, session, sizeof begun);
+    invcali_copy(begun, session, sizeof begun);
     const invcal_status status =
         invcal_store_load(store, (uint8_t *)session, INVCAL_SESSION_SIZE, &size);
-    return invcal_session_take(session, begun, status, size);
+    return invcali_session_take(session, begun, status, size);
 }

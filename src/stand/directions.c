@@ -23,22 +23,22 @@ void invcal_directions_init(invcal_directions *directions)
 static invcal_status add_along(invcal_directions *directions, const invcal_calibration *nominal,
                                const invcal_real mean[3], const invcal_real eta[3], int is_vertical)
 {
-    invcal_row row;
+    invcali_row row;
 
     INVCAL_ASSERT(directions && nominal && mean && eta);
-    const invcal_status status = invcal_observe(nominal, mean, &row);
+    const invcal_status status = invcali_observe(nominal, mean, &row);
     if (status != INVCAL_OK) {
         return status;
     }
-    if (!invcal_is_unit(eta)) {
+    if (!invcali_is_unit(eta)) {
         return INVCAL_BAD_DIRECTION;
     }
     if (is_vertical) {
-        row.h[INVCAL_J] = invcal_dot3(row.h, eta) - 1;
+        row.h[INVCAL_J] = invcali_dot3(row.h, eta) - 1;
     }
     memcpy(row.h, eta, 3 * sizeof *eta);
-    invcal_row_of(row.h);
-    invcal_sums_add_row(&directions->sums, &row, 1);
+    invcali_row_of(row.h);
+    invcali_sums_add_row(&directions->sums, &row, 1);
     return INVCAL_OK;
 }
 
@@ -49,9 +49,9 @@ invcal_status invcal_directions_add(invcal_directions *directions,
     return add_along(directions, nominal, mean, eta, 1);
 }
 
-invcal_status invcal_directions_add_scalar(invcal_directions *directions,
-                                           const invcal_calibration *nominal,
-                                           const invcal_real mean[3], const invcal_real eta[3])
+invcal_status invcali_directions_add_scalar(invcal_directions *directions,
+                                            const invcal_calibration *nominal,
+                                            const invcal_real mean[3], const invcal_real eta[3])
 {
     return add_along(directions, nominal, mean, eta, 0);
 }
@@ -68,17 +68,18 @@ invcal_status invcal_directions_solve(invcal_directions *directions,
     if (directions->sums.count < INVCAL_PARAMETERS) {
         return INVCAL_TOO_FEW;
     }
-    invcal_status status = invcal_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
+    invcal_status status =
+        invcali_factor(a, INVCAL_PARAMETERS, INVCAL_PARAMETERS + 1, INVCAL_FLOOR);
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_back_substitute(a, INVCAL_PARAMETERS);
+    invcali_back_substitute(a, INVCAL_PARAMETERS);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         p[r] = -p[r]; /* X = -p */
     }
-    status = invcal_triad(p, &c);
+    status = invcali_triad(p, &c);
     if (status == INVCAL_OK) {
-        status = invcal_compose(nominal, &c);
+        status = invcali_compose(nominal, &c);
     }
     if (status == INVCAL_OK) {
         *out = c;

@@ -23,7 +23,7 @@
 void invcal_frame_init(invcal_frame *frame)
 {
     INVCAL_ASSERT(frame);
-    invcal_zero(frame, sizeof *frame);
+    invcali_zero(frame, sizeof *frame);
 }
 
 invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *calibration,
@@ -32,15 +32,15 @@ invcal_status invcal_frame_add(invcal_frame *frame, const invcal_calibration *ca
     invcal_real a[3];
 
     INVCAL_ASSERT(frame && calibration && raw && up);
-    invcal_correct(calibration, raw, a);
-    const invcal_real length = INVCAL_SQRT(invcal_dot3(a, a));
-    if (!invcal_are_finite(a)) {
+    invcali_correct(calibration, raw, a);
+    const invcal_real length = INVCAL_SQRT(invcali_dot3(a, a));
+    if (!invcali_are_finite(a)) {
         return INVCAL_NOT_FINITE;
     }
     if (!(length >= INVCAL_REAL(0.5) && length <= 2)) {
         return INVCAL_OUT_OF_RANGE;
     }
-    if (!invcal_is_unit(up)) {
+    if (!invcali_is_unit(up)) {
         return INVCAL_BAD_DIRECTION;
     }
     for (unsigned i = 0; i < 3; i++) {
@@ -63,19 +63,19 @@ static void judge_frame(const invcal_frame *frame, const invcal_rotation *rotati
 
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
-            information[i][j] = -invcal_dot3(frame->own_sum[i], rotation->r[j]);
+            information[i][j] = -invcali_dot3(frame->own_sum[i], rotation->r[j]);
         }
         trace -= information[i][i];
     }
     for (unsigned i = 0; i < 3; i++) {
         information[i][i] += trace;
     }
-    invcal_inverse3((const invcal_real(*)[3])information, covariance);
+    invcali_inverse3((const invcal_real(*)[3])information, covariance);
     for (unsigned i = 0; i < 3; i++) {
         quality->sigma[i] = INVCAL_SQRT(covariance[i][i]);
     }
     const invcal_real off =
-        2 - 2 * trace / invcal_number(frame->count); /* of |c - R a|^2, the mean */
+        2 - 2 * trace / invcali_number(frame->count); /* of |c - R a|^2, the mean */
     quality->scatter = off > 0 ? INVCAL_SQRT(off) : 0;
 }
 
@@ -93,18 +93,18 @@ invcal_status invcal_frame_solve(const invcal_frame *frame, invcal_rotation *out
         return INVCAL_TOO_FEW;
     }
     /* as LEAST_SPREAD expects, for any number of rests */
-    const invcal_real scale = 3 / invcal_number(frame->count);
+    const invcal_real scale = 3 / invcali_number(frame->count);
     for (unsigned i = 0; i < 9; i++) {
         b[i / 3][i % 3] = scale * frame->own_sum[i / 3][i % 3];
     }
-    (void)invcal_cofactors((const invcal_real(*)[3])b, c);
+    (void)invcali_cofactors((const invcal_real(*)[3])b, c);
     for (unsigned i = 0; i < 9; i++) {
         b[i / 3][i % 3] += c[i / 3][i % 3];
     }
-    if (!(invcal_cofactors((const invcal_real(*)[3])b, c) > LEAST_SPREAD)) {
+    if (!(invcali_cofactors((const invcal_real(*)[3])b, c) > LEAST_SPREAD)) {
         return INVCAL_UNDETERMINED;
     }
-    invcal_make_symmetric(b, work);
+    invcali_make_symmetric(b, work);
     memcpy(out->r, work, sizeof out->r);
     if (quality != NULL) {
         judge_frame(frame, out, quality);
@@ -119,7 +119,7 @@ static invcal_real sum_along(const invcal_frame *frame, const invcal_real up[3],
         a[j] = up[0] * frame->own_sum[0][j] + up[1] * frame->own_sum[1][j] +
                up[2] * frame->own_sum[2][j];
     }
-    return INVCAL_SQRT(invcal_dot3(a, a));
+    return INVCAL_SQRT(invcali_dot3(a, a));
 }
 
 /* With v = a x c: I + [v] + [v]^2 / (1 + a.c), [v]^2 = v v' - v.v I. Near half a turn a and c are
@@ -136,8 +136,8 @@ invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up
         return INVCAL_TOO_FEW;
     }
     const invcal_real length = sum_along(frame, up, a);
-    const invcal_real c = 1 + invcal_dot3(a, up) / length;
-    if (!(c > LEAST_LEVEL && length >= LEAST_MEAN * invcal_number(frame->count))) {
+    const invcal_real c = 1 + invcali_dot3(a, up) / length;
+    if (!(c > LEAST_LEVEL && length >= LEAST_MEAN * invcali_number(frame->count))) {
         return INVCAL_UNDETERMINED;
     }
     for (unsigned i = 0; i < 3; i++) {
@@ -145,7 +145,7 @@ invcal_status invcal_frame_level(const invcal_frame *frame, const invcal_real up
         const unsigned k = (i + 2) % 3;
         v[i] = (a[j] * up[k] - a[k] * up[j]) / length;
     }
-    const invcal_real square = invcal_dot3(v, v);
+    const invcal_real square = invcali_dot3(v, v);
     for (unsigned i = 0; i < 3; i++) {
         for (unsigned j = 0; j < 3; j++) {
             out->r[i][j] = v[i] * v[j] / c;
@@ -171,7 +171,7 @@ void invcal_rotate(invcal_calibration *calibration, const invcal_rotation *rotat
             column[i] = calibration->matrix[i][j];
         }
         for (unsigned i = 0; i < 3; i++) {
-            calibration->matrix[i][j] = invcal_dot3(rotation->r[i], column);
+            calibration->matrix[i][j] = invcali_dot3(rotation->r[i], column);
         }
     }
 }

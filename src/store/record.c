@@ -26,9 +26,9 @@ enum { RECORD_REALS = 27, BEFORE_SIGMA = 18, CALIBRATION_REALS = 12 };
 enum { EVERY_PARAMETER = 0x1FF }; /* as a mask */
 
 /* The reals come first in the structure, too, and in the same order. */
-typedef char invcal_record_is_in_order
+typedef char invcali_record_is_in_order
     [offsetof(invcal_record, sigma) == BEFORE_SIGMA * sizeof(invcal_real) ? 1 : -1];
-typedef char invcal_quality_is_in_order
+typedef char invcali_quality_is_in_order
     [offsetof(invcal_quality, rms) == offsetof(invcal_quality, noise) + sizeof(invcal_real) ? 1
                                                                                             : -1];
 
@@ -36,7 +36,7 @@ void invcal_record_init(invcal_record *record, const invcal_calibration *calibra
                         const invcal_quality *quality)
 {
     INVCAL_ASSERT(record && calibration && quality);
-    invcal_zero(record, sizeof *record);
+    invcali_zero(record, sizeof *record);
     record->noise = quality->noise;
     record->rms = quality->rms;
     record->condition = quality->condition;
@@ -51,39 +51,40 @@ void invcal_record_init(invcal_record *record, const invcal_calibration *calibra
 static INVCAL_ONCE void put_record(const invcal_record *r, uint8_t *bytes)
 {
     memcpy(bytes + SENSOR_AT, r->sensor, sizeof r->sensor);
-    uint8_t *at = invcal_put_u32(bytes + DATE_AT, r->date);
-    at = invcal_put_two(at, r->positions, r->weak);
-    at = invcal_put_two(at, r->held, invcal_swap(r->verdict) | (unsigned)r->temperature_known << 8);
-    (void)invcal_put_reals(at, r, RECORD_REALS);
+    uint8_t *at = invcali_put_u32(bytes + DATE_AT, r->date);
+    at = invcali_put_two(at, r->positions, r->weak);
+    at = invcali_put_two(at, r->held,
+                         invcali_swap(r->verdict) | (unsigned)r->temperature_known << 8);
+    (void)invcali_put_reals(at, r, RECORD_REALS);
 }
 
 /* WEAK if and only if a parameter is weak; a temperature that is not known is 0, of any sign. */
 static INVCAL_ONCE int is_consistent(const uint8_t *bytes)
 {
-    const unsigned weak = invcal_get_u16(bytes + WEAK_AT);
+    const unsigned weak = invcali_get_u16(bytes + WEAK_AT);
     const unsigned verdict = bytes[VERDICT_AT];
     const unsigned known = bytes[KNOWN_AT];
 
-    return verdict <= invcal_swap(INVCAL_WEAK) &&
-           (weak > 0) == (verdict == invcal_swap(INVCAL_WEAK)) &&
-           (weak | invcal_get_u16(bytes + PRIOR_AT)) <= EVERY_PARAMETER &&
-           (known > 0 ? known == 1 : invcal_get_u32(bytes + TEMPERATURE_AT) << 1 == 0);
+    return verdict <= invcali_swap(INVCAL_WEAK) &&
+           (weak > 0) == (verdict == invcali_swap(INVCAL_WEAK)) &&
+           (weak | invcali_get_u16(bytes + PRIOR_AT)) <= EVERY_PARAMETER &&
+           (known > 0 ? known == 1 : invcali_get_u32(bytes + TEMPERATURE_AT) << 1 == 0);
 }
 
 /* Reads the reals and checks everything; overwrites r on failure. */
 static invcal_status read_reals(const uint8_t *bytes, uint32_t size, invcal_record *r)
 {
-    const invcal_status status = invcal_unseal(bytes, size, INVCAL_RECORD_KIND);
+    const invcal_status status = invcali_unseal(bytes, size, INVCAL_RECORD_KIND);
     if (status != INVCAL_OK) {
         return status;
     }
-    if (invcal_get_u16(bytes + 2) != INVCAL_RECORD_SIZE) {
+    if (invcali_get_u16(bytes + 2) != INVCAL_RECORD_SIZE) {
         return INVCAL_DAMAGED;
     }
-    if (!invcal_get_reals(bytes + REALS_AT, r, RECORD_REALS)) {
+    if (!invcali_get_reals(bytes + REALS_AT, r, RECORD_REALS)) {
         return INVCAL_NOT_FINITE;
     }
-    return is_consistent(bytes) ? invcal_nominal_check(&r->calibration) : INVCAL_DAMAGED;
+    return is_consistent(bytes) ? invcali_nominal_check(&r->calibration) : INVCAL_DAMAGED;
 }
 
 /* Decodes the bytes again: rounded to float, they may not be a calibration. */
@@ -91,7 +92,7 @@ static invcal_status seal_record(uint8_t *bytes)
 {
     invcal_record r;
 
-    invcal_seal(bytes, INVCAL_RECORD_KIND, INVCAL_RECORD_SIZE);
+    invcali_seal(bytes, INVCAL_RECORD_KIND, INVCAL_RECORD_SIZE);
     return read_reals(bytes, INVCAL_RECORD_SIZE, &r);
 }
 
@@ -110,11 +111,11 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     const invcal_status status = read_reals(bytes, size, &r);
     if (status == INVCAL_OK) {
         memcpy(r.sensor, bytes + SENSOR_AT, sizeof r.sensor);
-        r.date = invcal_get_u32(bytes + DATE_AT);
-        r.positions = invcal_get_u16(bytes + POSITIONS_AT);
-        r.weak = invcal_get_u16(bytes + WEAK_AT);
-        r.held = invcal_get_u16(bytes + PRIOR_AT);
-        r.verdict = invcal_swap(bytes[VERDICT_AT]);
+        r.date = invcali_get_u32(bytes + DATE_AT);
+        r.positions = invcali_get_u16(bytes + POSITIONS_AT);
+        r.weak = invcali_get_u16(bytes + WEAK_AT);
+        r.held = invcali_get_u16(bytes + PRIOR_AT);
+        r.verdict = invcali_swap(bytes[VERDICT_AT]);
         r.temperature_known = bytes[KNOWN_AT];
         *out = r;
     }
@@ -130,13 +131,13 @@ invcal_status invcal_save(const invcal_calibration *calibration, const invcal_qu
     uint8_t bytes[INVCAL_RECORD_SIZE];
 
     INVCAL_ASSERT(calibration && quality);
-    invcal_zero(bytes, sizeof bytes);
-    uint8_t *at = invcal_put_two(bytes + POSITIONS_AT, quality->positions, quality->weak);
-    (void)invcal_put_two(at, quality->held, invcal_swap(quality->verdict));
-    at = invcal_put_reals(bytes + NOISE_AT, &quality->noise, 2); /* and rms */
-    at = invcal_put_reals(at, &quality->condition, 1);
-    at = invcal_put_reals(at, calibration, CALIBRATION_REALS);
-    (void)invcal_put_reals(at, quality->sigma, INVCAL_PARAMETERS);
+    invcali_zero(bytes, sizeof bytes);
+    uint8_t *at = invcali_put_two(bytes + POSITIONS_AT, quality->positions, quality->weak);
+    (void)invcali_put_two(at, quality->held, invcali_swap(quality->verdict));
+    at = invcali_put_reals(bytes + NOISE_AT, &quality->noise, 2); /* and rms */
+    at = invcali_put_reals(at, &quality->condition, 1);
+    at = invcali_put_reals(at, calibration, CALIBRATION_REALS);
+    (void)invcali_put_reals(at, quality->sigma, INVCAL_PARAMETERS);
     const invcal_status status = seal_record(bytes);
     return status == INVCAL_OK ? invcal_store_save(store, bytes, sizeof bytes) : status;
 }
@@ -153,7 +154,7 @@ invcal_status invcal_load(invcal_calibration *calibration, const invcal_store *s
         status = read_reals(bytes, size, &r);
     }
     if (status == INVCAL_OK) {
-        (void)invcal_get_reals(bytes + OFFSET_AT, calibration, CALIBRATION_REALS);
+        (void)invcali_get_reals(bytes + OFFSET_AT, calibration, CALIBRATION_REALS);
     }
     return status;
 }

@@ -101,20 +101,20 @@ INVCAL_NOINLINE static state look(work *w)
     if (read_chunk(w, 0, HEADER) != 0) {
         return UNREADABLE;
     }
-    w->size = invcal_get_u16(w->chunk + 2);
-    w->sequence = invcal_get_u32(w->chunk + 4);
+    w->size = invcali_get_u16(w->chunk + 2);
+    w->sequence = invcali_get_u32(w->chunk + 4);
     const unsigned end = end_of(w, w->size);
-    if (invcal_get_u16(w->chunk) != SLOT_KIND_VERSION || end == 0) {
+    if (invcali_get_u16(w->chunk) != SLOT_KIND_VERSION || end == 0) {
         return EMPTY;
     }
-    uint32_t crc = invcal_crc32(0, w->chunk, HEADER);
+    uint32_t crc = invcali_crc32(0, w->chunk, HEADER);
     for (unsigned at = HEADER; at < end; at += CHUNK) { /* at most 2050 steps */
         const unsigned left = end - at;
         const unsigned n = left < CHUNK ? left : CHUNK;
         if (read_chunk(w, at, n) != 0) {
             return UNREADABLE;
         }
-        crc = invcal_crc32(crc, w->chunk, n);
+        crc = invcali_crc32(crc, w->chunk, n);
         copy(w, at - HEADER, n);
     }
     return crc == INVCAL_CRC_RESIDUE ? confirmation(w, end) : EMPTY;
@@ -128,7 +128,7 @@ INVCAL_NOINLINE static invcal_status survey(work *w, const invcal_store *store)
     INVCAL_ASSERT(store->read && store->erase && store->program);
     /* zeros: a driver that reports success and reads too little does no more harm than a worn
      * memory; and nothing is copied yet */
-    invcal_zero(w, sizeof *w);
+    invcali_zero(w, sizeof *w);
     w->store = store;
     if (g - 1 >= CHUNK || (g & (g - 1)) != 0 || end_of(w, 1) == 0) {
         return INVCAL_BAD_STORE;
@@ -160,8 +160,8 @@ INVCAL_NOINLINE static int clear(work *w)
 static INVCAL_ONCE int program(work *w, const uint8_t *bytes, unsigned size, unsigned end,
                                uint32_t sequence)
 {
-    (void)invcal_put_u32(invcal_put_two(w->chunk, SLOT_KIND_VERSION, size), sequence);
-    uint32_t crc = invcal_crc32(invcal_crc32(0, w->chunk, HEADER), bytes, size);
+    (void)invcali_put_u32(invcali_put_two(w->chunk, SLOT_KIND_VERSION, size), sequence);
+    uint32_t crc = invcali_crc32(invcali_crc32(0, w->chunk, HEADER), bytes, size);
     unsigned i = HEADER;
     unsigned at = HEADER;
     do { /* at most 2050 steps */
@@ -171,7 +171,7 @@ static INVCAL_ONCE int program(work *w, const uint8_t *bytes, unsigned size, uns
                 *byte = bytes[at - HEADER];
             } else if (at < end - INVCAL_CRC_SIZE) {
                 *byte = BLANK;
-                crc = invcal_crc32(crc, byte, 1);
+                crc = invcali_crc32(crc, byte, 1);
             } else {
                 *byte = (uint8_t)(crc & 0xFFu);
                 crc >>= 8;
@@ -188,7 +188,7 @@ static INVCAL_ONCE int program(work *w, const uint8_t *bytes, unsigned size, uns
 /* The data were read back before: now only the confirmation is. */
 static INVCAL_ONCE int confirm(work *w, unsigned end)
 {
-    invcal_zero(w->chunk, CHUNK);
+    invcali_zero(w->chunk, CHUNK);
     return program_chunk(w, end, granularity_of(w)) == 0 && confirmation(w, end) == CONFIRMED;
 }
 

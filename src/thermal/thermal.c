@@ -11,8 +11,8 @@
 #include "../core/vector.h"
 
 /* Horner's rule. */
-void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
-                        invcal_real out[INVCAL_PARAMETERS])
+void invcali_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
+                         invcal_real out[INVCAL_PARAMETERS])
 {
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         invcal_real x = 0;
@@ -23,19 +23,19 @@ void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
     }
 }
 
-invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
-                                   invcal_calibration *triad)
+invcal_status invcali_thermal_triad(const invcal_thermal *thermal, invcal_real t,
+                                    invcal_calibration *triad)
 {
     invcal_real x[INVCAL_PARAMETERS];
 
-    invcal_polynomials(&thermal->x[0][0], INVCAL_ROWS - 1, t, x);
-    return invcal_triad(x, triad);
+    invcali_polynomials(&thermal->x[0][0], INVCAL_ROWS - 1, t, x);
+    return invcali_triad(x, triad);
 }
 
-invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
-                                  invcal_real *t, invcal_thermal_place *place)
+invcal_status invcali_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
+                                   invcal_real *t, invcal_thermal_place *place)
 {
-    if (!invcal_is_finite(temperature)) {
+    if (!invcali_is_finite(temperature)) {
         return INVCAL_BAD_TEMPERATURE;
     }
     *place = INVCAL_THERMAL_WITHIN;
@@ -46,7 +46,7 @@ invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real tem
         temperature = thermal->max;
         *place = INVCAL_THERMAL_ABOVE;
     } /* cppcheck-suppress misra-c2012-15.7 ; it is within */
-    *t = invcal_thermal_scaled(thermal, temperature);
+    *t = invcali_thermal_scaled(thermal, temperature);
     return INVCAL_OK;
 }
 
@@ -58,12 +58,12 @@ invcal_status invcal_thermal_at(const invcal_thermal *thermal, invcal_real tempe
     invcal_real t;
 
     INVCAL_ASSERT(thermal && out);
-    invcal_status status = invcal_thermal_find(thermal, temperature, &t, &where);
+    invcal_status status = invcali_thermal_find(thermal, temperature, &t, &where);
     if (status == INVCAL_OK) {
-        status = invcal_thermal_triad(thermal, t, &c);
+        status = invcali_thermal_triad(thermal, t, &c);
     }
     if (status == INVCAL_OK) {
-        status = invcal_compose(&thermal->nominal, &c);
+        status = invcali_compose(&thermal->nominal, &c);
     }
     if (status == INVCAL_OK) {
         *out = c;

@@ -56,7 +56,7 @@ const char *invcal_thermal_fallback_text(invcal_thermal_fallback fallback)
 /* ---- the system ------------------------------------------------------------------------------ */
 
 /* The row (h, t h, t^2 h, j), and its products with itself. */
-static void add_at(job *j, unsigned n, const invcal_row *row, invcal_real weight, invcal_real t)
+static void add_at(job *j, unsigned n, const invcali_row *row, invcal_real weight, invcal_real t)
 {
     invcal_real wide[UNKNOWNS + 1];
 
@@ -65,7 +65,7 @@ static void add_at(job *j, unsigned n, const invcal_row *row, invcal_real weight
         wide[i] = t * wide[i - NINE];
     }
     wide[n] = row->h[INVCAL_J];
-    invcal_rank_one(j->a, wide, n + 1, weight);
+    invcali_rank_one(j->a, wide, n + 1, weight);
 }
 
 /* All positions, with the current calibration: their equations, or, to judge, derivatives as in
@@ -76,31 +76,32 @@ static invcal_status gather(job *j, unsigned n)
     invcal_calibration triad;
     invcal_real u[3];
     invcal_real g[NINE];
-    invcal_row row;
+    invcali_row row;
 
-    invcal_zero(j->a, sizeof j->a);
+    invcali_zero(j->a, sizeof j->a);
     j->q.rms = 0;
     j->q.max = 0;
     j->q.positions = 0;
     for (unsigned i = 0; i < p->count; i++) {
-        const invcal_real t = invcal_thermal_scaled(&j->now, p->temperature[i]);
-        invcal_correct(&j->now.nominal, p->mean[i].v, u);
-        invcal_status status = invcal_thermal_triad(&j->now, t, &triad);
+        const invcal_real t = invcali_thermal_scaled(&j->now, p->temperature[i]);
+        invcali_correct(&j->now.nominal, p->mean[i].v, u);
+        invcal_status status = invcali_thermal_triad(&j->now, t, &triad);
         if (status == INVCAL_OK) {
-            status = invcal_observe(&triad, u, &row);
+            status = invcali_observe(&triad, u, &row);
         }
         if (status != INVCAL_OK) {
             return status;
         }
-        invcal_residuals_add(&j->q, i, &row);
-        const invcal_real square = invcal_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
+        invcali_residuals_add(&j->q, i, &row);
+        const invcal_real square =
+            invcali_gradient((const invcal_real(*)[3])triad.matrix, row.h, g);
         if (j->is_judged) {
-            invcal_products(row.h, g);
+            invcali_products(row.h, g);
             memcpy(row.h, g, sizeof g);
         }
         add_at(j, n, &row, 1 / square, t);
     }
-    return j->is_judged ? invcal_residuals_end(&j->q) : INVCAL_OK;
+    return j->is_judged ? invcali_residuals_end(&j->q) : INVCAL_OK;
 }
 
 /* A coefficient known with a standard deviation is one more row, (noise / sigma) x = 0: it is 0 at
@@ -115,21 +116,21 @@ static invcal_status solve_at_noise(job *j, unsigned n, invcal_real floor)
         return status;
     }
     j->squares = j->a[INVCAL_PACKED(n, n)];
-    j->largest = invcal_largest_diagonal(j->a, n);
+    j->largest = invcali_largest_diagonal(j->a, n);
     for (unsigned i = 0; i < n; i++) {
         const invcal_real ratio = j->noise * j->held[i];
         j->a[INVCAL_PACKED(i, i)] += ratio * ratio;
         j->a[INVCAL_PACKED(n, i)] -= ratio * ratio * (now[i] - base[i]);
     }
-    const invcal_real trace = invcal_trace(j->a, n);
-    status = invcal_factor(j->a, n, n + 1, floor);
+    const invcal_real trace = invcali_trace(j->a, n);
+    status = invcali_factor(j->a, n, n + 1, floor);
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_back_substitute(j->a, n);
-    invcal_invert(j->a, n);
-    j->q.condition = invcal_condition(j->a, n, trace);
-    return j->widest > 0 || invcal_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
+    invcali_back_substitute(j->a, n);
+    invcali_invert(j->a, n);
+    j->q.condition = invcali_condition(j->a, n, trace);
+    return j->widest > 0 || invcali_is_resolved(j->q.condition) ? INVCAL_OK : INVCAL_UNDETERMINED;
 }
 
 /* If a prior must hold what the positions leave open, raises the noise until the prior just exceeds
@@ -155,7 +156,7 @@ static unsigned count_open(const job *j, unsigned from, unsigned n, int is_solve
     unsigned count = 0;
 
     for (unsigned i = from; i < UNKNOWNS && i < n; i++) {
-        count += !(j->held[i] > 0 || (is_solved && invcal_variance(j->a, n, i) <= INVCAL_WEAK_K));
+        count += !(j->held[i] > 0 || (is_solved && invcali_variance(j->a, n, i) <= INVCAL_WEAK_K));
     }
     return count;
 }
@@ -211,19 +212,19 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
     invcal_real scratch[INVCAL_WORK];
     invcal_real m[3][3];
 
-    invcal_polynomials(&j->a[INVCAL_PACKED((degree + 1) * NINE, 0)], degree, t, x);
-    invcal_status status = invcal_ellipsoid(x, scratch, &c);
+    invcali_polynomials(&j->a[INVCAL_PACKED((degree + 1) * NINE, 0)], degree, t, x);
+    invcal_status status = invcali_ellipsoid(x, scratch, &c);
     if (status == INVCAL_OK) {
-        status = invcal_thermal_triad(&j->now, t, &first);
+        status = invcali_thermal_triad(&j->now, t, &first);
     }
     if (status == INVCAL_OK) {
-        status = invcal_compose(&first, &c);
+        status = invcali_compose(&first, &c);
     }
     if (status != INVCAL_OK) {
         return status;
     }
-    invcal_inverse3((const invcal_real(*)[3])c.matrix, m);
-    invcal_make_symmetric(m, scratch);
+    invcali_inverse3((const invcal_real(*)[3])c.matrix, m);
+    invcali_make_symmetric(m, scratch);
     memcpy(x, c.offset, sizeof c.offset);
     for (unsigned i = 0; i < 3; i++) {
         x[INVCAL_DK_X + i] = m[i][i] - 1;
@@ -238,8 +239,8 @@ static invcal_status compose(const job *j, invcal_real t, invcal_real x[INVCAL_P
  * middle m: mean + slope (t - m) + c2 ((t - m)^2 - half^2). */
 static invcal_status interpolate(job *j)
 {
-    const invcal_real low = invcal_thermal_scaled(&j->now, j->now.min);
-    const invcal_real range = invcal_thermal_scaled(&j->now, j->now.max) - low;
+    const invcal_real low = invcali_thermal_scaled(&j->now, j->now.min);
+    const invcal_real range = invcali_thermal_scaled(&j->now, j->now.max) - low;
     const invcal_real half = range / 2 > NARROWEST_STEP ? range / 2 : NARROWEST_STEP;
     const invcal_real m = low + range / 2;
     const invcal_real place[3] = {m - half, m + half, m};
@@ -302,13 +303,13 @@ static invcal_status weigh(job *j)
     }
     for (unsigned i = 0; i < n; i++) {
         const invcal_real ratio = j->noise * j->held[i];
-        const invcal_real share = ratio * ratio * invcal_variance(j->a, n, i);
+        const invcal_real share = ratio * ratio * invcali_variance(j->a, n, i);
         dof += share > 1 ? 1 : share; /* above 1 by rounding only */
     }
     j->q.verdict = INVCAL_GOOD;
     j->q.unchecked = INVCAL_UNCHECKED;
-    j->q.dof = invcal_whole(dof);
-    invcal_judge_noise(j->positions->noise, j->squares, dof, -INVCAL_REAL_MAX, &j->q);
+    j->q.dof = invcali_whole(dof);
+    invcali_judge_noise(j->positions->noise, j->squares, dof, -INVCAL_REAL_MAX, &j->q);
     if (j->widest > 0) {
         j->noise = j->q.noise;
         status = solve_to(j, n);
@@ -341,9 +342,9 @@ static invcal_status judge_at(job *j, invcal_real temperature)
     invcal_real *const k = j->q.sigma;
     invcal_real t;
 
-    invcal_status status = invcal_thermal_find(now, temperature, &t, &place);
+    invcal_status status = invcali_thermal_find(now, temperature, &t, &place);
     if (status == INVCAL_OK) {
-        status = invcal_thermal_triad(now, t, &triad);
+        status = invcali_thermal_triad(now, t, &triad);
     }
     if (status != INVCAL_OK) {
         return status;
@@ -354,7 +355,7 @@ static invcal_status judge_at(job *j, invcal_real temperature)
             return INVCAL_UNDETERMINED;
         }
     }
-    invcal_judge_parameters((const invcal_real(*)[3])triad.matrix, &j->q);
+    invcali_judge_parameters((const invcal_real(*)[3])triad.matrix, &j->q);
     return INVCAL_OK;
 }
 
@@ -390,7 +391,7 @@ static invcal_status find_range(const invcal_positions *positions, invcal_real *
     }
     for (unsigned i = 0; i < positions->count; i++) {
         const invcal_real one = positions->temperature[i];
-        if (!invcal_is_finite(one)) {
+        if (!invcali_is_finite(one)) {
             return INVCAL_BAD_TEMPERATURE;
         }
         *min = i > 0 && *min < one ? *min : one;
@@ -427,19 +428,19 @@ static invcal_status set_up(job *j, const invcal_positions *positions,
     invcal_positions plain = *positions;
 
     plain.nominal = &base->nominal;
-    invcal_zero(j, sizeof *j);
+    invcali_zero(j, sizeof *j);
     j->positions = positions;
     j->base = base;
     j->noise = positions->noise;
     j->now = *base;
     invcal_status status = degree <= DEGREE && base->degree <= DEGREE
-                               ? invcal_positions_check(&plain)
+                               ? invcali_positions_check(&plain)
                                : INVCAL_BAD_COUNT;
     if (status == INVCAL_OK) {
         status = find_range(positions, &j->min, &j->max);
     }
-    if (status == INVCAL_OK && (!(INVCAL_FABS(invcal_thermal_scaled(base, j->min)) <= FARTHEST) ||
-                                !(INVCAL_FABS(invcal_thermal_scaled(base, j->max)) <= FARTHEST))) {
+    if (status == INVCAL_OK && (!(INVCAL_FABS(invcali_thermal_scaled(base, j->min)) <= FARTHEST) ||
+                                !(INVCAL_FABS(invcali_thermal_scaled(base, j->max)) <= FARTHEST))) {
         return INVCAL_BAD_TEMPERATURE;
     }
     return status == INVCAL_OK && prior != NULL ? set_prior(j, prior) : status;
@@ -472,9 +473,9 @@ static invcal_status run(job *j, unsigned degree, invcal_thermal *out, invcal_qu
 /* The nominal calibration at all temperatures: X = 0. */
 static invcal_status make_base(const invcal_positions *positions, invcal_thermal *base)
 {
-    invcal_status status = invcal_nominal_check(positions->nominal);
+    invcal_status status = invcali_nominal_check(positions->nominal);
 
-    invcal_zero(base, sizeof *base);
+    invcali_zero(base, sizeof *base);
     if (status == INVCAL_OK) {
         status = find_range(positions, &base->min, &base->max);
     }

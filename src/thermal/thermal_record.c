@@ -19,8 +19,8 @@ enum { BEFORE_X = 16 }; /* reals */
 
 /* The reals come first in the structure, too, and in the same order. */
 typedef char
-    invcal_thermal_is_in_order[offsetof(invcal_thermal, x) == BEFORE_X * sizeof(invcal_real) ? 1
-                                                                                             : -1];
+    invcali_thermal_is_in_order[offsetof(invcal_thermal, x) == BEFORE_X * sizeof(invcal_real) ? 1
+                                                                                              : -1];
 
 static unsigned count_reals(unsigned degree)
 {
@@ -64,7 +64,7 @@ static INVCAL_ONCE invcal_status check_thermal(const invcal_thermal *t,
         t->fallback > INVCAL_THERMAL_OPEN) {
         return INVCAL_DAMAGED;
     }
-    invcal_status status = invcal_nominal_check(&t->nominal);
+    invcal_status status = invcali_nominal_check(&t->nominal);
     if (status == INVCAL_OK) {
         status = invcal_thermal_at(t, t->reference, &c, NULL);
     }
@@ -74,7 +74,7 @@ static INVCAL_ONCE invcal_status check_thermal(const invcal_thermal *t,
 /* Does the stated length fit the degree? */
 static INVCAL_ONCE invcal_status check_length(const uint8_t *bytes)
 {
-    const unsigned length = invcal_get_u16(bytes + 2);
+    const unsigned length = invcali_get_u16(bytes + 2);
 
     if (length <= AFTER_RECORD || length != THERMAL_LENGTH(bytes[AFTER_RECORD])) {
         return INVCAL_DAMAGED;
@@ -85,19 +85,19 @@ static INVCAL_ONCE invcal_status check_length(const uint8_t *bytes)
 /* Reads the part after the record within. */
 static INVCAL_ONCE invcal_status read_tail(const uint8_t *tail, invcal_thermal *t)
 {
-    invcal_zero(t, sizeof *t);
+    invcali_zero(t, sizeof *t);
     t->degree = tail[0];
     t->fitted = tail[1];
     t->fallback = tail[2];
-    return invcal_get_reals(tail + REALS_AFTER, t, count_reals(tail[0])) ? INVCAL_OK
-                                                                         : INVCAL_NOT_FINITE;
+    return invcali_get_reals(tail + REALS_AFTER, t, count_reals(tail[0])) ? INVCAL_OK
+                                                                          : INVCAL_NOT_FINITE;
 }
 
 /* Overwrites t and about on failure. */
 static invcal_status read_thermal(const uint8_t *bytes, uint32_t size, invcal_thermal *t,
                                   invcal_record *about)
 {
-    invcal_status status = invcal_unseal(bytes, size, INVCAL_THERMAL_KIND);
+    invcal_status status = invcali_unseal(bytes, size, INVCAL_THERMAL_KIND);
     if (status == INVCAL_OK) {
         status = check_length(bytes);
     }
@@ -125,10 +125,10 @@ invcal_status invcal_thermal_encode(const invcal_thermal *thermal, const invcal_
         return status;
     }
     const unsigned length = THERMAL_LENGTH(thermal->degree);
-    uint8_t *at = invcal_put_two(
+    uint8_t *at = invcali_put_two(
         bytes + AFTER_RECORD, thermal->degree | (unsigned)thermal->fitted << 8, thermal->fallback);
-    (void)invcal_put_reals(at, thermal, count_reals(thermal->degree));
-    invcal_seal(bytes, INVCAL_THERMAL_KIND, length);
+    (void)invcali_put_reals(at, thermal, count_reals(thermal->degree));
+    invcali_seal(bytes, INVCAL_THERMAL_KIND, length);
     return read_thermal(bytes, length, &t, &r);
 }
 

@@ -358,7 +358,7 @@ static void bench_session(void)
 
     report("feed_100_Hz", feed(100));
     begin();
-    invcal_next(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), up);
+    invcali_next(POSITIONS_OF(raw[0], POSITIONS, &nominal, 0), up);
     report("next_orientation", end());
 }
 
@@ -564,7 +564,7 @@ static void bench_gyro(void)
     for (unsigned i = 0; i < BLOCK; i++) {
         invcal_imu_feed_gyro(&both, at[0], at[1], at[2]);
         begin();
-        invcal_imu_follow(&both, INVCAL_MOVING);
+        invcali_imu_follow(&both, INVCAL_MOVING);
         const uint32_t one = end();
         count = one > count ? one : count;
     }
@@ -582,11 +582,11 @@ static void bench_gyro(void)
     begin();
     invcal_imu_next(&both, &turn);
     report("imu_next", end());
-    const invcal_positions positions = invcal_imu_positions(&both);
-    static invcal_imu_work work;
-    require(invcal_imu_begin(&work, &both, &positions, NULL, &imu));
+    const invcal_positions positions = invcali_imu_positions(&both);
+    static invcali_imu_work work;
+    require(invcali_imu_begin(&work, &both, &positions, NULL, &imu));
     begin();
-    require(invcal_imu_sum(&work));
+    require(invcali_imu_sum(&work));
     report("imu_pass", end());
     const invcal_real a[3] = {0, 0, 1};
     invcal_real rate[3];
@@ -599,27 +599,27 @@ static void bench_gyro(void)
 /* Halfway through the tour. */
 static void bench_turns(void)
 {
-    static invcal_turns turns;
+    static invcali_turns turns;
     static invcal_real sigma[INVCAL_IMU_PARAMETERS];
     const invcal_real up[3] = {0, 0, 1};
     invcal_turn turn;
     uint32_t open;
-    invcal_status status = invcal_turns_begin(&turns, up, NULL, 0);
+    invcal_status status = invcali_turns_begin(&turns, up, NULL, 0);
 
     for (unsigned i = 0; i < 9 && status == INVCAL_OK; i++) {
-        status = invcal_tour(i, &turn);
+        status = invcali_tour(i, &turn);
         begin();
-        (void)invcal_turns_add(&turns, &turn);
+        (void)invcali_turns_add(&turns, &turn);
         const uint32_t count = end();
         if (i == 8) {
             report("turns_add", count);
         }
     }
     begin();
-    invcal_turns_next(&turns, &turn);
+    invcali_turns_next(&turns, &turn);
     report("turns_next", end());
     begin();
-    status = invcal_turns_sigma(&turns, &turn, sigma, &open);
+    status = invcali_turns_sigma(&turns, &turn, sigma, &open);
     report("turns_sigma", end());
     if (status != INVCAL_OK) {
         board_exit(1);

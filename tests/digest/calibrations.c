@@ -36,7 +36,7 @@ static void calibrate(const char *name, unsigned count, float noise)
     }
     digest_calibration(&calibration, &nominal);
     digest_quality(&quality, &nominal);
-    invcal_make_triangular(&calibration, &nominal);
+    invcali_make_triangular(&calibration, &nominal);
     digest_reals("triangular", &calibration.matrix[0][0], 9);
 }
 
@@ -171,9 +171,9 @@ static void robust(void)
     begin_set("robust", status);
     digest_calibration(&calibration, &nominal);
     digest_quality(&quality, &nominal);
-    invcal_next(POSITIONS_OF(raw[0], 18, &nominal, 0), up);
+    invcali_next(POSITIONS_OF(raw[0], 18, &nominal, 0), up);
     digest_reals("next", up, 3);
-    invcal_prospect(POSITIONS_OF(raw[0], 18, &nominal, 0), up, root);
+    invcali_prospect(POSITIONS_OF(raw[0], 18, &nominal, 0), up, root);
     digest_reals("root", root, INVCAL_PARAMETERS);
 }
 

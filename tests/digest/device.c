@@ -41,9 +41,9 @@ static uint32_t events[INVCAL_REFUSED + 1], progress; /* at this place */
 
 static void rest_results(void)
 {
-    invcal_rest rest = {{0, 0, 0}, 0, 0, 0, 0};
+    invcali_rest rest = {{0, 0, 0}, 0, 0, 0, 0};
 
-    digest_bits("is_rest", (uint32_t)invcal_rests_get(&session.rests, &rest));
+    digest_bits("is_rest", (uint32_t)invcali_rests_get(&session.rests, &rest));
     for (int a = 0; a < 3; a++) {
         digest_bits("sum", (uint32_t)((uint64_t)rest.sum[a] >> 32));
         digest_bits("sum", (uint32_t)(uint64_t)rest.sum[a]);

@@ -69,7 +69,7 @@ static void add_to(invcal_directions *linear, const float vertical[3])
 
     read_askew(vertical, raw);
     digest_bits("added", invcal_directions_add(linear, &nominal, raw, vertical));
-    digest_bits("added", invcal_directions_add_scalar(linear, &nominal, raw, vertical));
+    digest_bits("added", invcali_directions_add_scalar(linear, &nominal, raw, vertical));
 }
 
 static void solve_linear(invcal_directions *linear)
@@ -98,7 +98,7 @@ static void stand(void)
         digest_reals("alpha", &position.alpha_deg, 1);
         digest_reals("beta", &position.beta_deg, 1);
         digest_reals("vertical", position.up, 3);
-        digest_bits("axis_up", invcal_axis_up(position.up));
+        digest_bits("axis_up", invcali_axis_up(position.up));
         add_to(&linear, position.up);
     }
     solve_linear(&linear);

@@ -151,7 +151,7 @@ static void tour(void)
     rest(up);
     for (unsigned i = 0; i < INVCAL_TOUR; i++) {
         digest_numbered("turn", i);
-        digest_bits("status", invcal_tour(i, &turn));
+        digest_bits("status", invcali_tour(i, &turn));
         make_turn(&turn, up);
         rest(up);
         if (i == 6) {
@@ -160,7 +160,7 @@ static void tour(void)
     }
     digest_set("finish");
     const invcal_event event = invcal_session_end(&both.session);
-    invcal_imu_follow(&both, event);
+    invcali_imu_follow(&both, event);
     digest_bits("event", event);
 }
 
@@ -219,7 +219,7 @@ static void mounting(void)
 
 /* ---- which turns ---------------------------------------------------------------------------- */
 
-static void plan(const char *name, invcal_turns *turns, invcal_status status)
+static void plan(const char *name, invcali_turns *turns, invcal_status status)
 {
     digest_set(name);
     digest_bits("status", status);
@@ -227,12 +227,12 @@ static void plan(const char *name, invcal_turns *turns, invcal_status status)
         float sigma[INVCAL_IMU_PARAMETERS];
         invcal_turn turn;
         uint32_t open = 0;
-        invcal_turns_next(turns, &turn);
+        invcali_turns_next(turns, &turn);
         digest_reals("axis", turn.axis, 3);
         digest_reals("angle", &turn.angle, 1);
         digest_reals("up", turn.up, 3);
-        digest_bits("added", invcal_turns_add(turns, &turn));
-        digest_bits("status", invcal_turns_sigma(turns, NULL, sigma, &open));
+        digest_bits("added", invcali_turns_add(turns, &turn));
+        digest_bits("status", invcali_turns_sigma(turns, NULL, sigma, &open));
         digest_reals("sigma", sigma, INVCAL_IMU_PARAMETERS);
         digest_bits("open", open);
     }
@@ -255,15 +255,15 @@ static void next(void)
 void part_gyro(void)
 {
     static const float up[3] = {0, 0, 1};
-    static invcal_turns turns;
+    static invcali_turns turns;
 
     tour();
     move_results();
     solve();
     record_results();
     mounting();
-    plan("turns from the beginning", &turns, invcal_turns_begin(&turns, up, NULL, 0));
-    const invcal_positions positions = invcal_imu_positions(&both);
-    plan("turns after these", &turns, invcal_turns_after(&turns, &both, &positions, NULL));
+    plan("turns from the beginning", &turns, invcali_turns_begin(&turns, up, NULL, 0));
+    const invcal_positions positions = invcali_imu_positions(&both);
+    plan("turns after these", &turns, invcali_turns_after(&turns, &both, &positions, NULL));
     next();
 }

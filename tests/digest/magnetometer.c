@@ -78,7 +78,7 @@ static void cells(const invcal_calibration *calibration)
     digest_set("cells");
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         float raw[3] = {0, 0, 0};
-        digest_bits("samples", invcal_magnetometer_cell(&magnetometer, calibration, k, raw));
+        digest_bits("samples", invcali_magnetometer_cell(&magnetometer, calibration, k, raw));
         digest_reals("raw", raw, 3);
     }
 }

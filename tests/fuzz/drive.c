@@ -39,7 +39,7 @@ static void look_at_session(const drive_state *d)
 {
     const invcal_session *session = d->session;
     const unsigned most = INVCAL_MAX_POSITIONS - (d->background != NULL);
-    invcal_row row;
+    invcali_row row;
 
     REQUIRE(session->count <= most);
     REQUIRE(session->noise >= 0 && session->noise < 1);
@@ -48,17 +48,17 @@ static void look_at_session(const drive_state *d)
     REQUIRE(strcmp(invcal_session_reason_text(session), "unknown status") != 0);
     for (unsigned i = 0; i < session->count; i++) {
         require_finite(session->mean[i].v, 3);
-        REQUIRE(invcal_observe(&session->nominal, session->mean[i].v, &row) == INVCAL_OK);
+        REQUIRE(invcali_observe(&session->nominal, session->mean[i].v, &row) == INVCAL_OK);
         REQUIRE(!d->background || d->background->age[i] < 88);
     }
 }
 
 /* The mean lies within the range of the samples so far. */
-static void look_at_rest(const drive_state *d, const invcal_rest *rest, invcal_real mean[3])
+static void look_at_rest(const drive_state *d, const invcali_rest *rest, invcal_real mean[3])
 {
     REQUIRE(rest->count > 0 && rest->end - rest->begin >= rest->count);
     require_sigma(&rest->variance, 1);
-    REQUIRE(invcal_rests_mean(&d->session->rests, mean));
+    REQUIRE(invcali_rests_mean(&d->session->rests, mean));
     for (unsigned a = 0; a < 3; a++) {
         REQUIRE(rest->sum[a] >= (int64_t)d->least[a] * (int64_t)rest->count);
         REQUIRE(rest->sum[a] <= (int64_t)d->most[a] * (int64_t)rest->count);
@@ -76,7 +76,7 @@ static void look_at_event(const drive_state *d, invcal_event event, const invcal
     const invcal_session *session = d->session;
     const unsigned more = event == INVCAL_TAKEN && before->count < INVCAL_MAX_POSITIONS;
     invcal_real mean[3];
-    invcal_rest rest;
+    invcali_rest rest;
 
     REQUIRE(event <= INVCAL_REFUSED);
     if (event == INVCAL_NOTHING) {
@@ -86,7 +86,7 @@ static void look_at_event(const drive_state *d, invcal_event event, const invcal
         REQUIRE(event == (invcal_event)session->last);
     }
     if (event == INVCAL_READY || event == INVCAL_TAKEN) {
-        REQUIRE(invcal_rests_get(&session->rests, &rest));
+        REQUIRE(invcali_rests_get(&session->rests, &rest));
         look_at_rest(d, &rest, mean);
     }
     if (event == INVCAL_READY) {
@@ -169,8 +169,8 @@ static void prospect(const drive_state *d)
     invcal_real up[3];
 
     ask_next(d, up);
-    invcal_prospect(positions, NULL, before);
-    invcal_prospect(positions, up, after);
+    invcali_prospect(positions, NULL, before);
+    invcali_prospect(positions, up, after);
     require_sigma(before, INVCAL_PARAMETERS);
     require_sigma(after, INVCAL_PARAMETERS);
     REQUIRE(invcal_undetermined(positions) < 1u << INVCAL_PARAMETERS);

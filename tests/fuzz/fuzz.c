@@ -166,7 +166,7 @@ void require_regular(const invcal_calibration *calibration)
 {
     require_finite(calibration->offset, 3);
     require_finite(&calibration->matrix[0][0], 9);
-    REQUIRE(invcal_nominal_check(calibration) == INVCAL_OK);
+    REQUIRE(invcali_nominal_check(calibration) == INVCAL_OK);
 }
 
 /* ---- solutions, looked at in double ----------------------------------------------------------- */
@@ -279,7 +279,7 @@ void require_solution(const invcal_calibration *calibration, const conditions *c
     invcal_deviation(calibration, &c->nominal, x);
     require_finite(x, INVCAL_PARAMETERS);
     if (c->is_triangular) {
-        invcal_make_triangular(&other, &c->nominal);
+        invcali_make_triangular(&other, &c->nominal);
         require_finite(&other.matrix[0][0], 9);
         REQUIRE(memcmp(other.offset, calibration->offset, sizeof other.offset) == 0);
     }

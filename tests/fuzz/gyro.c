@@ -56,7 +56,7 @@ static void follow(source *s, unsigned kind)
         rests->begin = take_u32(s);
         rests->end = take_u32(s);
     }
-    invcal_imu_follow(&moves, event);
+    invcali_imu_follow(&moves, event);
     if (event == INVCAL_TAKEN) {
         memmove(taken[0], taken[1], sizeof taken - sizeof taken[0]);
         memcpy(taken[MOST - 1], resting, sizeof resting);
@@ -132,7 +132,7 @@ static void solve(source *s)
     }
     settings.prior = take_byte(s) % 2 ? prior : NULL;
     const invcal_status status =
-        invcal_imu_solve_of(&moves, &positions, take_byte(s) % 4 ? &settings : NULL, &out);
+        invcali_imu_solve_of(&moves, &positions, take_byte(s) % 4 ? &settings : NULL, &out);
     REQUIRE(*invcal_status_text(status) != '\0');
     if (status == INVCAL_OK) {
         require_finite(out.gyro.offset, 3);
@@ -145,7 +145,7 @@ static void solve(source *s)
     }
     REQUIRE(status != INVCAL_UNDETERMINED || out.weak < 1u << INVCAL_IMU_PARAMETERS);
     mark(axes, sizeof axes);
-    if (invcal_imu_mounting_of(&moves, &positions, axes, &unit) != INVCAL_OK) {
+    if (invcali_imu_mounting_of(&moves, &positions, axes, &unit) != INVCAL_OK) {
         require_mark(axes, sizeof axes);
     }
 }

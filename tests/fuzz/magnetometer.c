@@ -51,7 +51,7 @@ static void require_solved(const invcal_magnetometer *m)
     REQUIRE(found.field > 0 && found.rms >= 0 && found.alike >= 0);
     unsigned covered = 0;
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
-        if (invcal_magnetometer_cell(m, &calibration, k, raw) > 0) {
+        if (invcali_magnetometer_cell(m, &calibration, k, raw) > 0) {
             require_finite(raw, 3);
             covered++;
         }

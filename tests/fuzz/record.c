@@ -23,11 +23,11 @@ enum { RECORD_AT = 4, LEAST = 4 + INVCAL_CRC_SIZE }; /* in a thermal record; of 
 /* Puts the right CRC where the length says that there is one. */
 static void repair(uint8_t *bytes, size_t size)
 {
-    const size_t length = size >= LEAST ? invcal_get_u16(bytes + 2) : 0;
+    const size_t length = size >= LEAST ? invcali_get_u16(bytes + 2) : 0;
 
     if (length >= LEAST && length <= size) {
         const uint32_t end = (uint32_t)length - INVCAL_CRC_SIZE;
-        invcal_put_u32(bytes + end, invcal_crc32(0, bytes, end));
+        invcali_put_u32(bytes + end, invcali_crc32(0, bytes, end));
     }
 }
 
@@ -349,9 +349,9 @@ static void repair_slot(flash *f, unsigned slot)
     const uint32_t g = f->granularity;
 
     if (f->slot_size >= 16 && g >= 1 && g <= 32 && (g & (g - 1)) == 0) {
-        const uint32_t end = (invcal_get_u16(cell + 2) + 12u + g - 1) & ~(g - 1);
+        const uint32_t end = (invcali_get_u16(cell + 2) + 12u + g - 1) & ~(g - 1);
         if (end <= f->slot_size) {
-            invcal_put_u32(cell + end - 4, invcal_crc32(0, cell, end - 4));
+            invcali_put_u32(cell + end - 4, invcali_crc32(0, cell, end - 4));
         }
     }
 }

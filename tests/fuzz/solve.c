@@ -65,18 +65,18 @@ static invcal_sums sums_of_rows(source *s, const conditions *c)
     const unsigned count = take_byte(s) % MOST;
     invcal_real raw[3];
     invcal_sums sums;
-    invcal_row row;
+    invcali_row row;
 
     invcal_sums_init(&sums);
     for (unsigned i = 0; i < count; i++) {
         take_reading(s, i, raw);
         const invcal_sums before = sums;
-        const invcal_status status = invcal_observe(&c->nominal, raw, &row);
+        const invcal_status status = invcali_observe(&c->nominal, raw, &row);
         if (take_byte(s) % 4 == 0) {
             REQUIRE(invcal_sums_add(&sums, &c->nominal, raw, 1) == status);
             REQUIRE(status == INVCAL_OK || memcmp(&before, &sums, sizeof sums) == 0);
         } else if (status == INVCAL_OK) {
-            invcal_sums_add_row(&sums, &row, take_weight(s));
+            invcali_sums_add_row(&sums, &row, take_weight(s));
         }
         if (status == INVCAL_OK) {
             require_finite(row.h, INVCAL_PARAMETERS);
@@ -94,7 +94,7 @@ static void solve(invcal_sums *sums, const conditions *c)
     mark(&out, sizeof out);
     if (invcal_sums_solve(sums, &c->nominal, &out) != INVCAL_OK) {
         require_mark(&out, sizeof out);
-    } else if (invcal_nominal_check(&c->nominal) == INVCAL_OK) {
+    } else if (invcali_nominal_check(&c->nominal) == INVCAL_OK) {
         require_solution(&out, c);
     }
 }
@@ -118,7 +118,7 @@ static void solve_linear(source *s, const conditions *c)
         const invcal_directions before = linear;
         const invcal_status status =
             is_vertical ? invcal_directions_add(&linear, &c->nominal, raw, eta)
-                        : invcal_directions_add_scalar(&linear, &c->nominal, raw, eta);
+                        : invcali_directions_add_scalar(&linear, &c->nominal, raw, eta);
         REQUIRE(status == INVCAL_OK || memcmp(&before, &linear, sizeof linear) == 0);
     }
     mark(&out, sizeof out);
@@ -129,7 +129,7 @@ static void solve_linear(source *s, const conditions *c)
         return;
     }
     require_finite(x, INVCAL_PARAMETERS);
-    if (invcal_nominal_check(&c->nominal) == INVCAL_OK) {
+    if (invcali_nominal_check(&c->nominal) == INVCAL_OK) {
         require_solution(&out, c);
     }
 }
@@ -160,25 +160,25 @@ static unsigned take_means(source *s, invcal_real mean[MOST][3])
 /* What is said of a refusal, and what comes next. */
 static void look_at_guidance(const invcal_real *raw, unsigned count, const conditions *c, source *s)
 {
-    const int is_nominal = invcal_nominal_check(&c->nominal) == INVCAL_OK;
+    const int is_nominal = invcali_nominal_check(&c->nominal) == INVCAL_OK;
     const unsigned bad = invcal_bad_reading(POSITIONS_OF(raw, count, &c->nominal, 0));
     invcal_real root[INVCAL_PARAMETERS];
     invcal_real up[3];
-    invcal_row row;
+    invcali_row row;
 
     REQUIRE(bad <= count);
     for (unsigned i = 0; i < bad; i++) {
-        REQUIRE(invcal_observe(&c->nominal, raw + 3 * i, &row) == INVCAL_OK);
+        REQUIRE(invcali_observe(&c->nominal, raw + 3 * i, &row) == INVCAL_OK);
     }
-    REQUIRE(bad == count || invcal_observe(&c->nominal, raw + 3 * bad, &row) != INVCAL_OK);
+    REQUIRE(bad == count || invcali_observe(&c->nominal, raw + 3 * bad, &row) != INVCAL_OK);
     if (!is_nominal) {
         return;
     }
     REQUIRE(invcal_undetermined(POSITIONS_OF(raw, count, &c->nominal, 0)) <
             1u << INVCAL_PARAMETERS);
-    invcal_next(POSITIONS_OF(raw, count, &c->nominal, 0), up);
+    invcali_next(POSITIONS_OF(raw, count, &c->nominal, 0), up);
     require_direction(up);
-    invcal_prospect(POSITIONS_OF(raw, count, &c->nominal, 0), take_byte(s) % 2 ? up : NULL, root);
+    invcali_prospect(POSITIONS_OF(raw, count, &c->nominal, 0), take_byte(s) % 2 ? up : NULL, root);
     require_sigma(root, INVCAL_PARAMETERS);
 }
 
@@ -204,7 +204,7 @@ static void calibrate(source *s)
 
     mark(&out, sizeof out);
     mark(&quality, sizeof quality);
-    if (invcal_positions_calibrate(
+    if (invcali_positions_calibrate(
             SELECTION(&mean[0][0], count, left_out & all, &c.nominal, c.noise), &out, &quality) ==
         INVCAL_OK) {
         require_solution(&out, &c);
@@ -554,10 +554,10 @@ static void look_at_plan(source *s)
     } else {
         require_mark(&position, sizeof position);
     }
-    const uint8_t axes = invcal_axis_up(position.up); /* be it what it may */
+    const uint8_t axes = invcali_axis_up(position.up); /* be it what it may */
     REQUIRE((axes & (axes - 1)) == 0 && axes < 1u << INVCAL_AXES);
     if (invcal_plan_init(&plan, plan.per_group) == INVCAL_OK) {
-        REQUIRE(invcal_plan_check(&plan) == INVCAL_OK);
+        REQUIRE(invcali_plan_check(&plan) == INVCAL_OK);
     }
 }
 

@@ -109,14 +109,14 @@ static double condition_of(direction_set directions, unsigned count)
     for (unsigned i = 0; i < count; i++) {
         (void)invcal_sums_add(&sums, &nominal, directions[i], 1);
     }
-    const double trace = invcal_trace(sums.sum, INVCAL_PARAMETERS);
-    if (invcal_factor(sums.sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS, 1e-13) != INVCAL_OK) {
+    const double trace = invcali_trace(sums.sum, INVCAL_PARAMETERS);
+    if (invcali_factor(sums.sum, INVCAL_PARAMETERS, INVCAL_PARAMETERS, 1e-13) != INVCAL_OK) {
         return INFINITE;
     }
-    invcal_invert(sums.sum, INVCAL_PARAMETERS);
+    invcali_invert(sums.sum, INVCAL_PARAMETERS);
     double of_inverse = 0;
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
-        of_inverse += invcal_variance(sums.sum, INVCAL_PARAMETERS, r);
+        of_inverse += invcali_variance(sums.sum, INVCAL_PARAMETERS, r);
     }
     return trace * of_inverse;
 }

@@ -55,7 +55,7 @@ static void print_result(invcal_status status, const invcal_calibration *c,
     invcal_deviation(c, nominal, x);
     invcal_sigma_offset(q, nominal, sigma_offset);
     if (is_triangular) {
-        invcal_make_triangular(&turned, nominal);
+        invcali_make_triangular(&turned, nominal);
     }
     printf("%d %d", (int)status, (int)q->verdict);
     print_numbers(x, INVCAL_PARAMETERS);

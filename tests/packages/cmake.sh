@@ -76,7 +76,7 @@ chosen() {
 
 # In the small library a dot product is a function, in the fast one it is inline.
 is_small() {
-    nm "$out/library/libinvcal.a" | grep ' T invcal_dot$'
+    nm "$out/library/libinvcal.a" | grep ' T invcali_dot$'
 }
 
 is_fast() {

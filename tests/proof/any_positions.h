@@ -9,7 +9,7 @@
 #include "calibrate/judge.h"
 
 /* May look at any reading; raises an alarm if there are more than the mask has bits. */
-static void look_at(const invcal_selection *selection)
+static void look_at(const invcali_selection *selection)
 {
     const invcal_positions *given = &selection->given;
 
@@ -22,8 +22,8 @@ static void look_at(const invcal_selection *selection)
     (void)selection->left_out;
 }
 
-invcal_status invcal_positions_calibrate(const invcal_selection *selection, invcal_calibration *out,
-                                         invcal_quality *quality)
+invcal_status invcali_positions_calibrate(const invcali_selection *selection,
+                                          invcal_calibration *out, invcal_quality *quality)
 {
     const invcal_status status = (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 

@@ -17,7 +17,7 @@ void main(void)
     invcal_apply(&calibration, raw[0], raw[1], raw[2], out);
     invcal_apply(&calibration, (invcal_real)counts[0], (invcal_real)counts[1],
                  (invcal_real)counts[2], out);
-    invcal_correct(&calibration, raw, raw);
+    invcali_correct(&calibration, raw, raw);
     (void)invcal_scale(&calibration, field);
-    (void)invcal_dot(raw, out, 3); /* without an FPU, invcal_apply calls it */
+    (void)invcali_dot(raw, out, 3); /* without an FPU, invcal_apply calls it */
 }

@@ -38,7 +38,7 @@ invcal_event invcal_session_feed(invcal_session *session, int32_t x, int32_t y, 
     return event;
 }
 
-void invcal_sum_readings(const invcal_positions *positions, invcal_sums *sums, invcal_real last[3])
+void invcali_sum_readings(const invcal_positions *positions, invcal_sums *sums, invcal_real last[3])
 {
     if (positions->count > 0) {
         (void)positions->mean[BETWEEN(0, positions->count - 1)].v[BETWEEN(0, 2)];
@@ -48,7 +48,7 @@ void invcal_sum_readings(const invcal_positions *positions, invcal_sums *sums, i
     Frama_C_make_unknown((char *)last, 3 * sizeof *last);
 }
 
-invcal_real invcal_ridged_inverse(invcal_sums *sums)
+invcal_real invcali_ridged_inverse(invcal_sums *sums)
 {
     invcal_real ridge;
 

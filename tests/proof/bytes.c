@@ -2,7 +2,7 @@
 #include "arbitrary.h"
 #include "core/bytes.h"
 
-// eva: -eva-auto-loop-unroll 10 -eva-slevel-function invcal_crc32:0
+// eva: -eva-auto-loop-unroll 10 -eva-slevel-function invcali_crc32:0
 // dead: bits_of 2
 // dead: -DINVCAL_DOUBLE=1 bits_of 1
 // The test for double is decided at compile time.
@@ -14,9 +14,9 @@ static void unseal(uint32_t size)
     uint8_t *bytes = &buffer[sizeof buffer - size];
 
     ANY(buffer);
-    (void)invcal_unseal(bytes, size, INVCAL_RECORD_KIND);
+    (void)invcali_unseal(bytes, size, INVCAL_RECORD_KIND);
     if (size >= 8) {
-        invcal_seal(bytes, INVCAL_RECORD_KIND, BETWEEN(8, size));
+        invcali_seal(bytes, INVCAL_RECORD_KIND, BETWEEN(8, size));
     }
 }
 
@@ -32,7 +32,7 @@ void main(void)
     unseal(300);
     ANY(bytes);
     ANY(reals);
-    (void)invcal_get_reals(bytes, reals, 9);
+    (void)invcali_get_reals(bytes, reals, 9);
     ANY(reals);
-    (void)invcal_put_reals(bytes, reals, 9);
+    (void)invcali_put_reals(bytes, reals, 9);
 }

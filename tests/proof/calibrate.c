@@ -7,7 +7,7 @@
 #include "invcal/result.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
-// eva: -eva-split-return-function invcal_observe:0,invcal_positions_pass:0,invcal_positions_solve:0,invcal_factor:0,invcal_ellipsoid:0,invcal_compose:0,invcal_residuals_end:0,invcal_determine:0
+// eva: -eva-split-return-function invcali_observe:0,invcali_positions_pass:0,invcali_positions_solve:0,invcali_factor:0,invcali_ellipsoid:0,invcali_compose:0,invcali_residuals_end:0,invcali_determine:0
 // No more degrees of freedom than positions: a difference of two counts that no interval sees.
 
 enum { COUNT = 100 };

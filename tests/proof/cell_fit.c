@@ -8,8 +8,8 @@
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
-invcal_status invcal_positions_calibrate(const invcal_selection *selection, invcal_calibration *out,
-                                         invcal_quality *quality)
+invcal_status invcali_positions_calibrate(const invcali_selection *selection,
+                                          invcal_calibration *out, invcal_quality *quality)
 {
     for (unsigned i = 0; i < selection->given.count; i++) {
         const invcal_real *mean = selection->given.mean[i].v;
@@ -20,7 +20,7 @@ invcal_status invcal_positions_calibrate(const invcal_selection *selection, invc
     return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 }
 
-void invcal_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
+void invcali_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
 {
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         (void)q->sigma[r];
@@ -35,7 +35,7 @@ void main(void)
 {
     invcal_private_cells early;
     invcal_private_cells late;
-    invcal_cell_fit fit;
+    invcali_cell_fit fit;
     invcal_real power;
     unsigned worst;
 
@@ -45,16 +45,16 @@ void main(void)
     ANY(power);
     fit.tables.early = &early;
     fit.tables.late = &late;
-    (void)invcal_cells_count(&fit.tables, BETWEEN(0, INVCAL_CELLS - 1));
-    (void)invcal_cells_gap(&fit.tables, &worst);
+    (void)invcali_cells_count(&fit.tables, BETWEEN(0, INVCAL_CELLS - 1));
+    (void)invcali_cells_gap(&fit.tables, &worst);
     //@ assert worst < INVCAL_CELLS;
-    (void)invcal_cells_solve(&fit);
-    (void)invcal_cells_calibrate(&fit);
+    (void)invcali_cells_solve(&fit);
+    (void)invcali_cells_calibrate(&fit);
     ANY(fit.triad);
     ANY(fit.quality);
     invcal_real point[3];
-    (void)invcal_cells_point(&fit.tables, &fit.triad, BETWEEN(0, INVCAL_CELLS - 1), point);
-    (void)invcal_cells_step(&fit, power);
-    (void)invcal_cells_field(&fit);
-    invcal_cells_weigh(&fit, power);
+    (void)invcali_cells_point(&fit.tables, &fit.triad, BETWEEN(0, INVCAL_CELLS - 1), point);
+    (void)invcali_cells_step(&fit, power);
+    (void)invcali_cells_field(&fit);
+    invcali_cells_weigh(&fit, power);
 }

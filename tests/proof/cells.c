@@ -18,13 +18,13 @@ void main(void)
     ANY(h);
     ANY(shift);
     ANY(scale);
-    const unsigned k = invcal_cell_of(h);
+    const unsigned k = invcali_cell_of(h);
     //@ assert k < INVCAL_CELLS;
-    invcal_cell_direction(BETWEEN(0, INVCAL_CELLS - 1), d);
-    invcal_cells_add(&cells, k, h);
+    invcali_cell_direction(BETWEEN(0, INVCAL_CELLS - 1), d);
+    invcali_cells_add(&cells, k, h);
     ANY(cells);
-    invcal_cells_halve(&cells, BETWEEN(0, INVCAL_CELLS - 1));
-    invcal_cells_merge(&cells, &other);
+    invcali_cells_halve(&cells, BETWEEN(0, INVCAL_CELLS - 1));
+    invcali_cells_merge(&cells, &other);
     ANY(cells);
-    invcal_cells_move(&cells, shift, scale);
+    invcali_cells_move(&cells, shift, scale);
 }

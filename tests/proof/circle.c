@@ -10,5 +10,5 @@ void main(void)
     invcal_real cosine;
     invcal_real sine;
 
-    invcal_circle(degrees, &cosine, &sine);
+    invcali_circle(degrees, &cosine, &sine);
 }

@@ -14,7 +14,7 @@ void main(void)
 {
     static invcal_vector mean[INVCAL_MAX_POSITIONS];
     invcal_calibration nominal;
-    invcal_selection selection;
+    invcali_selection selection;
     invcal_quality quality;
 
     ANY(mean);
@@ -24,6 +24,6 @@ void main(void)
     selection.given.mean = mean;
     selection.given.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
     selection.given.nominal = &nominal;
-    (void)invcal_diagnose(&selection, &nominal, NULL);
-    (void)invcal_diagnose(&selection, &nominal, &quality);
+    (void)invcali_diagnose(&selection, &nominal, NULL);
+    (void)invcali_diagnose(&selection, &nominal, &quality);
 }

@@ -21,7 +21,7 @@ void main(void)
     ANY(raw);
     ANY(eta);
     (void)invcal_directions_add(&linear, &nominal, raw, eta);
-    (void)invcal_directions_add_scalar(&linear, &nominal, raw, eta);
+    (void)invcali_directions_add_scalar(&linear, &nominal, raw, eta);
     ANY(linear);
     (void)invcal_directions_solve(&linear, &nominal, &out, x);
     (void)invcal_directions_solve(&linear, &nominal, &nominal, x);

@@ -6,7 +6,7 @@
 
 #include "arbitrary.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 30 -eva-slevel 60 -eva-split-return-function invcal_observe:0
+// eva: -eva-precision 0 -eva-auto-loop-unroll 30 -eva-slevel 60 -eva-split-return-function invcali_observe:0
 
 enum { COUNT = 100 };
 
@@ -22,12 +22,12 @@ void main(void)
     ANY(mean);
     ANY(nominal);
     ANY(up);
-    invcal_next(POSITIONS_OF(NULL, 0, &nominal, 0), next);
-    invcal_next(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, 0), next);
-    invcal_prospect(POSITIONS_OF(NULL, 0, &nominal, 0), NULL, root);
-    invcal_prospect(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, 0), up, root);
+    invcali_next(POSITIONS_OF(NULL, 0, &nominal, 0), next);
+    invcali_next(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, 0), next);
+    invcali_prospect(POSITIONS_OF(NULL, 0, &nominal, 0), NULL, root);
+    invcali_prospect(POSITIONS_OF(mean, BETWEEN(1, COUNT), &nominal, 0), up, root);
     ANY(sums);
-    invcal_next_of_sums(&sums, up, next);
+    invcali_next_of_sums(&sums, up, next);
     ANY(sums);
-    (void)invcal_ridged_inverse(&sums);
+    (void)invcali_ridged_inverse(&sums);
 }

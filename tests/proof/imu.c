@@ -28,7 +28,7 @@ static invcal_real any_real(void)
     return x;
 }
 
-invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor)
+invcal_status invcali_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor)
 {
     (void)n;
     (void)floor;
@@ -36,29 +36,29 @@ invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_re
     return or_fail(INVCAL_UNDETERMINED);
 }
 
-void invcal_back_substitute(invcal_real *l, unsigned n)
+void invcali_back_substitute(invcal_real *l, unsigned n)
 {
     UNKNOWN(l, INVCAL_PACKED_SIZE(n) + n);
 }
 
-void invcal_invert(invcal_real *l, unsigned n)
+void invcali_invert(invcal_real *l, unsigned n)
 {
     UNKNOWN(l, INVCAL_PACKED_SIZE(n));
 }
 
-invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r)
+invcal_real invcali_variance(const invcal_real *inverse, unsigned n, unsigned r)
 {
     (void)inverse[INVCAL_PACKED(n - 1, r)];
     return any_real();
 }
 
-invcal_real invcal_trace(const invcal_real *a, unsigned n)
+invcal_real invcali_trace(const invcal_real *a, unsigned n)
 {
     (void)a[INVCAL_PACKED_SIZE(n) - 1];
     return any_real();
 }
 
-void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight)
+void invcali_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight)
 {
     (void)v[0];
     (void)v[n - 1];
@@ -66,55 +66,55 @@ void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_re
     UNKNOWN(a, INVCAL_PACKED_SIZE(n));
 }
 
-void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
+void invcali_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 {
     (void)eta[2];
     UNKNOWN(g, INVCAL_PARAMETERS);
 }
 
-invcal_real invcal_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
+invcal_real invcali_cofactors(const invcal_real m[3][3], invcal_real c[3][3])
 {
     (void)m[2][2];
     UNKNOWN(c, 3);
     return any_real();
 }
 
-invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibration *c)
+invcal_status invcali_compose(const invcal_calibration *nominal, invcal_calibration *c)
 {
     (void)nominal->matrix[2][2];
     ANY(*c);
     return or_fail(INVCAL_BAD_NOMINAL);
 }
 
-invcal_status invcal_nominal_check(const invcal_calibration *nominal)
+invcal_status invcali_nominal_check(const invcal_calibration *nominal)
 {
     (void)nominal->matrix[2][2];
     return or_fail(INVCAL_BAD_NOMINAL);
 }
 
-void invcal_correct(const invcal_calibration *calibration, const invcal_real raw[3],
-                    invcal_real calibrated[3])
+void invcali_correct(const invcal_calibration *calibration, const invcal_real raw[3],
+                     invcal_real calibrated[3])
 {
     (void)calibration->matrix[2][2];
     (void)raw[2];
     UNKNOWN(calibrated, 3);
 }
 
-invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
+invcal_real invcali_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {
     (void)(a[0] + a[n - 1]);
     (void)(b[0] + b[n - 1]);
     return any_real();
 }
 
-void invcal_cross(const invcal_real *a, const invcal_real *b, invcal_real *restrict out)
+void invcali_cross(const invcal_real *a, const invcal_real *b, invcal_real *restrict out)
 {
     (void)(a[0] + a[1] + a[2]);
     (void)(b[0] + b[1] + b[2]);
     UNKNOWN(out, 3);
 }
 
-void invcal_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
+void invcali_unpack(const int16_t packed[3], invcal_real unit, invcal_real out[3])
 {
     (void)packed[2];
     (void)unit;
@@ -145,7 +145,7 @@ static void solve(unsigned rests, unsigned means, int held)
     positions.nominal = &accelerometer;
     settings.held = (uint8_t)held;
     settings.prior = BETWEEN(0, 1) ? prior : NULL;
-    (void)invcal_imu_solve_of(&imu, &positions, &settings, &out);
+    (void)invcali_imu_solve_of(&imu, &positions, &settings, &out);
 }
 
 void main(void)
@@ -156,7 +156,7 @@ void main(void)
     ANY(imu);
     imu.rests = 0;
     imu.session.count = (uint8_t)BETWEEN(0, INVCAL_MAX_POSITIONS);
-    (void)invcal_imu_is_begun(&imu);
+    (void)invcali_imu_is_begun(&imu);
     (void)invcal_imu_solve(&imu, NULL, &out);
     solve(INVCAL_MAX_MOVES, INVCAL_MAX_MOVES + 8, 0);
     solve(INVCAL_MAX_MOVES, INVCAL_MAX_MOVES - 8, 1);

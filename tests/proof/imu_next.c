@@ -7,22 +7,22 @@
 
 /* ---- what other modules do ---------------------------------------------------------------------- */
 
-unsigned invcal_tour_face(unsigned i)
+unsigned invcali_tour_face(unsigned i)
 {
     (void)(1 / (i <= INVCAL_TOUR));
     return BETWEEN(0, 5);
 }
 
-invcal_status invcal_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out)
+invcal_status invcali_turn_to(const invcal_real from[3], const invcal_real up[3], invcal_turn *out)
 {
     (void)(from[2] + up[2]);
     ANY(*out);
     return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_BAD_DIRECTION;
 }
 
-invcal_status invcal_turns_after(invcal_turns *turns, const invcal_imu *imu,
-                                 const invcal_positions *positions,
-                                 const invcal_imu_settings *settings)
+invcal_status invcali_turns_after(invcali_turns *turns, const invcal_imu *imu,
+                                  const invcal_positions *positions,
+                                  const invcal_imu_settings *settings)
 {
     (void)imu->rests;
     (void)positions->count;
@@ -31,20 +31,20 @@ invcal_status invcal_turns_after(invcal_turns *turns, const invcal_imu *imu,
     return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_OUT_OF_RANGE;
 }
 
-invcal_status invcal_turns_add(invcal_turns *turns, const invcal_turn *turn)
+invcal_status invcali_turns_add(invcali_turns *turns, const invcal_turn *turn)
 {
     (void)turn->up[2];
     ANY(*turns);
     return INVCAL_OK;
 }
 
-void invcal_turns_next(const invcal_turns *turns, invcal_turn *out)
+void invcali_turns_next(const invcali_turns *turns, invcal_turn *out)
 {
     (void)turns->n;
     ANY(*out);
 }
 
-invcal_positions invcal_imu_positions(const invcal_imu *imu)
+invcal_positions invcali_imu_positions(const invcal_imu *imu)
 {
     const invcal_session *s = &imu->session;
     const invcal_positions positions = {s->mean, s->count, &s->nominal, s->noise, NULL};
@@ -52,7 +52,7 @@ invcal_positions invcal_imu_positions(const invcal_imu *imu)
     return positions;
 }
 
-int invcal_rests_mean(const invcal_private_rests *rests, invcal_real mean[3])
+int invcali_rests_mean(const invcal_private_rests *rests, invcal_real mean[3])
 {
     (void)rests->time;
     Frama_C_make_unknown((char *)mean, 3 * sizeof *mean);

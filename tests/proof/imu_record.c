@@ -3,7 +3,7 @@
 #include "invcal/gyro_store.h"
 #include "core/solve.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 60 -eva-slevel 60 -eva-slevel-function invcal_crc32:0 -eva-split-return full
+// eva: -eva-precision 0 -eva-auto-loop-unroll 60 -eva-slevel 60 -eva-slevel-function invcali_crc32:0 -eva-split-return full
 // stubs: record store nominal
 
 /* ---- what other modules do -------------------------------------------------------------------- */
@@ -25,7 +25,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     return INVCAL_DAMAGED;
 }
 
-invcal_status invcal_nominal_check(const invcal_calibration *nominal)
+invcal_status invcali_nominal_check(const invcal_calibration *nominal)
 {
     (void)nominal->matrix[2][2];
     return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_BAD_NOMINAL;

@@ -6,14 +6,14 @@
 // eva: -eva-precision 2 -eva-slevel 40 -eva-split-return full
 // stubs: store session moves
 
-void invcal_moves_empty(invcal_imu *m, const invcal_calibration *nominal, invcal_real rate)
+void invcali_moves_empty(invcal_imu *m, const invcal_calibration *nominal, invcal_real rate)
 {
     (void)nominal->matrix[2][2];
     (void)rate;
     ANY(*m);
 }
 
-void invcal_moves_restart(invcal_imu *m)
+void invcali_moves_restart(invcal_imu *m)
 {
     (void)m->rests;
     ANY(*m);
@@ -41,8 +41,8 @@ uint32_t invcal_session_size(const invcal_session *session)
     return BETWEEN(1, INVCAL_SESSION_SIZE);
 }
 
-invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
-                                  invcal_status status, uint32_t size)
+invcal_status invcali_session_take(invcal_session *session, const uint8_t *begun,
+                                   invcal_status status, uint32_t size)
 {
     (void)begun[INVCAL_SESSION_HEAD - 1];
     (void)size;

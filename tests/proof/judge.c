@@ -7,7 +7,7 @@
 #include "arbitrary.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
-// eva: -eva-split-return-function invcal_observe:0,invcal_positions_pass:0,invcal_positions_solve:0,invcal_factor:0,invcal_ellipsoid:0,invcal_compose:0,invcal_residuals_end:0,invcal_determine:0,invcal_positions_calibrate:0
+// eva: -eva-split-return-function invcali_observe:0,invcali_positions_pass:0,invcali_positions_solve:0,invcali_factor:0,invcali_ellipsoid:0,invcali_compose:0,invcali_residuals_end:0,invcali_determine:0,invcali_positions_calibrate:0
 // config: -DINVCAL_FAST=1
 // config: -DINVCAL_MAX_POSITIONS=64
 
@@ -29,7 +29,7 @@ static void read(const invcal_quality *q)
 
 static void any_passes(void)
 {
-    invcal_selection selection;
+    invcali_selection selection;
     invcal_sums sums;
     invcal_calibration out;
     invcal_quality quality;
@@ -37,18 +37,18 @@ static void any_passes(void)
     ANY(selection);
     selection.given.mean = mean;
     selection.given.nominal = &nominal;
-    (void)invcal_positions_check(&selection.given);
+    (void)invcali_positions_check(&selection.given);
     selection.given.count = BETWEEN(0, COUNT);
-    if (invcal_positions_calibrate(&selection, &out, &quality) == INVCAL_OK) {
+    if (invcali_positions_calibrate(&selection, &out, &quality) == INVCAL_OK) {
         read(&quality);
     }
-    (void)invcal_positions_sum(&selection, &sums);
-    if (invcal_positions_solve(&selection, &sums, &quality) == INVCAL_OK) {
+    (void)invcali_positions_sum(&selection, &sums);
+    if (invcali_positions_solve(&selection, &sums, &quality) == INVCAL_OK) {
         (void)quality.sigma[BETWEEN(0, INVCAL_PARAMETERS - 1)];
         (void)quality.condition;
     }
     ANY(out);
-    if (invcal_positions_pass(&selection, &out, (const invcal_real(*)[3])a, &sums, &quality) ==
+    if (invcali_positions_pass(&selection, &out, (const invcal_real(*)[3])a, &sums, &quality) ==
         INVCAL_OK) {
         read(&quality);
     }
@@ -61,7 +61,7 @@ static void any_steps(void)
     invcal_real x;
     invcal_real y;
     invcal_real silent;
-    invcal_row row;
+    invcali_row row;
     invcal_quality q;
 
     ANY(row);
@@ -69,21 +69,21 @@ static void any_steps(void)
     ANY(x);
     ANY(y);
     ANY(silent);
-    invcal_residuals_add(&q, BETWEEN(0, 0xFFFFFFFF), &row);
-    (void)invcal_residuals_end(&q);
-    (void)invcal_gradient((const invcal_real(*)[3])a, mean[0].v, g);
+    invcali_residuals_add(&q, BETWEEN(0, 0xFFFFFFFF), &row);
+    (void)invcali_residuals_end(&q);
+    (void)invcali_gradient((const invcal_real(*)[3])a, mean[0].v, g);
     const invcal_real dof = (invcal_real)Frama_C_double_interval(-1e30, 1e30);
-    invcal_judge_noise(x, y, dof, silent, &q);
-    invcal_weigh_noise(x, y, &q);
-    (void)invcal_whole(dof);
+    invcali_judge_noise(x, y, dof, silent, &q);
+    invcali_weigh_noise(x, y, &q);
+    (void)invcali_whole(dof);
     ANY(system);
-    (void)invcal_condition(system, INVCAL_PARAMETERS, x);
-    (void)invcal_is_resolved(x);
-    (void)invcal_determine(system, INVCAL_PARAMETERS, &q);
+    (void)invcali_condition(system, INVCAL_PARAMETERS, x);
+    (void)invcali_is_resolved(x);
+    (void)invcali_determine(system, INVCAL_PARAMETERS, &q);
     ANY(system);
-    (void)invcal_determine(system, INVCAL_PARAMETERS + 1, &q);
+    (void)invcali_determine(system, INVCAL_PARAMETERS + 1, &q);
     ANY(q);
-    invcal_judge_parameters((const invcal_real(*)[3])a, &q);
+    invcali_judge_parameters((const invcal_real(*)[3])a, &q);
 }
 
 /* Any positions, and none; the result may overwrite nominal. */
@@ -96,11 +96,12 @@ static void any_calibrate(void)
 
     ANY(left_out);
     ANY(noise);
-    (void)invcal_positions_calibrate(SELECTION(NULL, 0, left_out, &nominal, noise), &out, &quality);
-    (void)invcal_positions_calibrate(SELECTION(mean, BETWEEN(1, COUNT), left_out, &nominal, noise),
-                                     &out, &quality);
-    (void)invcal_positions_calibrate(SELECTION(mean, BETWEEN(1, COUNT), left_out, &nominal, noise),
-                                     &nominal, &quality);
+    (void)invcali_positions_calibrate(SELECTION(NULL, 0, left_out, &nominal, noise), &out,
+                                      &quality);
+    (void)invcali_positions_calibrate(SELECTION(mean, BETWEEN(1, COUNT), left_out, &nominal, noise),
+                                      &out, &quality);
+    (void)invcali_positions_calibrate(SELECTION(mean, BETWEEN(1, COUNT), left_out, &nominal, noise),
+                                      &nominal, &quality);
 }
 
 void main(void)

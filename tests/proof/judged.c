@@ -12,10 +12,10 @@
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
-invcal_set invcal_diagnose(const invcal_selection *selection, const invcal_calibration *c,
-                           invcal_quality *q)
+invcali_set invcali_diagnose(const invcali_selection *selection, const invcal_calibration *c,
+                             invcal_quality *q)
 {
-    invcal_set more;
+    invcali_set more;
 
     look_at(selection);
     (void)c->matrix[2][2];

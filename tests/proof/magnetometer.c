@@ -3,13 +3,13 @@
 #include "magnetometer/cells.h"
 #include "calibrate/judge.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 20 -eva-slevel 100 -eva-slevel-function invcal_text:2000 -eva-split-return full
+// eva: -eva-precision 0 -eva-auto-loop-unroll 20 -eva-slevel 100 -eva-slevel-function invcali_text:2000 -eva-split-return full
 // stubs: cell_fit
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
 /* Reads all of it, so that none may be uninitialised. */
-static void read_tables(const invcal_cell_tables *tables)
+static void read_tables(const invcali_cell_tables *tables)
 {
     const unsigned k = BETWEEN(0, INVCAL_CELLS - 1);
 
@@ -17,7 +17,7 @@ static void read_tables(const invcal_cell_tables *tables)
     (void)(tables->early->sum[k][0] + tables->late->sum[k][INVCAL_PARAMETERS - 1]);
 }
 
-static void read_fit(const invcal_cell_fit *fit)
+static void read_fit(const invcali_cell_fit *fit)
 {
     read_tables(&fit->tables);
     (void)fit->triad.offset[BETWEEN(0, 2)];
@@ -32,7 +32,7 @@ static invcal_real any_real(void)
     return x;
 }
 
-static invcal_status any_fit(invcal_cell_fit *fit)
+static invcal_status any_fit(invcali_cell_fit *fit)
 {
     read_tables(&fit->tables);
     ANY(fit->p);
@@ -40,46 +40,46 @@ static invcal_status any_fit(invcal_cell_fit *fit)
     return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 }
 
-invcal_real invcal_cells_gap(const invcal_cell_tables *tables, unsigned *worst)
+invcal_real invcali_cells_gap(const invcali_cell_tables *tables, unsigned *worst)
 {
     read_tables(tables);
     *worst = BETWEEN(0, INVCAL_CELLS - 1);
     return any_real();
 }
 
-invcal_status invcal_cells_solve(invcal_cell_fit *fit)
+invcal_status invcali_cells_solve(invcali_cell_fit *fit)
 {
     return any_fit(fit);
 }
 
-invcal_status invcal_cells_calibrate(invcal_cell_fit *fit)
+invcal_status invcali_cells_calibrate(invcali_cell_fit *fit)
 {
     ANY(fit->quality);
     return any_fit(fit);
 }
 
-void invcal_cells_weigh(invcal_cell_fit *fit, invcal_real power)
+void invcali_cells_weigh(invcali_cell_fit *fit, invcal_real power)
 {
     (void)power;
     read_fit(fit);
     ANY(fit->quality);
 }
 
-int invcal_cells_step(const invcal_cell_fit *fit, invcal_real power)
+int invcali_cells_step(const invcali_cell_fit *fit, invcal_real power)
 {
     (void)power;
     read_fit(fit);
     return (int)BETWEEN(0, 1);
 }
 
-invcal_real invcal_cells_field(const invcal_cell_fit *fit)
+invcal_real invcali_cells_field(const invcali_cell_fit *fit)
 {
     read_fit(fit);
     return any_real();
 }
 
-unsigned invcal_cells_point(const invcal_cell_tables *tables, const invcal_calibration *triad,
-                            unsigned k, invcal_real point[3])
+unsigned invcali_cells_point(const invcali_cell_tables *tables, const invcal_calibration *triad,
+                             unsigned k, invcal_real point[3])
 {
     (void)(triad->offset[2] + triad->matrix[2][2]);
     read_tables(tables);
@@ -111,7 +111,7 @@ void main(void)
     (void)invcal_magnetometer_solve(&magnetometer, &calibration, &quality, &found);
     (void)invcal_magnetometer_solve(&magnetometer, &calibration, &quality, 0);
     ANY(calibration);
-    (void)invcal_magnetometer_cell(&magnetometer, &calibration, BETWEEN(0, INVCAL_CELLS - 1), raw);
+    (void)invcali_magnetometer_cell(&magnetometer, &calibration, BETWEEN(0, INVCAL_CELLS - 1), raw);
     for (uint8_t n = 0; n <= INVCAL_STEP; n++) {
         (void)invcal_disturbance_text(n);
     }

@@ -9,9 +9,9 @@
 
 /* ---- what other modules do ---------------------------------------------------------------------- */
 
-invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_imu *imu,
-                               const invcal_positions *positions,
-                               const invcal_imu_settings *settings, invcal_imu_result *out)
+invcal_status invcali_imu_begin(invcali_imu_work *w, const invcal_imu *imu,
+                                const invcal_positions *positions,
+                                const invcal_imu_settings *settings, invcal_imu_result *out)
 {
     (void)positions->nominal->matrix[2][2];
     (void)(settings != NULL);
@@ -22,14 +22,14 @@ invcal_status invcal_imu_begin(invcal_imu_work *w, const invcal_imu *imu,
     return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
-invcal_status invcal_imu_sum(invcal_imu_work *w)
+invcal_status invcali_imu_sum(invcali_imu_work *w)
 {
     (void)w->parameter[8];
     ANY(w->pass);
     return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_OUT_OF_RANGE;
 }
 
-invcal_positions invcal_imu_positions(const invcal_imu *imu)
+invcal_positions invcali_imu_positions(const invcal_imu *imu)
 {
     const invcal_session *s = &imu->session;
     const invcal_positions positions = {s->mean, s->count, &s->nominal, s->noise, NULL};

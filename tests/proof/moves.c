@@ -71,13 +71,13 @@ void main(void)
     any_moves(m);
     invcal_imu_gap(m);
     any_moves(m);
-    invcal_moves_restart(m);
+    invcali_moves_restart(m);
     any_moves(m);
-    invcal_imu_follow(m, (invcal_event)BETWEEN(INVCAL_MOVING, INVCAL_REFUSED));
+    invcali_imu_follow(m, (invcal_event)BETWEEN(INVCAL_MOVING, INVCAL_REFUSED));
     any_moves(m);
     (void)invcal_imu_feed(m, raw[0], raw[1], raw[2]);
     any_moves(m);
     m->rests = (uint8_t)BETWEEN(1, INVCAL_MAX_MOVES);
     (void)invcal_imu_move_reason(m, BETWEEN(0, m->rests - 1));
-    invcal_unpack(packed, INVCAL_V_UNIT, out);
+    invcali_unpack(packed, INVCAL_V_UNIT, out);
 }

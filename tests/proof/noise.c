@@ -16,6 +16,6 @@ void main(void)
     any_allan(&allan);
     (void)invcal_allan_solve(&allan, x, &noise);
     ANY(noise);
-    (void)invcal_noise_sigma(&noise, x);
+    (void)invcali_noise_sigma(&noise, x);
     (void)invcal_noise_dwell(&noise, x, &dwell);
 }

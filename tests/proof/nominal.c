@@ -13,5 +13,5 @@ void main(void)
     ANY(counts);
     (void)invcal_nominal(zero, counts, &nominal);
     ANY(nominal);
-    (void)invcal_nominal_check(&nominal);
+    (void)invcali_nominal_check(&nominal);
 }

@@ -12,8 +12,8 @@ void main(void)
 {
     static invcal_vector mean[INVCAL_MAX_POSITIONS];
     invcal_calibration nominal;
-    invcal_fit fit;
-    invcal_group found;
+    invcali_fit fit;
+    invcali_group found;
 
     ANY(mean);
     ANY(nominal);
@@ -21,9 +21,9 @@ void main(void)
     fit.selection.given.mean = mean;
     fit.selection.given.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
     fit.selection.given.nominal = &nominal;
-    invcal_outliers_search(&fit, &found);
+    invcali_outliers_search(&fit, &found);
     (void)found.group; /* initialised, whatever was found */
     (void)found.suspected;
     (void)found.chance;
-    (void)invcal_are_many(found.group, fit.selection.given.count);
+    (void)invcali_are_many(found.group, fit.selection.given.count);
 }

@@ -15,8 +15,8 @@ void main(void)
     ANY(i);
     ANY(per_group);
     (void)invcal_plan_init(&plan, per_group);
-    (void)invcal_axis_up(up);
+    (void)invcali_axis_up(up);
     ANY(plan);
-    (void)invcal_plan_check(&plan);
+    (void)invcali_plan_check(&plan);
     (void)invcal_plan_get(&plan, i, &position);
 }

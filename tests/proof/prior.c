@@ -7,7 +7,7 @@
 #include "invcal/result.h"
 
 // eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-slevel-merge-after-loop @all
-// eva: -eva-split-return-function check_prior:0,calibrate:0,calibrate_twice:0,solve_with:0,factor_with:0,judge_with:0,invcal_observe:0,invcal_positions_pass:0,invcal_factor:0,invcal_ellipsoid:0,invcal_compose:0,invcal_residuals_end:0
+// eva: -eva-split-return-function check_prior:0,calibrate:0,calibrate_twice:0,solve_with:0,factor_with:0,judge_with:0,invcali_observe:0,invcali_positions_pass:0,invcali_factor:0,invcali_ellipsoid:0,invcali_compose:0,invcali_residuals_end:0
 // trusted: 1
 
 enum { COUNT = 100 };

@@ -2,7 +2,7 @@
 #include "arbitrary.h"
 #include "invcal/store.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 20 -eva-slevel-function read_all:400,invcal_crc32:0 -eva-split-return full
+// eva: -eva-precision 0 -eva-auto-loop-unroll 40 -eva-slevel 20 -eva-slevel-function read_all:400,invcali_crc32:0 -eva-split-return full
 // stubs: store
 
 /* ---- the store: any failure, or a number of bytes --------------------------------------------- */

@@ -5,7 +5,7 @@
 #include "arbitrary.h"
 #include "invcal/expert.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-split-return-function invcal_observe:0
+// eva: -eva-precision 0 -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-split-return-function invcali_observe:0
 
 enum { COUNT = 100 };
 

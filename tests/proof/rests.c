@@ -14,9 +14,9 @@ static void begin(unsigned bits)
 
     ANY(low);
     ANY(high);
-    if (invcal_rests_init(&rests, BETWEEN(RATE_FROM(bits), RATE_TO(bits))) == INVCAL_OK) {
+    if (invcali_rests_init(&rests, BETWEEN(RATE_FROM(bits), RATE_TO(bits))) == INVCAL_OK) {
         check_rests(&rests, bits);
-        (void)invcal_rests_rails(&rests, low, high);
+        (void)invcali_rests_rails(&rests, low, high);
         check_rests(&rests, bits);
     }
 }
@@ -28,7 +28,7 @@ static void feed(unsigned bits)
 
     ANY(raw);
     any_rests(&rests, bits);
-    invcal_rests_feed(&rests, raw);
+    invcali_rests_feed(&rests, raw);
     check_rests(&rests, bits);
 }
 
@@ -37,8 +37,8 @@ static void hold(unsigned bits)
     invcal_private_rests rests;
 
     any_rests(&rests, bits);
-    invcal_rests_hold(&rests, BETWEEN(0, UINT_MAX));
-    invcal_rests_gap(&rests);
+    invcali_rests_hold(&rests, BETWEEN(0, UINT_MAX));
+    invcali_rests_gap(&rests);
     check_rests(&rests, bits);
 }
 
@@ -47,28 +47,28 @@ static void finish(unsigned bits)
     invcal_private_rests rests;
 
     any_rests(&rests, bits);
-    invcal_rests_finish(&rests);
+    invcali_rests_finish(&rests);
     check_rests(&rests, bits);
 }
 
 static void look(unsigned bits)
 {
     invcal_private_rests rests;
-    invcal_rest rest;
+    invcali_rest rest;
     invcal_real mean[3];
 
     any_rests(&rests, bits);
-    invcal_rests_progress(&rests);
-    invcal_rests_reason(&rests);
-    invcal_rests_get(&rests, &rest);
-    invcal_rests_mean(&rests, mean);
+    invcali_rests_progress(&rests);
+    invcali_rests_reason(&rests);
+    invcali_rests_get(&rests, &rest);
+    invcali_rests_mean(&rests, mean);
 }
 
 void main(void)
 {
     invcal_private_rests rests;
 
-    (void)invcal_rests_init(&rests, BETWEEN(0, UINT_MAX));
+    (void)invcali_rests_init(&rests, BETWEEN(0, UINT_MAX));
     //@ loop unroll 9;
     for (unsigned bits = 2; bits <= 10; bits++) {
         begin(bits);

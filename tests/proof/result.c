@@ -22,5 +22,5 @@ void main(void)
     invcal_deviation(&calibration, &nominal, x);
     invcal_sigma_offset(&found, &nominal, sigma);
     (void)invcal_improves(&found, &present);
-    invcal_make_triangular(&calibration, &nominal);
+    invcali_make_triangular(&calibration, &nominal);
 }

@@ -12,7 +12,7 @@
 
 /* ---- what other modules do -------------------------------------------------------------------- */
 
-invcal_status invcal_fit_solve(invcal_fit *fit)
+invcal_status invcali_fit_solve(invcali_fit *fit)
 {
     look_at(&fit->selection);
     ANY(fit->squares);
@@ -20,7 +20,7 @@ invcal_status invcal_fit_solve(invcal_fit *fit)
     return (invcal_status)BETWEEN(INVCAL_OK, INVCAL_STATUS_END - 1);
 }
 
-void invcal_outliers_search(const invcal_fit *fit, invcal_group *found)
+void invcali_outliers_search(const invcali_fit *fit, invcali_group *found)
 {
     look_at(&fit->selection);
     ANY(*found);

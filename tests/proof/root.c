@@ -11,5 +11,5 @@ void main(void)
     float x;
 
     ANY(x);
-    (void)invcal_root(x);
+    (void)invcali_root(x);
 }

@@ -29,7 +29,7 @@ static invcal_event any_event(invcal_private_rests *rests)
     return (invcal_event)BETWEEN(INVCAL_NOTHING, INVCAL_REFUSED);
 }
 
-invcal_status invcal_rests_init(invcal_private_rests *rests, invcal_real rate)
+invcal_status invcali_rests_init(invcal_private_rests *rests, invcal_real rate)
 {
     const invcal_status status = any_status();
 
@@ -40,7 +40,7 @@ invcal_status invcal_rests_init(invcal_private_rests *rests, invcal_real rate)
     return status;
 }
 
-invcal_status invcal_rests_rails(invcal_private_rests *rests, int32_t low, int32_t high)
+invcal_status invcali_rests_rails(invcal_private_rests *rests, int32_t low, int32_t high)
 {
     (void)low;
     (void)high;
@@ -48,41 +48,41 @@ invcal_status invcal_rests_rails(invcal_private_rests *rests, int32_t low, int32
     return any_status();
 }
 
-void invcal_rests_hold(invcal_private_rests *rests, uint32_t milliseconds)
+void invcali_rests_hold(invcal_private_rests *rests, uint32_t milliseconds)
 {
     (void)milliseconds;
     ANY(*rests);
 }
 
-invcal_event invcal_rests_feed(invcal_private_rests *rests, const int32_t raw[3])
+invcal_event invcali_rests_feed(invcal_private_rests *rests, const int32_t raw[3])
 {
     (void)raw[2];
     return any_event(rests);
 }
 
-void invcal_rests_gap(invcal_private_rests *rests)
+void invcali_rests_gap(invcal_private_rests *rests)
 {
     ANY(*rests);
 }
 
-invcal_event invcal_rests_finish(invcal_private_rests *rests)
+invcal_event invcali_rests_finish(invcal_private_rests *rests)
 {
     return any_event(rests);
 }
 
-unsigned invcal_rests_progress(const invcal_private_rests *rests)
+unsigned invcali_rests_progress(const invcal_private_rests *rests)
 {
     (void)rests->bits;
     return BETWEEN(0, 100);
 }
 
-invcal_status invcal_rests_reason(const invcal_private_rests *rests)
+invcal_status invcali_rests_reason(const invcal_private_rests *rests)
 {
     (void)rests->reason;
     return any_status();
 }
 
-int invcal_rests_mean(const invcal_private_rests *rests, invcal_real mean[3])
+int invcali_rests_mean(const invcal_private_rests *rests, invcal_real mean[3])
 {
     (void)rests->bits;
     if (BETWEEN(0, 1)) {
@@ -115,8 +115,9 @@ invcal_status invcal_calibrate(const invcal_positions *positions, invcal_calibra
     return status;
 }
 
-invcal_status invcal_positions_pass(const invcal_selection *selection, const invcal_calibration *c,
-                                    const invcal_real a[3][3], invcal_sums *sums, invcal_quality *q)
+invcal_status invcali_positions_pass(const invcali_selection *selection,
+                                     const invcal_calibration *c, const invcal_real a[3][3],
+                                     invcal_sums *sums, invcal_quality *q)
 {
     look_at(&selection->given);
     (void)selection->left_out;
@@ -127,7 +128,7 @@ invcal_status invcal_positions_pass(const invcal_selection *selection, const inv
     return any_status();
 }
 
-void invcal_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
+void invcali_next_of_sums(invcal_sums *sums, const invcal_real current[3], invcal_real up[3])
 {
     ANY(*sums);
     (void)current[2];
@@ -141,7 +142,7 @@ const char *invcal_direction_text(const invcal_real up[3], char text[INVCAL_TEXT
     return text;
 }
 
-const char *invcal_refusal_text(invcal_status status)
+const char *invcali_refusal_text(invcal_status status)
 {
     return status == INVCAL_OK ? "" : "any";
 }
@@ -212,7 +213,7 @@ static void any_resume(void)
     check_session();
     ANY(session);
     ANY(begun);
-    (void)invcal_session_take(&session, begun, any_status(), BETWEEN(0, 0xFFFFFFFF));
+    (void)invcali_session_take(&session, begun, any_status(), BETWEEN(0, 0xFFFFFFFF));
     check_session();
 }
 

@@ -26,8 +26,8 @@ uint32_t invcal_session_size(const invcal_session *session)
     return BETWEEN(1, INVCAL_SESSION_SIZE);
 }
 
-invcal_status invcal_session_take(invcal_session *session, const uint8_t *begun,
-                                  invcal_status status, uint32_t size)
+invcal_status invcali_session_take(invcal_session *session, const uint8_t *begun,
+                                   invcal_status status, uint32_t size)
 {
     (void)begun[INVCAL_SESSION_HEAD - 1];
     (void)size;

@@ -19,13 +19,13 @@ void main(void)
     ANY(nominal);
     ANY(p);
     ANY(m);
-    (void)invcal_cofactors((const invcal_real(*)[3])m, c);
-    invcal_inverse3((const invcal_real(*)[3])m, c);
-    invcal_make_symmetric(m, work);
-    (void)invcal_ellipsoid(p, work, &out);
-    (void)invcal_triad(p, &out);
+    (void)invcali_cofactors((const invcal_real(*)[3])m, c);
+    invcali_inverse3((const invcal_real(*)[3])m, c);
+    invcali_make_symmetric(m, work);
+    (void)invcali_ellipsoid(p, work, &out);
+    (void)invcali_triad(p, &out);
     ANY(out);
-    (void)invcal_compose(&nominal, &out);
+    (void)invcali_compose(&nominal, &out);
     (void)invcal_sums_solve(&sums, &nominal, &out);
     (void)invcal_sums_solve(&sums, &nominal, &nominal);
 }

@@ -20,7 +20,7 @@ static void rank_one(unsigned n)
     ANY(a);
     ANY(v);
     ANY(weight);
-    invcal_rank_one(a, v, n, weight);
+    invcali_rank_one(a, v, n, weight);
 }
 
 void main(void)
@@ -33,22 +33,22 @@ void main(void)
     invcal_real raw[3];
     invcal_real weight;
     invcal_real h[INVCAL_PARAMETERS];
-    invcal_row row;
+    invcali_row row;
 
     invcal_sums_init(&sums);
     ANY(nominal);
     ANY(raw);
     ANY(weight);
-    (void)invcal_observe(&nominal, raw, &row);
+    (void)invcali_observe(&nominal, raw, &row);
     (void)invcal_sums_add(&sums, &nominal, raw, weight);
     ANY(sums);
     ANY(row);
     (void)invcal_sums_add(&sums, &nominal, raw, weight);
-    invcal_sums_add_row(&sums, &row, weight);
+    invcali_sums_add_row(&sums, &row, weight);
     ANY(h);
-    invcal_products(raw, h);
-    invcal_row_of(h);
-    (void)invcal_variance_inline(sums.sum, INVCAL_PARAMETERS, BETWEEN(0, INVCAL_PARAMETERS - 1));
-    (void)invcal_leverage(sums.sum, h);
-    (void)invcal_variance(sums.sum, INVCAL_PARAMETERS, BETWEEN(0, INVCAL_PARAMETERS - 1));
+    invcali_products(raw, h);
+    invcali_row_of(h);
+    (void)invcali_variance_inline(sums.sum, INVCAL_PARAMETERS, BETWEEN(0, INVCAL_PARAMETERS - 1));
+    (void)invcali_leverage(sums.sum, h);
+    (void)invcali_variance(sums.sum, INVCAL_PARAMETERS, BETWEEN(0, INVCAL_PARAMETERS - 1));
 }

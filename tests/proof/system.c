@@ -22,16 +22,16 @@ static void solve(unsigned n, unsigned rows)
     ANY(buffer);
     ANY(floor);
     ANY(h);
-    (void)invcal_trace(a, n);
-    (void)invcal_largest_diagonal(a, n);
-    (void)invcal_factor(a, n, rows, floor);
+    (void)invcali_trace(a, n);
+    (void)invcali_largest_diagonal(a, n);
+    (void)invcali_factor(a, n, rows, floor);
     if (rows > n) {
-        invcal_back_substitute(a, n);
+        invcali_back_substitute(a, n);
     }
-    invcal_invert(a, n);
-    (void)invcal_variance(a, n, BETWEEN(0, n - 1));
+    invcali_invert(a, n);
+    (void)invcali_variance(a, n, BETWEEN(0, n - 1));
     if (n == INVCAL_PARAMETERS) {
-        (void)invcal_leverage(a, h);
+        (void)invcali_leverage(a, h);
     }
 }
 

@@ -12,8 +12,8 @@ void main(void)
 {
     static invcal_vector mean[INVCAL_MAX_POSITIONS];
     invcal_calibration nominal;
-    invcal_fit fit;
-    invcal_test test;
+    invcali_fit fit;
+    invcali_test test;
 
     ANY(mean);
     ANY(nominal);
@@ -21,7 +21,7 @@ void main(void)
     fit.selection.given.mean = mean;
     fit.selection.given.count = BETWEEN(0, INVCAL_MAX_POSITIONS);
     fit.selection.given.nominal = &nominal;
-    invcal_test_for(&fit, BETWEEN(0, 0xFFFFFFFF), BETWEEN(0, 0xFFFFFFFF), &test);
+    invcali_test_for(&fit, BETWEEN(0, 0xFFFFFFFF), BETWEEN(0, 0xFFFFFFFF), &test);
     (void)test.rank; /* all of it is initialised */
     (void)test.squares;
     (void)test.size[BETWEEN(0, 2)];

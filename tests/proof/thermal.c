@@ -4,7 +4,7 @@
 #include "arbitrary.h"
 #include "thermal/polynomials.h"
 
-// eva: -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-split-return-function invcal_thermal_find:0,invcal_thermal_triad:0
+// eva: -eva-auto-loop-unroll 12 -eva-slevel 50 -eva-split-return-function invcali_thermal_find:0,invcali_thermal_triad:0
 // config: -DINVCAL_THERMAL_DEGREE=2
 // config: -DINVCAL_THERMAL_DEGREE=0
 
@@ -24,10 +24,10 @@ void main(void)
     ANY(c);
     (void)invcal_thermal_at(&thermal, temperature, &out, &place);
     (void)invcal_thermal_at(&thermal, temperature, &out, NULL);
-    (void)invcal_thermal_find(&thermal, temperature, &t, &place);
-    (void)invcal_thermal_triad(&thermal, temperature, &triad);
-    (void)invcal_thermal_scaled(&thermal, temperature);
+    (void)invcali_thermal_find(&thermal, temperature, &t, &place);
+    (void)invcali_thermal_triad(&thermal, temperature, &triad);
+    (void)invcali_thermal_scaled(&thermal, temperature);
     for (unsigned degree = 0; degree <= 2; degree++) {
-        invcal_polynomials(c[0], degree, temperature, x);
+        invcali_polynomials(c[0], degree, temperature, x);
     }
 }

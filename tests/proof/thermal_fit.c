@@ -33,8 +33,8 @@ static invcal_real any_real(void)
     return x;
 }
 
-invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
-                                   invcal_calibration *triad)
+invcal_status invcali_thermal_triad(const invcal_thermal *thermal, invcal_real t,
+                                    invcal_calibration *triad)
 {
     (void)thermal->x[INVCAL_THERMAL_DEGREE][8];
     (void)t;
@@ -42,8 +42,8 @@ invcal_status invcal_thermal_triad(const invcal_thermal *thermal, invcal_real t,
     return or_fail(INVCAL_NOT_ELLIPSOID);
 }
 
-invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
-                                  invcal_real *t, invcal_thermal_place *place)
+invcal_status invcali_thermal_find(const invcal_thermal *thermal, invcal_real temperature,
+                                   invcal_real *t, invcal_thermal_place *place)
 {
     (void)thermal->span;
     (void)temperature;
@@ -52,15 +52,15 @@ invcal_status invcal_thermal_find(const invcal_thermal *thermal, invcal_real tem
     return or_fail(INVCAL_BAD_TEMPERATURE);
 }
 
-void invcal_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
-                        invcal_real out[INVCAL_PARAMETERS])
+void invcali_polynomials(const invcal_real *c, unsigned degree, invcal_real t,
+                         invcal_real out[INVCAL_PARAMETERS])
 {
     (void)c[(degree + 1) * INVCAL_PARAMETERS - 1];
     (void)t;
     UNKNOWN(out, INVCAL_PARAMETERS);
 }
 
-invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibration *c)
+invcal_status invcali_compose(const invcal_calibration *nominal, invcal_calibration *c)
 {
     (void)nominal->matrix[2][2];
     (void)c->matrix[2][2];
@@ -68,8 +68,8 @@ invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibrati
     return or_fail(INVCAL_BAD_NOMINAL);
 }
 
-invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
-                               invcal_real work[INVCAL_WORK], invcal_calibration *out)
+invcal_status invcali_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
+                                invcal_real work[INVCAL_WORK], invcal_calibration *out)
 {
     (void)p[INVCAL_PARAMETERS - 1];
     UNKNOWN(work, INVCAL_WORK);
@@ -77,35 +77,35 @@ invcal_status invcal_ellipsoid(const invcal_real p[INVCAL_PARAMETERS],
     return or_fail(INVCAL_NOT_ELLIPSOID);
 }
 
-void invcal_correct(const invcal_calibration *calibration, const invcal_real raw[3],
-                    invcal_real calibrated[3])
+void invcali_correct(const invcal_calibration *calibration, const invcal_real raw[3],
+                     invcal_real calibrated[3])
 {
     (void)calibration->matrix[2][2];
     (void)raw[2];
     UNKNOWN(calibrated, 3);
 }
 
-void invcal_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
+void invcali_make_symmetric(invcal_real a[3][3], invcal_real work[INVCAL_WORK])
 {
     (void)a[2][2];
     UNKNOWN(work, INVCAL_WORK);
     UNKNOWN(a, 3);
 }
 
-void invcal_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
+void invcali_inverse3(const invcal_real m[3][3], invcal_real inverse[3][3])
 {
     (void)m[2][2];
     UNKNOWN(inverse, 3);
 }
 
-invcal_status invcal_nominal_check(const invcal_calibration *nominal)
+invcal_status invcali_nominal_check(const invcal_calibration *nominal)
 {
     (void)nominal->matrix[2][2];
     return or_fail(INVCAL_BAD_NOMINAL);
 }
 
-invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_real reading[3],
-                             invcal_row *row)
+invcal_status invcali_observe(const invcal_calibration *nominal, const invcal_real reading[3],
+                              invcali_row *row)
 {
     (void)nominal->matrix[2][2];
     (void)reading[2];
@@ -113,7 +113,7 @@ invcal_status invcal_observe(const invcal_calibration *nominal, const invcal_rea
     return BETWEEN(0, 1) ? INVCAL_OK : BETWEEN(0, 1) ? INVCAL_NOT_FINITE : INVCAL_OUT_OF_RANGE;
 }
 
-void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight)
+void invcali_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_real weight)
 {
     for (unsigned i = 0; i < n; i++) {
         (void)(v[i] + weight);
@@ -121,19 +121,19 @@ void invcal_rank_one(invcal_real *a, const invcal_real *v, unsigned n, invcal_re
     UNKNOWN(a, INVCAL_PACKED_SIZE(n));
 }
 
-invcal_real invcal_trace(const invcal_real *a, unsigned n)
+invcal_real invcali_trace(const invcal_real *a, unsigned n)
 {
     (void)a[INVCAL_PACKED_SIZE(n) - 1];
     return any_real();
 }
 
-invcal_real invcal_largest_diagonal(const invcal_real *a, unsigned n)
+invcal_real invcali_largest_diagonal(const invcal_real *a, unsigned n)
 {
     (void)a[INVCAL_PACKED_SIZE(n) - 1];
     return any_real();
 }
 
-invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor)
+invcal_status invcali_factor(invcal_real *a, unsigned n, unsigned rows, invcal_real floor)
 {
     (void)n;
     (void)floor;
@@ -141,51 +141,51 @@ invcal_status invcal_factor(invcal_real *a, unsigned n, unsigned rows, invcal_re
     return or_fail(INVCAL_UNDETERMINED);
 }
 
-void invcal_back_substitute(invcal_real *l, unsigned n)
+void invcali_back_substitute(invcal_real *l, unsigned n)
 {
     UNKNOWN(l, INVCAL_PACKED_SIZE(n + 1));
 }
 
-void invcal_invert(invcal_real *l, unsigned n)
+void invcali_invert(invcal_real *l, unsigned n)
 {
     UNKNOWN(l, INVCAL_PACKED_SIZE(n));
 }
 
-invcal_real invcal_variance(const invcal_real *inverse, unsigned n, unsigned r)
+invcal_real invcali_variance(const invcal_real *inverse, unsigned n, unsigned r)
 {
     (void)inverse[INVCAL_PACKED_SIZE(n) - 1];
     (void)(1 / (r < n)); /* an alarm if there is no such parameter */
     return any_real();
 }
 
-invcal_real invcal_condition(const invcal_real *inverse, unsigned n, invcal_real trace)
+invcal_real invcali_condition(const invcal_real *inverse, unsigned n, invcal_real trace)
 {
     (void)inverse[INVCAL_PACKED_SIZE(n) - 1];
     (void)trace;
     return any_real();
 }
 
-invcal_status invcal_positions_check(const invcal_positions *positions)
+invcal_status invcali_positions_check(const invcal_positions *positions)
 {
     (void)positions->nominal->matrix[2][2];
     return BETWEEN(0, 1) ? INVCAL_OK : BETWEEN(0, 1) ? INVCAL_BAD_NOISE : INVCAL_BAD_COUNT;
 }
 
-invcal_real invcal_dot(const invcal_real *a, const invcal_real *b, unsigned n)
+invcal_real invcali_dot(const invcal_real *a, const invcal_real *b, unsigned n)
 {
     (void)(a[0] + a[n - 1]);
     (void)(b[0] + b[n - 1]);
     return any_real();
 }
 
-void invcal_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
+void invcali_products(const invcal_real eta[3], invcal_real g[INVCAL_PARAMETERS])
 {
     (void)(eta[2] + g[2]);
     UNKNOWN(g, INVCAL_PARAMETERS);
 }
 
-void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
-                        invcal_real silent, invcal_quality *q)
+void invcali_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof,
+                         invcal_real silent, invcal_quality *q)
 {
     (void)(stated + squares + dof + silent);
     (void)q->verdict;
@@ -194,7 +194,7 @@ void invcal_judge_noise(invcal_real stated, invcal_real squares, invcal_real dof
     q->verdict = (uint8_t)BETWEEN(INVCAL_GOOD, INVCAL_ROUGH);
 }
 
-void invcal_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
+void invcali_judge_parameters(const invcal_real a[3][3], invcal_quality *q)
 {
     (void)(q->sigma[INVCAL_PARAMETERS - 1] + a[2][2] + q->noise);
     (void)(q->positions + q->dof + q->verdict);

@@ -5,7 +5,7 @@
 #include "invcal/thermal_store.h"
 #include "thermal/polynomials.h"
 
-// eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcal_crc32:0 -eva-split-return full
+// eva: -eva-precision 0 -eva-auto-loop-unroll 128 -eva-slevel 200 -eva-slevel-merge-after-loop @all -eva-slevel-function invcali_crc32:0 -eva-split-return full
 // stubs: record solve nominal store
 
 /* ---- what other modules do -------------------------------------------------------------------- */
@@ -35,7 +35,7 @@ invcal_status invcal_record_decode(const uint8_t *bytes, uint32_t size, invcal_r
     return INVCAL_DAMAGED;
 }
 
-invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibration *c)
+invcal_status invcali_compose(const invcal_calibration *nominal, invcal_calibration *c)
 {
     (void)nominal->matrix[2][2];
     (void)c->matrix[2][2];
@@ -44,14 +44,14 @@ invcal_status invcal_compose(const invcal_calibration *nominal, invcal_calibrati
 }
 
 /* For any X. */
-invcal_status invcal_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
+invcal_status invcali_triad(const invcal_real x[INVCAL_PARAMETERS], invcal_calibration *triad)
 {
     (void)x[INVCAL_PARAMETERS - 1];
     ANY(*triad);
     return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_NOT_ELLIPSOID;
 }
 
-invcal_status invcal_nominal_check(const invcal_calibration *nominal)
+invcal_status invcali_nominal_check(const invcal_calibration *nominal)
 {
     (void)nominal->matrix[2][2];
     return BETWEEN(0, 1) ? INVCAL_OK : INVCAL_BAD_NOMINAL;

@@ -6,9 +6,9 @@
 
 // stubs: imu
 
-invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_imu *imu,
-                               const invcal_positions *positions,
-                               const invcal_imu_settings *settings, invcal_imu_result *out)
+invcal_status invcali_imu_begin(invcali_imu_work *work, const invcal_imu *imu,
+                                const invcal_positions *positions,
+                                const invcal_imu_settings *settings, invcal_imu_result *out)
 {
     static invcal_vector means[INVCAL_MAX_MOVES];
 
@@ -25,12 +25,12 @@ invcal_status invcal_imu_begin(invcal_imu_work *work, const invcal_imu *imu,
     return positions->nominal->offset[0] > 0 ? INVCAL_OK : INVCAL_BAD_NOMINAL;
 }
 
-invcal_status invcal_imu_settings_check(const invcal_imu_settings *settings, invcal_real noise)
+invcal_status invcali_imu_settings_check(const invcal_imu_settings *settings, invcal_real noise)
 {
     return settings->rate_noise >= 0 && noise >= 0 ? INVCAL_OK : INVCAL_BAD_NOISE;
 }
 
-invcal_status invcal_imu_sum(invcal_imu_work *work)
+invcal_status invcali_imu_sum(invcali_imu_work *work)
 {
     ANY(work->pass);
     return Frama_C_int_interval(0, 1) ? INVCAL_OK : INVCAL_OUT_OF_RANGE;
@@ -45,7 +45,7 @@ void main(void)
     invcal_positions positions;
     invcal_real noise;
     invcal_calibration nominal;
-    static invcal_turns turns;
+    static invcali_turns turns;
     invcal_imu_settings settings;
     invcal_real prior[INVCAL_IMU_PARAMETERS];
     invcal_real sigma[INVCAL_IMU_PARAMETERS];
@@ -55,15 +55,15 @@ void main(void)
     unsigned i;
 
     ANY(i);
-    (void)invcal_tour(i, &turn);
+    (void)invcali_tour(i, &turn);
     ANY(up);
-    (void)invcal_turn_to(up[0], up[1], &turn);
+    (void)invcali_turn_to(up[0], up[1], &turn);
     ANY(settings);
     ANY(noise);
     ANY(prior);
     settings.prior = Frama_C_int_interval(0, 1) ? prior : 0;
-    (void)invcal_turns_begin(&turns, up[0], 0, 0);
-    (void)invcal_turns_begin(&turns, up[0], &settings, noise);
+    (void)invcali_turns_begin(&turns, up[0], 0, 0);
+    (void)invcali_turns_begin(&turns, up[0], &settings, noise);
     ANY(raw);
     ANY(nominal);
     ANY(imu);
@@ -72,14 +72,14 @@ void main(void)
     positions.mean = raw;
     positions.count = BETWEEN(0, COUNT);
     positions.nominal = &nominal;
-    (void)invcal_turns_after(&turns, &imu, &positions, 0);
-    (void)invcal_turns_after(&turns, &imu, &positions, &settings);
+    (void)invcali_turns_after(&turns, &imu, &positions, 0);
+    (void)invcali_turns_after(&turns, &imu, &positions, &settings);
     ANY(turns);
     turns.n = Frama_C_int_interval(0, 1) ? INVCAL_IMU_PARAMETERS : INVCAL_GYRO_PARAMETERS;
     ANY(turn);
-    invcal_turns copy = turns;
-    (void)invcal_turns_add(&copy, &turn);
-    (void)invcal_turns_sigma(&turns, &turn, sigma, &open);
-    (void)invcal_turns_sigma(&turns, 0, sigma, &open);
-    invcal_turns_next(&turns, &turn);
+    invcali_turns copy = turns;
+    (void)invcali_turns_add(&copy, &turn);
+    (void)invcali_turns_sigma(&turns, &turn, sigma, &open);
+    (void)invcali_turns_sigma(&turns, 0, sigma, &open);
+    invcali_turns_next(&turns, &turn);
 }

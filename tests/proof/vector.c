@@ -15,14 +15,14 @@ void main(void)
     ANY(b);
     ANY(bytes);
     ANY(calibration);
-    (void)invcal_is_finite(a[0]);
-    (void)invcal_is_positive(a[0]);
-    (void)invcal_are_finite(a);
-    (void)invcal_is_unit(a);
-    (void)invcal_dot3(a, b);
-    (void)invcal_number(BETWEEN(0, 0x7FFFFFFF));
-    invcal_correct_inline(&calibration, a, b);
-    invcal_copy_bytes(copy, bytes, BETWEEN(0, sizeof bytes));
-    invcal_zero_bytes(bytes, BETWEEN(0, sizeof bytes));
-    invcal_zero_reals(a, BETWEEN(0, 3));
+    (void)invcali_is_finite(a[0]);
+    (void)invcali_is_positive(a[0]);
+    (void)invcali_are_finite(a);
+    (void)invcali_is_unit(a);
+    (void)invcali_dot3(a, b);
+    (void)invcali_number(BETWEEN(0, 0x7FFFFFFF));
+    invcali_correct_inline(&calibration, a, b);
+    invcali_copy_bytes(copy, bytes, BETWEEN(0, sizeof bytes));
+    invcali_zero_bytes(bytes, BETWEEN(0, sizeof bytes));
+    invcali_zero_reals(a, BETWEEN(0, 3));
 }

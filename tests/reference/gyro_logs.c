@@ -62,7 +62,8 @@ static int read_rows(FILE *file)
     double x[6];
     int rows = 0;
 
-    while (rows < ROWS && fscanf(file, "%lf %lf %lf %lf %lf %lf", x, x + 1, x + 2, x + 3, x + 4, x + 5) == 6) {
+    while (rows < ROWS &&
+           fscanf(file, "%lf %lf %lf %lf %lf %lf", x, x + 1, x + 2, x + 3, x + 4, x + 5) == 6) {
         for (int i = 0; i < 3; i++) {
             row[rows][i] = x[i] * 16384 / 9.81;
             row[rows][3 + i] = x[3 + i] * 131 / RAD;
@@ -132,7 +133,7 @@ static void feed_stated(int rows)
             since++;
             event = since < 3 ? INVCAL_MOVING : blocks < LEAST ? INVCAL_REFUSED : INVCAL_TAKEN;
         }
-        invcal_imu_follow(&both, event);
+        invcali_imu_follow(&both, event);
         if (event == INVCAL_TAKEN) {
             take(sum, BLOCK * blocks);
         }
@@ -164,8 +165,8 @@ static void print(const char *name)
 
     printf("static const double %s_mean[][3] = {\n", name);
     for (unsigned i = 0; i < session->count; i++) {
-        printf("    {%.3f, %.3f, %.3f},\n", (double)session->mean[i].v[0], (double)session->mean[i].v[1],
-               (double)session->mean[i].v[2]);
+        printf("    {%.3f, %.3f, %.3f},\n", (double)session->mean[i].v[0],
+               (double)session->mean[i].v[1], (double)session->mean[i].v[2]);
     }
     printf("};\nstatic const invcal_private_still %s_rest[] = {\n", name);
     for (unsigned i = skip; i < both.rests; i++) {
@@ -191,12 +192,15 @@ int main(int count, char **names)
     double x[6], time;
 
     if (!m1) {
-        fputs("usage: gyro_logs XSENS_ACC XSENS_GYRO MPU_0 MPU_1, as the head of this source says; each must be "
-              "readable\n", stderr);
+        fputs("usage: gyro_logs XSENS_ACC XSENS_GYRO MPU_0 MPU_1, as the head of this source says; "
+              "each must be "
+              "readable\n",
+              stderr);
         return 3;
     }
     printf("/* SPDX-License-Identifier: MIT\n *\n"
-           " * Made by tests/reference/gyro_logs.c, which names the logs. */\n/* clang-format off */\n");
+           " * Made by tests/reference/gyro_logs.c, which names the logs. */\n/* clang-format off "
+           "*/\n");
     begin(32768, 1 / (414.4 * 9.81744), 1 / 4772.0);
     while (both.rests < 16 && fscanf(a, "%lf %lf %lf %lf", &time, x, x + 1, x + 2) == 4 &&
            fscanf(g, "%lf %lf %lf %lf", &time, x + 3, x + 4, x + 5) == 4) {

@@ -39,7 +39,7 @@ function section() {
     name[nodes] = label
 }
 
-# A .su line: "src/core/vector.h:23:27:invcal_dot.constprop <tab> 16 <tab> static". Clones may have the
+# A .su line: "src/core/vector.h:23:27:invcali_dot.constprop <tab> 16 <tab> static". Clones may have the
 # same name here, or lack their number: the largest counts.
 function usage(    part, n, key, at) {
     at = FILENAME

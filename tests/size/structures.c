@@ -17,7 +17,7 @@
     char size_of_##name[sizeof(name)]
 
 SIZE_OF(invcal_calibration);
-SIZE_OF(invcal_row);
+SIZE_OF(invcali_row);
 SIZE_OF(invcal_sums);
 SIZE_OF(invcal_frame);
 SIZE_OF(invcal_imu);

@@ -108,7 +108,7 @@ static void the_frame_does_not_matter(void)
 
     set_axes(length, gamma, g);
     invcal_calibration c = calibration_of(g, 0.3);
-    invcal_make_triangular(&c, &nominal);
+    invcali_make_triangular(&c, &nominal);
     TEST_ASSERT_EQUAL_DOUBLE(0, c.matrix[1][0]);
     compare_parameters(&file, &c, &before);
     expect_nine(length, gamma);

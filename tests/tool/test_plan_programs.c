@@ -117,7 +117,7 @@ static void shares_of_faces_and_edges_are_a_thirtieth_and_a_fifteenth(void)
     make("edges");
     design_weigh(&set);
     for (unsigned i = 0; i < set.count; i++) {
-        const int is_face = invcal_axis_up(set.position[i].vertical) != 0;
+        const int is_face = invcali_axis_up(set.position[i].vertical) != 0;
         TEST_ASSERT_DOUBLE_WITHIN(1e-9, is_face ? 1.0 / 30 : 1.0 / 15, set.position[i].share / 18);
     }
     TEST_ASSERT_DOUBLE_WITHIN(1e-9, expected_shared_log_det[0], set.criteria.log_det);
@@ -130,7 +130,7 @@ static void the_axes_of_table_2_have_no_share(void)
     make("per-group:6");
     design_weigh(&set);
     for (unsigned i = 0; i < set.count; i++) {
-        const int is_axis = invcal_axis_up(set.position[i].vertical) != 0;
+        const int is_axis = invcali_axis_up(set.position[i].vertical) != 0;
         TEST_ASSERT_DOUBLE_WITHIN(1e-9, is_axis ? 0 : 1.0 / 12, set.position[i].share / 18);
     }
     TEST_ASSERT_DOUBLE_WITHIN(1e-8, expected_shared_log_det[1], set.criteria.log_det);
@@ -152,7 +152,7 @@ static void positions_that_point_the_same_way_have_the_same_share(void)
     make("stand-24");
     design_weigh(&set);
     for (unsigned i = 0; i < set.count; i++) {
-        const int is_axis = invcal_axis_up(set.position[i].vertical) != 0;
+        const int is_axis = invcali_axis_up(set.position[i].vertical) != 0;
         TEST_ASSERT_DOUBLE_WITHIN(1e-9, is_axis ? 1.0 / 60 : 1.0 / 15, set.position[i].share / 24);
     }
 }

@@ -17,7 +17,7 @@ enum { SIZE = 100 };
 static const double UNIT = 0.01;
 
 /* A rest that was disturbed: 400 of 500 samples are summed. */
-static const invcal_rest disturbed = {
+static const invcali_rest disturbed = {
     .sum = {40000, 0, 0}, .count = 400, .begin = 0, .end = 500, .variance = 16};
 
 /* Without its blocks, the variance of its mean is that of a sample over their number. */

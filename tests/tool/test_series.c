@@ -88,7 +88,7 @@ static void coefficients(const series *s, double c[3][TERMS])
 
 /* The row of J1 or J2 for a position, u being read without noise. */
 enum { J1 = 1, J2 = 2 };
-static invcal_row row_of(int kind, const triad_truth *truth, const double eta[3])
+static invcali_row row_of(int kind, const triad_truth *truth, const double eta[3])
 {
     const double x = eta[0];
     const double y = eta[1];
@@ -98,7 +98,7 @@ static invcal_row row_of(int kind, const triad_truth *truth, const double eta[3]
     triad_read(truth, eta, u);
     const double vertical = u[0] * x + u[1] * y + u[2] * z - 1;
     const double scalar = (u[0] * u[0] + u[1] * u[1] + u[2] * u[2] - 1) / 2;
-    return (invcal_row){
+    return (invcali_row){
         {x, y, z, x * x, y * y, z * z, x * y, x * z, y * z, kind == J1 ? vertical : scalar}};
 }
 
@@ -115,7 +115,7 @@ static void the_vertical_composition_gives_the_parameters_exactly(void)
             series s = series_of(&p.plan);
             double x[NINE];
             for (unsigned i = 0; i < p.count; i++) {
-                const invcal_row row = row_of(J1, &truth, p.eta[i]);
+                const invcali_row row = row_of(J1, &truth, p.eta[i]);
                 TEST_ASSERT_EQUAL_INT(INVCAL_OK, series_add(&s, row.h[INVCAL_J]));
             }
             solve(&s, x);
@@ -189,7 +189,7 @@ static void a0_of_group_1_is_that_of_dk_y_and_dk_z_not_dk_x(void)
         double c[3][TERMS];
         truth.x[INVCAL_DK_X + k] = 0.1;
         for (unsigned i = 0; i < p.count; i++) {
-            const invcal_row row = row_of(J1, &truth, p.eta[i]);
+            const invcali_row row = row_of(J1, &truth, p.eta[i]);
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, series_add(&s, row.h[INVCAL_J]));
         }
         coefficients(&s, c);
@@ -245,13 +245,14 @@ static void assert_equal_to_the_solve(int kind, double size, double noise, uint3
             double x[NINE];
             invcal_sums_init(&sums);
             for (unsigned i = 0; i < p.count; i++) {
-                invcal_row row = row_of(kind, &truth, p.eta[i]);
+                invcali_row row = row_of(kind, &truth, p.eta[i]);
                 row.h[INVCAL_J] += noise > 0 ? noise * random_normal(&random) : 0;
                 TEST_ASSERT_EQUAL_INT(INVCAL_OK, series_add(&s, row.h[INVCAL_J]));
-                invcal_sums_add_row(&sums, &row, 1);
+                invcali_sums_add_row(&sums, &row, 1);
             }
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(sums.sum, NINE, NINE + 1, INVCAL_FLOOR));
-            invcal_back_substitute(sums.sum, NINE);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                                  invcali_factor(sums.sum, NINE, NINE + 1, INVCAL_FLOOR));
+            invcali_back_substitute(sums.sum, NINE);
             solve(&s, x);
             for (unsigned r = 0; r < NINE; r++) { /* J + h p = 0: p = -X */
                 TEST_ASSERT_DOUBLE_WITHIN(close, -sums.sum[INVCAL_PACKED(NINE, r)], x[r]);
@@ -297,7 +298,7 @@ static void the_scalar_composition_holds_to_the_first_order(void)
             truth.x[r] = size * sign[r];
         }
         for (unsigned i = 0; i < p.count; i++) {
-            const invcal_row row = row_of(J2, &truth, p.eta[i]);
+            const invcali_row row = row_of(J2, &truth, p.eta[i]);
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, series_add(&s, row.h[INVCAL_J]));
         }
         solve(&s, x);

@@ -21,30 +21,30 @@
 #define invcal_imu_feed other_feed
 #undef invcal_imu_gap
 #define invcal_imu_gap other_gap
-#undef invcal_imu_follow
-#define invcal_imu_follow other_follow
+#undef invcali_imu_follow
+#define invcali_imu_follow other_follow
 #undef invcal_imu_move_reason
 #define invcal_imu_move_reason other_move_reason
-#undef invcal_moves_empty
-#define invcal_moves_empty other_moves_empty
-#undef invcal_moves_restart
-#define invcal_moves_restart other_moves_restart
-#undef invcal_unpack
-#define invcal_unpack other_unpack
-#undef invcal_replay_move
-#define invcal_replay_move other_replay_move
-#undef invcal_imu_begin
-#define invcal_imu_begin other_begin
-#undef invcal_imu_sum
-#define invcal_imu_sum other_sum
-#undef invcal_imu_settings_check
-#define invcal_imu_settings_check other_settings_check
-#undef invcal_imu_positions
-#define invcal_imu_positions other_positions
+#undef invcali_moves_empty
+#define invcali_moves_empty other_moves_empty
+#undef invcali_moves_restart
+#define invcali_moves_restart other_moves_restart
+#undef invcali_unpack
+#define invcali_unpack other_unpack
+#undef invcali_replay_move
+#define invcali_replay_move other_replay_move
+#undef invcali_imu_begin
+#define invcali_imu_begin other_begin
+#undef invcali_imu_sum
+#define invcali_imu_sum other_sum
+#undef invcali_imu_settings_check
+#define invcali_imu_settings_check other_settings_check
+#undef invcali_imu_positions
+#define invcali_imu_positions other_positions
 #undef invcal_imu_solve
 #define invcal_imu_solve other_solve
-#undef invcal_imu_solve_of
-#define invcal_imu_solve_of other_solve_of
+#undef invcali_imu_solve_of
+#define invcali_imu_solve_of other_solve_of
 #include "imu/imu.c"
 #include "imu/moves.c"
 

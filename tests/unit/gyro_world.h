@@ -145,7 +145,7 @@ static inline void world_block(world *w, int is_quiet)
             r->pended = event == INVCAL_TAKEN ? 2 : 0;
         }
     }
-    invcal_imu_follow(&w->imu, event);
+    invcali_imu_follow(&w->imu, event);
     if (w->hold == 5) {
         r->pended = 0;
         w->hold = w->quiet = 0;
@@ -324,7 +324,7 @@ static inline invcal_imu_settings world_stated(const world_settings *s,
     settings.rate_noise = s->rate_noise == 0 ? none : s->rate_noise;
     settings.instability = s->instability == 0 ? none : s->instability;
     for (unsigned i = 0; s->prior && i < INVCAL_IMU_PARAMETERS; i++) {
-        prior[invcal_imu_parameter(i)] = s->prior[i];
+        prior[invcali_imu_parameter(i)] = s->prior[i];
     }
     settings.prior = s->prior ? prior : NULL;
     return settings;
@@ -333,11 +333,11 @@ static inline invcal_imu_settings world_stated(const world_settings *s,
 static inline invcal_status world_solve_of(const world *w, const invcal_positions *positions,
                                            const invcal_imu_settings *settings, world_solution *out)
 {
-    const invcal_status status = invcal_imu_solve_of(&w->imu, positions, settings, &out->result);
+    const invcal_status status = invcali_imu_solve_of(&w->imu, positions, settings, &out->result);
 
     out->open = 0;
     for (unsigned i = 0; i < INVCAL_IMU_PARAMETERS; i++) {
-        const unsigned at = invcal_imu_parameter(i);
+        const unsigned at = invcali_imu_parameter(i);
         out->sigma[i] = out->result.sigma[at];
         out->open |= (out->result.weak >> at & 1u) << i;
     }
@@ -365,7 +365,7 @@ static inline invcal_status world_solve(const world *w, const world_settings *se
 }
 
 /* All equations of the first pass, without a prior. */
-static inline void world_sum(const world *w, const world_settings *settings, invcal_imu_work *work)
+static inline void world_sum(const world *w, const world_settings *settings, invcali_imu_work *work)
 {
     static invcal_imu_result out;
     invcal_real raw[WORLD_RESTS][3];
@@ -374,8 +374,8 @@ static inline void world_sum(const world *w, const world_settings *settings, inv
     const invcal_imu_settings stated = world_stated(settings, NULL);
 
     positions.noise = settings->noise;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_begin(work, &w->imu, &positions, &stated, &out));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_sum(work));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_imu_begin(work, &w->imu, &positions, &stated, &out));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_imu_sum(work));
 }
 
 /* The shortest turn that makes this direction up. */

@@ -134,7 +134,7 @@ static void offsets_and_matrices_of_real_sensors_are_those_of_the_reference(void
             const double(*matrix)[3] = is_triangular ? c.set.triangular : c.set.matrix;
             if (is_triangular) {
                 calibrate(&c.set, &c.nominal, &c.calibration, &c.quality);
-                invcal_make_triangular(&c.calibration, &c.nominal);
+                invcali_make_triangular(&c.calibration, &c.nominal);
                 (void)invcal_scale(&c.calibration, (invcal_real)c.set.gravity);
             }
             for (int r = 0; r < 3; r++) {
@@ -243,9 +243,9 @@ static void positions_that_are_left_out_do_not_count(void)
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, calibrate_set(&rest, 1e-3, &expected, &of_expected));
     TEST_ASSERT_EQUAL_INT(
-        INVCAL_OK, invcal_positions_calibrate(SELECTION(set.u[0], COUNT, (invcal_mask)1 << OUT,
-                                                        &nominal, (invcal_real)1e-3),
-                                              &calibration, &quality));
+        INVCAL_OK, invcali_positions_calibrate(SELECTION(set.u[0], COUNT, (invcal_mask)1 << OUT,
+                                                         &nominal, (invcal_real)1e-3),
+                                               &calibration, &quality));
     TEST_ASSERT_EQUAL_MEMORY(&expected, &calibration, sizeof expected);
     TEST_ASSERT_EQUAL_MEMORY(of_expected.sigma, quality.sigma, sizeof quality.sigma);
     TEST_ASSERT_EQUAL_UINT(WORST, quality.worst);
@@ -273,8 +273,8 @@ static void of_many_positions_all_count(void)
         }
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_positions_calibrate(SELECTION(raw[0], 255, first, &nominal, 0),
-                                                     &calibration, &quality));
+                          invcali_positions_calibrate(SELECTION(raw[0], 255, first, &nominal, 0),
+                                                      &calibration, &quality));
     TEST_ASSERT_EQUAL_UINT(254, quality.positions);
     TEST_ASSERT_EQUAL_UINT(245, quality.dof);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_COUNT,
@@ -293,8 +293,8 @@ static void left_out_positions_may_leave_too_few(void)
 
     read_positions(&truth, expected_plan18, 12, 1e-4, &random, &set);
     TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
-                          invcal_positions_calibrate(SELECTION(set.u[0], 12, 0xF0u, &nominal, 0),
-                                                     &calibration, &quality));
+                          invcali_positions_calibrate(SELECTION(set.u[0], 12, 0xF0u, &nominal, 0),
+                                                      &calibration, &quality));
 }
 
 static void the_calibration_may_overwrite_nominal(void)

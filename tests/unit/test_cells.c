@@ -12,7 +12,7 @@
 
 /* Early, late, and the memory after them, which nothing may read. */
 static invcal_private_cells table[3];
-static const invcal_cell_tables both = {&table[0], &table[1]};
+static const invcali_cell_tables both = {&table[0], &table[1]};
 
 void setUp(void)
 {
@@ -31,15 +31,15 @@ static unsigned cell_along(const double d[3])
     for (int i = 0; i < 3; i++) {
         h[i] = (invcal_real)d[i];
     }
-    invcal_row_of(h);
-    return invcal_cell_of(h);
+    invcali_row_of(h);
+    return invcali_cell_of(h);
 }
 
 static void each_cell_holds_its_own_direction(void)
 {
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         invcal_real d[3];
-        invcal_cell_direction(k, d);
+        invcali_cell_direction(k, d);
         const double direction[3] = {(double)d[0], (double)d[1], (double)d[2]};
         TEST_ASSERT_EQUAL_UINT(k, cell_along(direction));
         TEST_ASSERT_DOUBLE_WITHIN(1e-6, 1, length3(direction));
@@ -77,8 +77,8 @@ static void fill(invcal_private_cells *cells, double shift, double scale)
         for (int a = 0; a < 3; a++) {
             h[a] = (invcal_real)((d[a] - shift * (a + 1)) / scale);
         }
-        invcal_row_of(h);
-        invcal_cells_add(cells, 3, h); /* in any direction */
+        invcali_row_of(h);
+        invcali_cells_add(cells, 3, h); /* in any direction */
     }
 }
 
@@ -92,7 +92,7 @@ static void moved_rows_are_those_of_moved_readings(void)
 
     fill(&moved, 0, 1);
     fill(&expected, 0.3, 0.5);
-    invcal_cells_move(&moved, shift, INVCAL_REAL(0.5));
+    invcali_cells_move(&moved, shift, INVCAL_REAL(0.5));
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         if (moved.count[k] > 0) {
             count++;
@@ -115,12 +115,12 @@ static void a_full_cell_keeps_its_mean(void)
     const invcal_real h[INVCAL_PARAMETERS] = {1, 0, 0, 1, 0, 0, 0, 0, 0};
 
     for (long i = 0; i < 40000; i++) {
-        invcal_cells_add(cells, 0, h);
-        invcal_cells_add(other, 0, h);
+        invcali_cells_add(cells, 0, h);
+        invcali_cells_add(other, 0, h);
         TEST_ASSERT_TRUE(cells->count[0] < 16384 &&
                          cells->sum[0][0] == (invcal_real)cells->count[0]);
     }
-    invcal_cells_merge(cells, other);
+    invcali_cells_merge(cells, other);
     TEST_ASSERT_TRUE(cells->count[0] < 16384 && cells->sum[0][3] == (invcal_real)cells->count[0]);
     TEST_ASSERT_TRUE(cells->count[0] >= 8192 && other->count[0] == 0 && other->sum[0][0] == 0);
 }
@@ -132,7 +132,7 @@ static void a_cell_that_a_merge_fills_is_halved(void)
         table[n].count[2] = 8192;
         table[n].sum[2][1] = n == 0 ? 1000 : 3000;
     }
-    invcal_cells_merge(&table[0], &table[1]);
+    invcali_cells_merge(&table[0], &table[1]);
     TEST_ASSERT_EQUAL_UINT(8192, table[0].count[2]);
     TEST_ASSERT_TRUE(table[0].sum[2][1] == 2000);
     TEST_ASSERT_EQUAL_UINT(0, table[1].count[2]);
@@ -141,7 +141,7 @@ static void a_cell_that_a_merge_fills_is_halved(void)
 static void expect_gap(double cosine, unsigned cell)
 {
     unsigned worst = 99;
-    const invcal_real gap = invcal_cells_gap(&both, &worst);
+    const invcal_real gap = invcali_cells_gap(&both, &worst);
 
     TEST_ASSERT_DOUBLE_WITHIN(1e-6, cosine, (double)gap);
     TEST_ASSERT_TRUE(cosine < 1 || gap == 1);
@@ -183,14 +183,14 @@ static void add_exact(unsigned k)
     invcal_real centre[3];
     double u[3];
 
-    invcal_cell_direction(k, centre);
+    invcali_cell_direction(k, centre);
     const double eta[3] = {(double)centre[0], (double)centre[1], (double)centre[2]};
     triad_read(&truth, eta, u);
     for (int i = 0; i < 3; i++) {
         h[i] = (invcal_real)u[i];
     }
-    invcal_row_of(h);
-    invcal_cells_add(&table[k % 2], k, h);
+    invcali_row_of(h);
+    invcali_cells_add(&table[k % 2], k, h);
 }
 
 static void expect_truth(const invcal_calibration *found)
@@ -204,16 +204,16 @@ static void expect_truth(const invcal_calibration *found)
 static void nine_cells_are_enough(void)
 {
     static const unsigned of_nine[] = {1, 2, 3, 4, 5, 6, 10, 14, 0};
-    invcal_cell_fit fit = {.tables = {&table[0], &table[1]}};
+    invcali_cell_fit fit = {.tables = {&table[0], &table[1]}};
 
     for (unsigned i = 0; i < 8; i++) {
         add_exact(of_nine[i]);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_cells_solve(&fit));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcali_cells_solve(&fit));
     add_exact(of_nine[8]);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_cells_solve(&fit));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_cells_solve(&fit));
     expect_truth(&fit.triad);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_cells_calibrate(&fit));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_cells_calibrate(&fit));
     TEST_ASSERT_EQUAL_UINT(9, fit.quality.positions);
     expect_truth(&fit.triad);
 }
@@ -235,7 +235,7 @@ static void a_cell_is_a_position_with_the_length_of_its_samples(void)
     invcal_real point[3] = {7, 8, 9};
     double eta[3][3]; /* of the mean, and of both */
 
-    TEST_ASSERT_EQUAL_UINT(0, invcal_cells_point(&both, &with.triad, 3, point));
+    TEST_ASSERT_EQUAL_UINT(0, invcali_cells_point(&both, &with.triad, 3, point));
     TEST_ASSERT_TRUE(point[0] == 7 && point[1] == 8 && point[2] == 9);
     for (unsigned n = 0; n < 3; n++) {
         for (unsigned i = 0; i < 3; i++) {
@@ -250,9 +250,9 @@ static void a_cell_is_a_position_with_the_length_of_its_samples(void)
         invcal_real h[INVCAL_PARAMETERS] = {(invcal_real)sample[n - 1][0],
                                             (invcal_real)sample[n - 1][1],
                                             (invcal_real)sample[n - 1][2]};
-        invcal_row_of(h);
-        invcal_cells_add(&table[n - 1], 3, h);
-        TEST_ASSERT_EQUAL_UINT(n, invcal_cells_point(&both, &with.triad, 3, point));
+        invcali_row_of(h);
+        invcali_cells_add(&table[n - 1], 3, h);
+        TEST_ASSERT_EQUAL_UINT(n, invcali_cells_point(&both, &with.triad, 3, point));
         const double square = n == 1 ? pow(length3(eta[1]), 2)
                                      : (pow(length3(eta[1]), 2) + pow(length3(eta[2]), 2)) / 2;
         const double ratio = sqrt(square) / length3(eta[n == 1 ? 1 : 0]);
@@ -274,8 +274,8 @@ static void the_power_counts_as_24(void)
     const double expected = power * (1 + 1 / 50.0 + 1 / 4.0) / 3;
     const double seen = 2 * expected;
     const double noise = sqrt((seen + 24 * expected) / 25);
-    invcal_cell_fit fit = {.tables = {&table[0], &table[1]},
-                           .triad = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+    invcali_cell_fit fit = {.tables = {&table[0], &table[1]},
+                            .triad = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
 
     table[0].count[0] = 1;
     table[0].count[5] = 50;
@@ -289,7 +289,7 @@ static void the_power_counts_as_24(void)
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
         fit.quality.sigma[r] = (invcal_real)(sqrt(seen) * (1 + r));
     }
-    invcal_cells_weigh(&fit, (invcal_real)power);
+    invcali_cells_weigh(&fit, (invcal_real)power);
     TEST_ASSERT_DOUBLE_WITHIN(3e-6 * noise, noise, (double)fit.quality.noise);
     TEST_ASSERT_EQUAL_UINT(25, fit.quality.sigma_dof);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {
@@ -310,10 +310,10 @@ static void cells_that_scatter_much_more_count_alone(void)
     table[0].count[0] = 1;
     table[0].count[9] = 1;
     for (unsigned i = 0; i < 3; i++) {
-        invcal_cell_fit fit = {.tables = {&table[0], &table[1]},
-                               .quality = {.positions = 2, .dof = 2, .sigma_dof = 2}};
+        invcali_cell_fit fit = {.tables = {&table[0], &table[1]},
+                                .quality = {.positions = 2, .dof = 2, .sigma_dof = 2}};
         fit.quality.noise = of[i].noise;
-        invcal_cells_weigh(&fit, INVCAL_REAL(0.1875));
+        invcali_cells_weigh(&fit, INVCAL_REAL(0.1875));
         TEST_ASSERT_EQUAL_UINT(of[i].sigma_dof, fit.quality.sigma_dof);
         TEST_ASSERT_TRUE((fit.quality.noise == of[i].noise) == (i > 0));
     }
@@ -324,7 +324,7 @@ static void cells_that_scatter_much_more_count_alone(void)
 static void what_shows_no_scatter_is_not_weighted(void)
 {
     static invcal_private_cells cells;
-    invcal_cell_fit fit = {.tables = {&cells, &cells}};
+    invcali_cell_fit fit = {.tables = {&cells, &cells}};
     random_source random = random_start(4);
 
     memset(&cells, 0, sizeof cells);
@@ -335,20 +335,20 @@ static void what_shows_no_scatter_is_not_weighted(void)
         for (int a = 0; a < 3; a++) {
             h[a] = (invcal_real)(1.01 * d[a] + 0.01 * random_normal(&random));
         }
-        invcal_row_of(h);
-        invcal_cells_add(&cells, invcal_cell_of(h), h);
+        invcali_row_of(h);
+        invcali_cells_add(&cells, invcali_cell_of(h), h);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_cells_calibrate(&fit));
-    const invcal_cell_fit found = fit;
-    invcal_cells_weigh(&fit, INVCAL_REAL(1e-4));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_cells_calibrate(&fit));
+    const invcali_cell_fit found = fit;
+    invcali_cells_weigh(&fit, INVCAL_REAL(1e-4));
     TEST_ASSERT_TRUE(fit.quality.sigma_dof > found.quality.sigma_dof);
     fit = found;
     fit.quality.noise = 0;
-    invcal_cells_weigh(&fit, INVCAL_REAL(1e-4));
+    invcali_cells_weigh(&fit, INVCAL_REAL(1e-4));
     TEST_ASSERT_EQUAL_UINT(found.quality.sigma_dof, fit.quality.sigma_dof);
     fit = found;
     fit.quality.dof = 0;
-    invcal_cells_weigh(&fit, INVCAL_REAL(1e-4));
+    invcali_cells_weigh(&fit, INVCAL_REAL(1e-4));
     TEST_ASSERT_EQUAL_UINT(found.quality.sigma_dof, fit.quality.sigma_dof);
 }
 
@@ -357,13 +357,13 @@ static void add_along(invcal_private_cells *cells, const double d[3], double shi
     invcal_real h[INVCAL_PARAMETERS] = {(invcal_real)(d[0] + shift), (invcal_real)d[1],
                                         (invcal_real)d[2]};
 
-    invcal_row_of(h);
+    invcali_row_of(h);
     for (int i = 0; i < samples; i++) {
-        invcal_cells_add(cells, invcal_cell_of(h), h);
+        invcali_cells_add(cells, invcali_cell_of(h), h);
     }
 }
 
-static const invcal_cell_fit as_they_are = {
+static const invcali_cell_fit as_they_are = {
     .tables = {&table[0], &table[1]},
     .triad = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
 };
@@ -386,9 +386,9 @@ static void four_cells_show_a_step(void)
             }
             /* 50 (0.105^2 + 0.095^2 + 2 0.005^2) = 1.005: more than 28 times 0.035, less than of
              * 0.037 */
-            TEST_ASSERT_EQUAL_INT(cells == 4, invcal_cells_step(&as_they_are, INVCAL_REAL(0.035)));
-            TEST_ASSERT_EQUAL_INT(0, invcal_cells_step(&as_they_are, INVCAL_REAL(0.037)));
-            TEST_ASSERT_EQUAL_INT(0, invcal_cells_step(&as_they_are, 0));
+            TEST_ASSERT_EQUAL_INT(cells == 4, invcali_cells_step(&as_they_are, INVCAL_REAL(0.035)));
+            TEST_ASSERT_EQUAL_INT(0, invcali_cells_step(&as_they_are, INVCAL_REAL(0.037)));
+            TEST_ASSERT_EQUAL_INT(0, invcali_cells_step(&as_they_are, 0));
         }
     }
 }
@@ -398,12 +398,12 @@ static void add_longer(unsigned k, double excess)
 {
     for (unsigned n = 0; n < 2; n++) {
         invcal_real h[INVCAL_PARAMETERS];
-        invcal_cell_direction(k, h);
+        invcali_cell_direction(k, h);
         for (unsigned i = 0; i < 3; i++) {
             h[i] *= (invcal_real)sqrt(1.2 + 2 * excess * n);
         }
-        invcal_row_of(h);
-        invcal_cells_add(&table[n], k, h);
+        invcali_row_of(h);
+        invcali_cells_add(&table[n], k, h);
     }
 }
 
@@ -428,7 +428,7 @@ static void ten_cells_show_a_step_by_themselves(void)
             }
             table[0].count[8] = 1;
             table[1].count[9] = 1;
-            TEST_ASSERT_EQUAL_INT(faces == 6 && n > 0, invcal_cells_step(&as_they_are, 1));
+            TEST_ASSERT_EQUAL_INT(faces == 6 && n > 0, invcali_cells_step(&as_they_are, 1));
         }
     }
 }

@@ -136,7 +136,7 @@ static double first_order_error(double size, double *rms)
     for (int r = 0; r < 9; r++) {
         truth.x[r] = size * sign[r];
     }
-    invcal_directions linear = with_known_directions(&truth, invcal_directions_add_scalar);
+    invcal_directions linear = with_known_directions(&truth, invcali_directions_add_scalar);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_directions_solve(&linear, &nominal, &calibration, x));
     for (unsigned r = 0; r < 9; r++) {
         worst = larger(worst, fabs((double)x[r] - truth.x[r]));
@@ -204,7 +204,7 @@ static void any_regular_matrix_may_be_nominal(void)
 static void assert_row_refused(const double reading[3], const double direction[3],
                                invcal_status expected)
 {
-    static const adder adders[2] = {invcal_directions_add, invcal_directions_add_scalar};
+    static const adder adders[2] = {invcal_directions_add, invcali_directions_add_scalar};
     const invcal_calibration nominal = unit_nominal();
     invcal_directions linear;
     invcal_directions before;

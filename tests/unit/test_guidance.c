@@ -152,7 +152,7 @@ static void ask(const reading_list *list, double up[3])
     const invcal_calibration nominal = unit_nominal();
     invcal_real next[3];
 
-    invcal_next(POSITIONS_OF(list->u, list->count, &nominal, 0), next);
+    invcali_next(POSITIONS_OF(list->u, list->count, &nominal, 0), next);
     for (int i = 0; i < 3; i++) {
         up[i] = (double)next[i];
     }
@@ -167,7 +167,7 @@ static void prospect(const reading_list *list, const double *up, double root[N])
     for (int i = 0; i < 3 && up; i++) {
         at[i] = (invcal_real)up[i];
     }
-    invcal_prospect(POSITIONS_OF(list->u, list->count, &nominal, 0), up ? at : NULL, found);
+    invcali_prospect(POSITIONS_OF(list->u, list->count, &nominal, 0), up ? at : NULL, found);
     for (int r = 0; r < N; r++) {
         root[r] = (double)found[r];
     }

@@ -36,10 +36,10 @@ static const double upright[3] = {0, 0, 1};
 static const double slanted[3] = {0.48, 0.6, 0.64}; /* up along no axis, nor across one */
 
 static void replay(const double m[3][3], const invcal_private_segment *segments, unsigned count,
-                   const invcal_real bias[3], invcal_replay *out)
+                   const invcal_real bias[3], invcali_replay *out)
 {
     static const invcal_real up[2][3] = {{0, 0, 1}, {0, 0, 1}};
-    invcal_imu_work work;
+    invcali_imu_work work;
 
     memset(&work, 0, sizeof work);
     work.imu = &w.imu;
@@ -47,7 +47,7 @@ static void replay(const double m[3][3], const invcal_private_segment *segments,
     for (int i = 0; i < 9; i++) {
         work.parameter[i] = (invcal_real)m[i / 3][i % 3];
     }
-    invcal_replay_move(&work, segments, count, bias, up, out);
+    invcali_replay_move(&work, segments, count, bias, up, out);
 }
 
 /* exp and its left Jacobian. The segment lasts a second, so a bias subtracts its own angle. */
@@ -55,7 +55,7 @@ static void assert_closed_form(const double m[3][3], const invcal_real bias[3])
 {
     const invcal_private_segment segment = {{7000, -5000, 4000}, {0, 0, 0}, 200};
     const double within = FLOAT_OR_DOUBLE(3e-7, 1e-13);
-    invcal_replay r;
+    invcali_replay r;
     double v[3], th[3], c[3][3], jacobian[3][3];
 
     replay(m, &segment, 1, bias, &r);
@@ -102,7 +102,7 @@ static void the_jacobian_is_that_of_differences(void)
 {
     const double vector[3] = {1.2, 0.6, -0.4};
     const double step = FLOAT_OR_DOUBLE(1e-2, 1e-4);
-    invcal_replay r, plus, minus;
+    invcali_replay r, plus, minus;
 
     needs_53_bits();
     world_begin(&w, 400, 3);
@@ -272,7 +272,7 @@ static void one_pass_determines_scale_errors(void)
 {
     static const double errors[3] = {0.1, -0.08, 0.05};
     world_settings settings;
-    invcal_imu_work work;
+    invcali_imu_work work;
     double m[3][3] = {{0}};
     int from = 2;
 
@@ -294,8 +294,8 @@ static void one_pass_determines_scale_errors(void)
     for (unsigned i = 0; i < 9; i++) { /* half of the misalignments is not determined */
         work.pass.sum[INVCAL_PACKED(i, i)] += INVCAL_REAL(1e6) * (i % 4 != 0);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(work.pass.sum, 9, 10, INVCAL_FLOOR));
-    invcal_back_substitute(work.pass.sum, 9);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_factor(work.pass.sum, 9, 10, INVCAL_FLOOR));
+    invcali_back_substitute(work.pass.sum, 9);
     for (unsigned i = 0; i < 9; i++) {
         const double step = (double)work.pass.sum[INVCAL_PACKED(9, i)];
         TEST_ASSERT_DOUBLE_WITHIN(2e-6, i % 4 == 0 ? errors[i / 4] : 0, step);
@@ -351,7 +351,7 @@ static void the_tour_determines_the_gyroscope_as_closed_form_says(void)
 static void the_tour_determines_both(void)
 {
     world_settings settings;
-    invcal_imu_work work;
+    invcali_imu_work work;
 
     settle_settings(&settings, 0);
     settings.rate_noise = settings.instability = 0;
@@ -359,10 +359,10 @@ static void the_tour_determines_both(void)
     begin_exact(upright);
     tour_exact(unit, 10294);
     world_sum(&w, &settings, &work);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(work.pass.sum, 18, 19, INVCAL_FLOOR));
-    invcal_invert(work.pass.sum, 18);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_factor(work.pass.sum, 18, 19, INVCAL_FLOOR));
+    invcali_invert(work.pass.sum, 18);
     for (unsigned i = 0; i < 18; i++) {
-        const double root = sqrt((double)invcal_variance(work.pass.sum, 18, i)) / 0.01;
+        const double root = sqrt((double)invcali_variance(work.pass.sum, 18, i)) / 0.01;
         TEST_ASSERT_DOUBLE_WITHIN(3e-4, tour12_sigma[i], root);
     }
 }
@@ -721,7 +721,7 @@ static invcal_status find_mounting(int8_t axes[3], invcal_real *scale)
     const invcal_positions positions = world_positions(&w, raw, &nominal);
     axes[0] = axes[1] = axes[2] = 9;
     *scale = 9;
-    return invcal_imu_mounting_of(&w.imu, &positions, axes, scale);
+    return invcali_imu_mounting_of(&w.imu, &positions, axes, scale);
 }
 
 /* Moves about the space diagonal look the same after the axes are exchanged in a circle. */
@@ -936,7 +936,7 @@ static void too_few_moves_are_not_called_a_wrong_mounting(void)
         world_rest(&w, 1.5);
         for (unsigned i = 0; i < 7; i++) {
             invcal_turn turn;
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_tour(i, &turn));
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_tour(i, &turn));
             world_to(&w,
                      (const double[3]){(double)turn.up[0], (double)turn.up[1], (double)turn.up[2]});
         }
@@ -1388,7 +1388,7 @@ static void bad_readings_and_scales_are_refused(void)
         const invcal_positions positions = world_positions(&w, raw, &nominal);
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL, world_solve_of(&w, &positions, NULL, &imu));
         TEST_ASSERT_EQUAL_INT(INVCAL_BAD_NOMINAL,
-                              invcal_imu_mounting_of(&w.imu, &positions, axes, &scale));
+                              invcali_imu_mounting_of(&w.imu, &positions, axes, &scale));
     }
     TEST_ASSERT_TRUE(axes[0] == 9 && scale == 9);
     w.mean[3][1] = NOT_A_NUMBER;

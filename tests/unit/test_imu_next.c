@@ -200,7 +200,7 @@ static void what_is_asked_for_ends_with_every_edge(void)
 static void after_the_tour_it_is_the_most_informative_turn(void)
 {
     static world w;
-    static invcal_turns turns;
+    static invcali_turns turns;
     invcal_turn expected;
     invcal_turn turn;
     invcal_real raw[WORLD_RESTS][3];
@@ -213,9 +213,9 @@ static void after_the_tour_it_is_the_most_informative_turn(void)
     w.imu.session.count = 13;
     w.imu.session.last = INVCAL_TAKEN;
     TEST_ASSERT_EQUAL_INT(13, w.imu.rests);
-    const invcal_positions positions = invcal_imu_positions(&w.imu);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_after(&turns, &w.imu, &positions, NULL));
-    invcal_turns_next(&turns, &expected);
+    const invcal_positions positions = invcali_imu_positions(&w.imu);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_turns_after(&turns, &w.imu, &positions, NULL));
+    invcali_turns_next(&turns, &expected);
     invcal_imu_next(&w.imu, &turn);
     for (int i = 0; i < 3; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(1e-6, (double)expected.up[i], (double)turn.up[i]);

@@ -245,7 +245,7 @@ static void a_stated_noise_is_weighed_against_residuals_of_other_equations(void)
         invcal_quality q = {0};
         q.dof = (uint16_t)of[i].dof;
         q.verdict = INVCAL_GOOD;
-        invcal_weigh_noise((invcal_real)of[i].stated, (invcal_real)of[i].squares, &q);
+        invcali_weigh_noise((invcal_real)of[i].stated, (invcal_real)of[i].squares, &q);
         if (of[i].variance > 0) {
             const double noise = sqrt(of[i].variance);
             TEST_ASSERT_DOUBLE_WITHIN(1e-6 * noise, noise, (double)q.noise);
@@ -256,7 +256,7 @@ static void a_stated_noise_is_weighed_against_residuals_of_other_equations(void)
         TEST_ASSERT_EQUAL_UINT(of[i].dof, q.dof);
         TEST_ASSERT_EQUAL_INT(of[i].verdict, q.verdict);
         q.verdict = INVCAL_WEAK; /* the worse one stays */
-        invcal_weigh_noise((invcal_real)of[i].stated, (invcal_real)of[i].squares, &q);
+        invcali_weigh_noise((invcal_real)of[i].stated, (invcal_real)of[i].squares, &q);
         TEST_ASSERT_EQUAL_INT(INVCAL_WEAK, q.verdict);
     }
 }

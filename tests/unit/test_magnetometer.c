@@ -248,7 +248,7 @@ static void cells_are_positions_to_look_at(void)
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         invcal_real raw[3] = {0, 0, 0};
         invcal_real eta[3];
-        total += invcal_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
+        total += invcali_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
         invcal_apply(&the.calibration, raw[0], raw[1], raw[2], eta);
         const double direction[3] = {(double)eta[0], (double)eta[1], (double)eta[2]};
         squares += (length3(direction) - 1) * (length3(direction) - 1);
@@ -363,7 +363,7 @@ static void less_than_half_a_sphere_is_weak(void)
     invcal_magnetometer_next(&the.magnetometer, along);
     TEST_ASSERT_TRUE(along[2] == 1);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
-        if (invcal_magnetometer_cell(&the.magnetometer, &c, k, raw) == 0) {
+        if (invcali_magnetometer_cell(&the.magnetometer, &c, k, raw) == 0) {
             empty++;
             TEST_ASSERT_TRUE(raw[0] == 7 && raw[1] == 7 && raw[2] == 7);
         }
@@ -389,7 +389,7 @@ static void gaps_are_reported(void)
     TEST_ASSERT_TRUE(quality.verdict != INVCAL_WEAK);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) { /* and neither +x nor what is between */
         invcal_real v[3] = {0, 0, 0};
-        (void)invcal_magnetometer_cell(&the.magnetometer, &c, k, v);
+        (void)invcali_magnetometer_cell(&the.magnetometer, &c, k, v);
         if (v[0] + v[2] > INVCAL_REAL(0.8) && fabs((double)v[1]) < 0.3) {
             the.magnetometer.own.early.count[k] = the.magnetometer.own.late.count[k] = 0;
         }
@@ -1315,7 +1315,7 @@ static void a_cell_has_the_length_of_its_calibrated_samples(void)
     const double ratio = sqrt((square[0] + square[1]) / 2 / square[2]);
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         invcal_real raw[3];
-        if (invcal_magnetometer_cell(m, &c, k, raw) == 2) {
+        if (invcali_magnetometer_cell(m, &c, k, raw) == 2) {
             found++;
             for (int i = 0; i < 3; i++) {
                 const double offset = (double)c.offset[i];
@@ -1337,7 +1337,7 @@ static void one_sample_is_a_cell(void)
     solve_the();
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         invcal_real raw[3];
-        TEST_ASSERT_EQUAL_UINT(1, invcal_magnetometer_cell(m, &the.calibration, k, raw));
+        TEST_ASSERT_EQUAL_UINT(1, invcali_magnetometer_cell(m, &the.calibration, k, raw));
         for (int i = 0; i < 3; i++) {
             TEST_ASSERT_DOUBLE_WITHIN(1e-5, (double)m->own.early.sum[k][i], (double)raw[i]);
             sum[i] += (double)raw[i];
@@ -1489,7 +1489,7 @@ static void cells_lie_on_the_sphere_whatever_is_nominal(void)
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         invcal_real raw[3] = {0, 0, 0};
         invcal_real eta[3];
-        TEST_ASSERT_TRUE(invcal_magnetometer_cell(&the.magnetometer, &c, k, raw) > 0);
+        TEST_ASSERT_TRUE(invcali_magnetometer_cell(&the.magnetometer, &c, k, raw) > 0);
         invcal_apply(&c, raw[0], raw[1], raw[2], eta);
         const double calibrated[3] = {(double)eta[0], (double)eta[1], (double)eta[2]};
         const double seen[3] = {(double)raw[0] - 4, (double)raw[1] + 3, (double)raw[2] - 1};
@@ -1540,7 +1540,7 @@ static void a_session_of_days_stays_as_good(void)
     for (long n = 0; n < 40000; n++) {
         const unsigned k = (unsigned)n % INVCAL_CELLS;
         invcal_real raw[3] = {0, 0, 0};
-        (void)invcal_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
+        (void)invcali_magnetometer_cell(&the.magnetometer, &the.calibration, k, raw);
         TEST_ASSERT_EQUAL_INT(INVCAL_NOTHING,
                               invcal_magnetometer_feed(&the.magnetometer, raw[0], raw[1], raw[2]));
         TEST_ASSERT_TRUE(the.magnetometer.own.samples < most);

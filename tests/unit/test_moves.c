@@ -320,7 +320,7 @@ static void blocks(int count, invcal_event event, int is_quiet)
         w.imu.session.rests.time += WORLD_BLOCK;
         w.imu.session.rests.pended = is_quiet ? 2 : w.imu.session.rests.pended;
         w.imu.session.rests.end = is_quiet ? w.imu.session.rests.time : w.imu.session.rests.end;
-        invcal_imu_follow(&w.imu, event);
+        invcali_imu_follow(&w.imu, event);
     }
 }
 
@@ -465,7 +465,7 @@ static void end_block(invcal_event event, int is_quiet)
     w.imu.session.rests.time += EXACT_BLOCK;
     w.imu.session.rests.pended = is_quiet ? 1 : w.imu.session.rests.pended;
     w.imu.session.rests.end = is_quiet ? w.imu.session.rests.time : w.imu.session.rests.end;
-    invcal_imu_follow(&w.imu, event);
+    invcali_imu_follow(&w.imu, event);
 }
 
 static void block(int32_t x, int32_t y, int32_t z, invcal_event event, int is_quiet)
@@ -1140,12 +1140,12 @@ static void the_session_says_where_rests_are(void)
         taken += turn_and_rest(turns[k / 5], &random);
     }
     const invcal_event event = invcal_session_end(session);
-    invcal_imu_follow(&w.imu, event);
+    invcali_imu_follow(&w.imu, event);
     taken += event == INVCAL_TAKEN;
     TEST_ASSERT_EQUAL_INT(taken, session->count);
     TEST_ASSERT_EQUAL_INT(session->count, w.imu.rests);
     TEST_ASSERT_TRUE(session->count >= 10);
-    const invcal_positions positions = invcal_imu_positions(&w.imu);
+    const invcal_positions positions = invcali_imu_positions(&w.imu);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, world_solve_of(&w, &positions, NULL, &imu));
     for (int i = 0; i < 9; i++) {
         TEST_ASSERT_DOUBLE_WITHIN(4 * (double)imu.sigma[i], w.m[i / 3][i % 3],

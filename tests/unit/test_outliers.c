@@ -872,7 +872,7 @@ static decision decide(const reading_set *set, double stated)
     do {
         invcal_calibration c;
         invcal_quality q;
-        if (invcal_positions_calibrate(
+        if (invcali_positions_calibrate(
                 SELECTION(set->u[0], set->count, d.removed, &nominal, (invcal_real)stated), &c,
                 &q) != INVCAL_OK) {
             d.close = 1;
@@ -1297,8 +1297,8 @@ static void what_the_others_need_stays_and_is_reported(void)
                        &set);
         spoil(&set, draw % 14, 0.02);
         if (judge_set(&set, 0, &out, &q) == INVCAL_OK && q.left_out == 0 &&
-            invcal_positions_calibrate(SELECTION(set.u[0], 14, bit(draw % 14), &nominal, 0), &out,
-                                       &q) == INVCAL_UNDETERMINED) {
+            invcali_positions_calibrate(SELECTION(set.u[0], 14, bit(draw % 14), &nominal, 0), &out,
+                                        &q) == INVCAL_UNDETERMINED) {
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, judge_set(&set, 0, &out, &q));
             TEST_ASSERT_TRUE(q.verdict != INVCAL_GOOD);
             stayed++;
@@ -1331,9 +1331,9 @@ static void one_that_is_only_robust_leaves_systematic_errors_unchecked(void)
     /* the same without them */
     const invcal_calibration nominal = unit_nominal();
     TEST_ASSERT_EQUAL_INT(
-        INVCAL_OK, invcal_positions_calibrate(SELECTION(set.u[0], set.count, bit(3) | bit(22),
-                                                        &nominal, (invcal_real)SIGMA),
-                                              &c, &q));
+        INVCAL_OK, invcali_positions_calibrate(SELECTION(set.u[0], set.count, bit(3) | bit(22),
+                                                         &nominal, (invcal_real)SIGMA),
+                                               &c, &q));
     TEST_ASSERT_EQUAL_MEMORY(&same, &c, sizeof c);
     /* and a drift may pass for outliers */
     const triad_truth truth = triad_random(&random, 0.03);

@@ -324,7 +324,7 @@ static void absurd_numbers_of_positions_are_refused_with_a_reason(void)
         const invcal_status expected = n < 5 ? INVCAL_TOO_FEW : INVCAL_BAD_COUNT;
         const invcal_plan plan = plan_of(n, 0, 0, 0);
         invcal_plan made = plan_of(6, 7, 8, 9);
-        TEST_ASSERT_EQUAL_INT(expected, invcal_plan_check(&plan));
+        TEST_ASSERT_EQUAL_INT(expected, invcali_plan_check(&plan));
         assert_refused(expected, &plan, 0);
         TEST_ASSERT_EQUAL_INT(expected, invcal_plan_init(&made, n));
         TEST_ASSERT_TRUE(made.per_group == 6 && made.start_deg[0] == 7 && made.start_deg[1] == 8 &&
@@ -332,7 +332,7 @@ static void absurd_numbers_of_positions_are_refused_with_a_reason(void)
     }
     for (unsigned n = 5; n <= MOST; n++) {
         const invcal_plan plan = plan_of(n, 360, -360, 0);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_check(&plan));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_plan_check(&plan));
     }
 }
 
@@ -345,7 +345,7 @@ static void starts_that_are_not_angles_are_refused(void)
         for (unsigned group = 0; group < 3; group++) {
             invcal_plan plan = plan_of(6, 30, 30, 120);
             plan.start_deg[group] = (invcal_real)bad[i];
-            TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_plan_check(&plan));
+            TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcali_plan_check(&plan));
             for (unsigned k = 0; k < 18; k++) {
                 assert_refused(INVCAL_BAD_ANGLE, &plan, k);
             }
@@ -373,7 +373,7 @@ static unsigned axes_of(const invcal_plan *plan, unsigned first, unsigned last)
 
     for (unsigned i = first; i < last; i++) {
         const invcal_plan_position p = position_at(plan, i);
-        const unsigned up = invcal_axis_up(p.up);
+        const unsigned up = invcali_axis_up(p.up);
         TEST_ASSERT_EQUAL_HEX8(axes_within(0.095, p.up), up & axes_within(0.095, p.up));
         TEST_ASSERT_EQUAL_HEX8(up, up & axes_within(0.105, p.up));
         axes |= up;
@@ -386,7 +386,7 @@ static void assert_starts_point(unsigned per_group, unsigned expected)
     invcal_plan plan = plan_of(0, NOT_A_NUMBER, NOT_A_NUMBER, NOT_A_NUMBER);
 
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_init(&plan, per_group));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_plan_check(&plan));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_plan_check(&plan));
     TEST_ASSERT_EQUAL_UINT(per_group, plan.per_group);
     TEST_ASSERT_EQUAL_HEX8(expected, axes_of(&plan, 0, 3 * per_group));
 }
@@ -479,7 +479,7 @@ static void an_axis_is_up_within_a_tenth_of_a_degree(void)
                 v[i] = (invcal_real)(axis[a][i] * cos(tilt));
                 v[(i + 1) % 3] = (invcal_real)(sin(tilt) * cos(turn));
                 v[(i + 2) % 3] = (invcal_real)(sin(tilt) * sin(turn));
-                TEST_ASSERT_EQUAL_HEX8(tilts[t] < 0.1 ? 1u << a : 0, invcal_axis_up(v));
+                TEST_ASSERT_EQUAL_HEX8(tilts[t] < 0.1 ? 1u << a : 0, invcali_axis_up(v));
             }
         }
     }
@@ -492,13 +492,13 @@ static void what_is_not_a_direction_is_along_one_axis_at_most(void)
     const invcal_real zero[3] = {0, 0, 0};
     const invcal_real nan[3] = {(invcal_real)NAN, (invcal_real)NAN, (invcal_real)NAN};
 
-    TEST_ASSERT_EQUAL_HEX8(0, invcal_axis_up(zero));
-    TEST_ASSERT_EQUAL_HEX8(0, invcal_axis_up(nan));
+    TEST_ASSERT_EQUAL_HEX8(0, invcali_axis_up(zero));
+    TEST_ASSERT_EQUAL_HEX8(0, invcali_axis_up(nan));
     for (unsigned i = 0; i < VALUES * VALUES * VALUES; i++) {
         const invcal_real v[3] = {(invcal_real)values[i % VALUES],
                                   (invcal_real)values[i / VALUES % VALUES],
                                   (invcal_real)values[i / VALUES / VALUES]};
-        const unsigned axes = invcal_axis_up(v);
+        const unsigned axes = invcali_axis_up(v);
         TEST_ASSERT_TRUE(axes < 1u << INVCAL_AXES && (axes & (axes - 1u)) == 0);
     }
 }

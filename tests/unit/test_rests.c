@@ -48,7 +48,7 @@ typedef struct {
     unsigned ready_before; /* since the position before */
     int is_held;           /* READY, and since then neither taken nor refused */
     unsigned seen[INVCAL_REFUSED + 1];
-    invcal_rest rest[RESTS];
+    invcali_rest rest[RESTS];
     uint32_t events; /* a checksum of all of them */
     unsigned progress;
 } bench;
@@ -66,9 +66,9 @@ static void setup_rails(double rate, double counts, double noise, int32_t low, i
     b.scale = 1;
     b.random = random_start((uint32_t)(rate + counts));
     TEST_ASSERT_EQUAL_INT(INVCAL_OK,
-                          invcal_rests_init(&b.detector, (invcal_real)(unsigned)(rate + 0.5)));
+                          invcali_rests_init(&b.detector, (invcal_real)(unsigned)(rate + 0.5)));
     if (low < high) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, low, high));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_rails(&b.detector, low, high));
     }
 }
 
@@ -78,7 +78,7 @@ static void setup(double rate, double counts, double noise)
 }
 
 /* To the last bit of the largest reading, nearly: 4 sigma of noise are in it. */
-static void check_mean(const invcal_rest *rest, const invcal_real mean[3])
+static void check_mean(const invcali_rest *rest, const invcal_real mean[3])
 {
     for (unsigned a = 0; a < 3; a++) {
         const int64_t whole = rest->sum[a] / rest->count;
@@ -93,16 +93,16 @@ static void check_mean(const invcal_rest *rest, const invcal_real mean[3])
 /* What can be read after an event: the rest that is READY and held, or was just TAKEN. */
 static void note(invcal_event event)
 {
-    invcal_rest rest;
-    invcal_rest before;
+    invcali_rest rest;
+    invcali_rest before;
 
     b.events = b.events * 31 + (uint32_t)event;
     b.seen[event]++;
     invcal_real mean[3] = {7, 8, 9};
     memset(&before, 0x5A, sizeof before);
     memcpy(&rest, &before, sizeof rest);
-    const int is_there = invcal_rests_get(&b.detector, &rest);
-    TEST_ASSERT_EQUAL_INT(is_there, invcal_rests_mean(&b.detector, mean));
+    const int is_there = invcali_rests_get(&b.detector, &rest);
+    TEST_ASSERT_EQUAL_INT(is_there, invcali_rests_mean(&b.detector, mean));
     if (event == INVCAL_READY) {
         b.ready++;
         b.ready_before++;
@@ -114,14 +114,14 @@ static void note(invcal_event event)
             skip_large();
         }
         TEST_ASSERT_TRUE(b.taken < RESTS);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_reason(&b.detector));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_reason(&b.detector));
         b.rest[b.taken++] = rest;
         b.ready_before = 0;
         b.is_held = 0;
     }
     if (event == INVCAL_REFUSED) {
-        TEST_ASSERT_NOT_EQUAL(INVCAL_OK, invcal_rests_reason(&b.detector));
-        b.refused[invcal_rests_reason(&b.detector)]++;
+        TEST_ASSERT_NOT_EQUAL(INVCAL_OK, invcali_rests_reason(&b.detector));
+        b.refused[invcali_rests_reason(&b.detector)]++;
         b.ready_before = 0;
         b.is_held = 0;
     }
@@ -138,14 +138,14 @@ static void push(const int32_t raw[3])
 {
     memcpy(b.last, raw, sizeof b.last);
     b.samples++;
-    note(invcal_rests_feed(&b.detector, raw));
-    b.progress = invcal_rests_progress(&b.detector);
+    note(invcali_rests_feed(&b.detector, raw));
+    b.progress = invcali_rests_progress(&b.detector);
     TEST_ASSERT_TRUE(b.progress <= 100);
 }
 
 static void end_of_stream(void)
 {
-    const invcal_event event = invcal_rests_finish(&b.detector);
+    const invcal_event event = invcali_rests_finish(&b.detector);
 
     if (event != INVCAL_MOVING) { /* what was just taken can still be read */
         note(event);
@@ -248,7 +248,7 @@ static void check_windows(unsigned count, double lost)
     TEST_ASSERT_EQUAL_UINT(count, b.taken);
     TEST_ASSERT_EQUAL_UINT(count, b.rests);
     for (unsigned i = 0; i < count; i++) {
-        const invcal_rest *r = &b.rest[i];
+        const invcali_rest *r = &b.rest[i];
         TEST_ASSERT_TRUE((long)r->begin >= b.truth[i].begin);
         TEST_ASSERT_TRUE((long)r->end <= b.truth[i].end);
         TEST_ASSERT_TRUE(r->count <= r->end - r->begin);
@@ -383,7 +383,7 @@ static void sums_are_exact(void)
         end_of_stream();
         check_windows(2, 1.2);
         for (unsigned w = 0; w < 2; w++) {
-            const invcal_rest rest = b.rest[w];
+            const invcali_rest rest = b.rest[w];
             int64_t sum[3] = {0};
             setup(100, counts[c], noise);
             for (long i = 0; i < (long)rest.end; i++) { /* the rests only differ by the face */
@@ -456,8 +456,8 @@ static unsigned block_size(unsigned rate)
     int32_t raw[3] = {7, 0, 0};
     unsigned n = 1;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, (invcal_real)rate));
-    while (invcal_rests_feed(&detector, raw) == INVCAL_NOTHING) {
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_init(&detector, (invcal_real)rate));
+    while (invcali_rests_feed(&detector, raw) == INVCAL_NOTHING) {
         raw[0] = (int32_t)n++;
     }
     return n;
@@ -490,7 +490,7 @@ static unsigned check_rest(unsigned rate, const double centre[3], double sigma, 
     }
     end_of_stream();
     TEST_ASSERT_EQUAL_UINT(1, b.taken);
-    const invcal_rest *r = &b.rest[0];
+    const invcali_rest *r = &b.rest[0];
     if (r->end - r->begin != r->count || r->end + 2 * size != 24 * size) {
         TEST_ASSERT_EQUAL_UINT(4, size);
         return 0;
@@ -554,7 +554,7 @@ static void nothing_overflows_at_the_largest_distance(void)
         push_extremes(bases[k / 3], WIDE - 1, size, 30);
         end_of_stream();
         TEST_ASSERT_EQUAL_UINT(1, b.taken);
-        const invcal_rest *r = &b.rest[0];
+        const invcali_rest *r = &b.rest[0];
         const int64_t blocks = r->count / size;
         const int64_t off = WIDE - 1; /* one more is up than down */
         const double d = (WIDE - 1.0) * (WIDE - 1.0);
@@ -645,7 +645,7 @@ static void a_dropped_block_leaves_nothing_in_the_next(void)
         for (unsigned i = 0; i < 15 * dropped; i++) {
             push(other);
         }
-        invcal_rests_gap(&b.detector);
+        invcali_rests_gap(&b.detector);
         keep(1, 1.28);
         end_of_stream();
     }
@@ -664,7 +664,7 @@ static void a_coarse_sensor_is_summed_and_clipped_after_minutes_too(void)
 {
     setup_rails(100, 256, 4e-3, -230, 230);
     b.scale = 64;
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, -230 * 64, 230 * 64));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_rails(&b.detector, -230 * 64, 230 * 64));
     for (unsigned k = 0; k < 12; k++) {
         hold(k % 2 ? 1 : 5, 6);
         turn(k % 2 ? 1 : 5, k % 2 ? 5 : 1, 1);
@@ -729,8 +729,8 @@ static void check_same(const bench *one, const bench *two, int exactly)
         TEST_ASSERT_EQUAL_UINT32(one->events, two->events);
     }
     for (unsigned i = 0; i < one->taken; i++) {
-        const invcal_rest *p = &one->rest[i];
-        const invcal_rest *q = &two->rest[i];
+        const invcali_rest *p = &one->rest[i];
+        const invcali_rest *q = &two->rest[i];
         TEST_ASSERT_EQUAL_UINT32(p->begin, q->begin);
         TEST_ASSERT_EQUAL_UINT32(p->end, q->end);
         TEST_ASSERT_EQUAL_UINT32(p->count, q->count);
@@ -777,7 +777,7 @@ static void a_copy_of_the_state_behaves_the_same(void)
     keep(2, 2);
     turn(2, 3, 1);
     const uint32_t events = b.events;
-    const invcal_rest last = b.rest[b.taken - 1];
+    const invcali_rest last = b.rest[b.taken - 1];
     TEST_ASSERT_EQUAL_UINT(2, b.taken);
     b = half;
     memset(&b.detector, 0x5A, sizeof b.detector);
@@ -962,7 +962,7 @@ static unsigned clipped_with(int32_t low, int32_t high, const int32_t at[3], uns
                              unsigned axis, int32_t odd)
 {
     setup(100, 1, 0);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, low, high));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_rails(&b.detector, low, high));
     for (unsigned i = 0; i < 20 * 16; i++) {
         int32_t raw[3] = {at[0] + (int32_t)(i & 1), at[1] - (int32_t)(i & 1), at[2]};
         if (i == 12 * 16 + sample) {
@@ -1004,7 +1004,7 @@ static unsigned clipped_from(int32_t distance, int32_t reached)
     const int32_t high = 131071;
 
     setup(100, 1, 0);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, low, high));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_rails(&b.detector, low, high));
     for (unsigned i = 0; i < 20 * 16; i++) {
         const int32_t d = i % 16 == 0 ? distance : reached;
         const int32_t raw[3] = {low + d, high - d - (int32_t)(i & 1), (int32_t)(i & 1)};
@@ -1123,7 +1123,7 @@ static void lost_samples_do_not_end_a_rest_that_goes_on(void)
 {
     setup(100, 16384, 1e-3);
     hold(0, 3);
-    invcal_rests_gap(&b.detector);
+    invcali_rests_gap(&b.detector);
     keep(0, 3);
     turn(0, 1, 1);
     hold(1, 3);
@@ -1138,7 +1138,7 @@ static void lost_samples_before_it_is_ready_do_not_refuse_a_rest(void)
     setup(100, 16384, 1e-3);
     hold(0, 1);
     TEST_ASSERT_EQUAL_UINT(0, b.ready);
-    invcal_rests_gap(&b.detector);
+    invcali_rests_gap(&b.detector);
     keep(0, 3);
     TEST_ASSERT_EQUAL_UINT(1, b.ready);
     turn(0, 1, 1);
@@ -1151,7 +1151,7 @@ static void lost_samples_may_hide_a_motion(void)
     setup(100, 16384, 1e-3);
     for (unsigned k = 0; k < 5; k++) {
         hold(k, 3);
-        invcal_rests_gap(&b.detector);
+        invcali_rests_gap(&b.detector);
     }
     end_of_stream();
     check_windows(5, 1.4);
@@ -1164,7 +1164,7 @@ static void a_rest_cut_short_by_lost_samples_is_refused_for_the_gap(void)
     turn(0, 1, 1);
     hold(1, 1.3);
     TEST_ASSERT_EQUAL_UINT(1, b.ready);
-    invcal_rests_gap(&b.detector);
+    invcali_rests_gap(&b.detector);
     turn(1, 2, 1);
     hold(2, 3);
     end_of_stream();
@@ -1337,18 +1337,18 @@ static void a_fan_switched_on_is_a_new_noise_level(void)
 /* The seconds that had been measured at READY. */
 static double seconds_at_ready(unsigned rate, unsigned milliseconds)
 {
-    invcal_rest rest = {{0}, 0, 0, 0, 0};
+    invcali_rest rest = {{0}, 0, 0, 0, 0};
     unsigned before = 0;
 
     setup(rate, 16384, 1e-3);
-    invcal_rests_hold(&b.detector, milliseconds);
+    invcali_rests_hold(&b.detector, milliseconds);
     for (unsigned long i = 0; i < 20ul * rate && b.ready == 0; i++) {
         sense(face[1], none);
         TEST_ASSERT_TRUE(b.progress >= before);
         before = b.progress;
     }
     TEST_ASSERT_EQUAL_UINT(100, before);
-    TEST_ASSERT_EQUAL_INT(1, invcal_rests_get(&b.detector, &rest));
+    TEST_ASSERT_EQUAL_INT(1, invcali_rests_get(&b.detector, &rest));
     return (double)rest.count / rate;
 }
 
@@ -1374,13 +1374,14 @@ static void no_time_to_hold_is_cut_short_at_any_rate(void)
     invcal_private_rests detector;
 
     for (uint32_t rate = 8; rate <= 8000; rate += TEST_SHORT) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, (invcal_real)(unsigned)rate));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK,
+                              invcali_rests_init(&detector, (invcal_real)(unsigned)rate));
         const uint32_t size = UINT32_C(1) << detector.bits;
         const uint32_t least = 78 * rate / 125 / size + 1; /* 0.624 s */
         TEST_ASSERT_EQUAL_UINT32(least < 4 ? 4 : least, detector.least);
         TEST_ASSERT_EQUAL_UINT32(detector.least, detector.dwell);
         for (uint64_t ms = 1; ms <= 3600000; ms *= 3) {
-            invcal_rests_hold(&detector, (uint32_t)ms);
+            invcali_rests_hold(&detector, (uint32_t)ms);
             const uint64_t held = (uint64_t)detector.dwell * size * 1000; /* over rate: ms */
             const uint64_t most = (ms + ms / 1000 + 8) * rate + size * UINT64_C(1000);
             TEST_ASSERT_TRUE(held >= ms * rate);
@@ -1393,7 +1394,7 @@ static void no_time_to_hold_is_cut_short_at_any_rate(void)
 static void a_rest_left_before_its_time_is_refused_as_short(void)
 {
     setup(100, 16384, 1e-3);
-    invcal_rests_hold(&b.detector, 3000);
+    invcali_rests_hold(&b.detector, 3000);
     hold(1, 3.5);
     turn(1, 2, 1);
     TEST_ASSERT_EQUAL_UINT(0, b.taken);
@@ -1403,7 +1404,7 @@ static void a_rest_left_before_its_time_is_refused_as_short(void)
     TEST_ASSERT_EQUAL_UINT(1, b.ready);
     turn(1, 3, 1);
     hold(3, 3.5);
-    invcal_rests_gap(&b.detector);
+    invcali_rests_gap(&b.detector);
     turn(3, 4, 1);
     TEST_ASSERT_EQUAL_UINT(1, b.taken);
     TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_GAP]);
@@ -1412,30 +1413,30 @@ static void a_rest_left_before_its_time_is_refused_as_short(void)
 
 static void the_time_to_hold_may_change_in_the_midst_of_a_rest(void)
 {
-    invcal_rest rest;
+    invcali_rest rest;
 
     setup(100, 16384, 1e-3);
     hold(1, 2);
     TEST_ASSERT_EQUAL_UINT(1, b.ready);
-    invcal_rests_hold(&b.detector, 500); /* no longer than it has lasted: READY as before */
-    TEST_ASSERT_EQUAL_UINT(100, invcal_rests_progress(&b.detector));
-    invcal_rests_hold(&b.detector, 4000);
-    TEST_ASSERT_EQUAL_INT(0, invcal_rests_get(&b.detector, &rest));
-    TEST_ASSERT_TRUE(invcal_rests_progress(&b.detector) > 15);
-    TEST_ASSERT_TRUE(invcal_rests_progress(&b.detector) < 50);
+    invcali_rests_hold(&b.detector, 500); /* no longer than it has lasted: READY as before */
+    TEST_ASSERT_EQUAL_UINT(100, invcali_rests_progress(&b.detector));
+    invcali_rests_hold(&b.detector, 4000);
+    TEST_ASSERT_EQUAL_INT(0, invcali_rests_get(&b.detector, &rest));
+    TEST_ASSERT_TRUE(invcali_rests_progress(&b.detector) > 15);
+    TEST_ASSERT_TRUE(invcali_rests_progress(&b.detector) < 50);
     b.ready_before = 0;
     b.is_held = 0;
     keep(1, 2);
     TEST_ASSERT_EQUAL_UINT(1, b.ready);
     keep(1, 1.5);
     TEST_ASSERT_EQUAL_UINT(2, b.ready);
-    invcal_rests_hold(&b.detector, 60000);
+    invcali_rests_hold(&b.detector, 60000);
     b.ready_before = 0;
     b.is_held = 0;
     keep(1, 1);
     TEST_ASSERT_EQUAL_UINT(2, b.ready);
     TEST_ASSERT_TRUE(b.progress < 12);
-    invcal_rests_hold(&b.detector, 0);
+    invcali_rests_hold(&b.detector, 0);
     keep(1, 0.17);
     TEST_ASSERT_EQUAL_UINT(3, b.ready);
     turn(1, 2, 1);
@@ -1447,8 +1448,8 @@ static void the_time_to_hold_may_change_in_the_midst_of_a_rest(void)
 static void faults_are_reported_before_the_time_has_passed(void)
 {
     setup(100, 16384, 5e-4);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&b.detector, -16380, 16380));
-    invcal_rests_hold(&b.detector, 60000);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_rails(&b.detector, -16380, 16380));
+    invcali_rests_hold(&b.detector, 60000);
     hold(0, 2);
     TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_CLIPPED]);
     turn(0, 1, 1);
@@ -1467,7 +1468,7 @@ static void an_hour_is_the_longest_time_to_hold(void)
     }
     for (unsigned i = 0; i < 2; i++) {
         setup(8, 16384, 1e-3);
-        invcal_rests_hold(&b.detector, i == 0 ? 3600000u : 4294967295u);
+        invcali_rests_hold(&b.detector, i == 0 ? 3600000u : 4294967295u);
         hold(1, 3600);
         TEST_ASSERT_EQUAL_UINT(0, b.ready);
         keep(1, 30);
@@ -1502,17 +1503,17 @@ static void the_current_position_can_be_read_from_ready_on(void)
 
     setup(100, 16384, 1e-3);
     for (unsigned i = 0; i < 600; i++) {
-        invcal_rest rest;
+        invcali_rest rest;
         memset(&rest, 0, sizeof rest);
         sense(face[1], none);
-        TEST_ASSERT_EQUAL_INT(b.ready > 0, invcal_rests_get(&b.detector, &rest));
+        TEST_ASSERT_EQUAL_INT(b.ready > 0, invcali_rests_get(&b.detector, &rest));
         TEST_ASSERT_TRUE(rest.count >= count);
         count = rest.count;
         TEST_ASSERT_EQUAL_UINT32(count, rest.end - rest.begin);
         TEST_ASSERT_EQUAL_INT(b.ready > 0, count > 0);
     }
-    invcal_rest rest;
-    TEST_ASSERT_EQUAL_INT(1, invcal_rests_get(&b.detector, &rest));
+    invcali_rest rest;
+    TEST_ASSERT_EQUAL_INT(1, invcali_rests_get(&b.detector, &rest));
     end_of_stream();
     TEST_ASSERT_EQUAL_UINT(1, b.taken);
     TEST_ASSERT_EQUAL_UINT32(rest.count, b.rest[0].count);
@@ -1520,37 +1521,37 @@ static void the_current_position_can_be_read_from_ready_on(void)
     TEST_ASSERT_EQUAL_UINT32(rest.begin, b.rest[0].begin);
     TEST_ASSERT_EQUAL_UINT32(rest.end, b.rest[0].end);
     TEST_ASSERT_TRUE(rest.variance == b.rest[0].variance);
-    TEST_ASSERT_EQUAL_INT(1, invcal_rests_get(&b.detector, &rest)); /* until the next sample */
+    TEST_ASSERT_EQUAL_INT(1, invcali_rests_get(&b.detector, &rest)); /* until the next sample */
     sense(face[1], none);
-    TEST_ASSERT_EQUAL_INT(0, invcal_rests_get(&b.detector, &rest));
+    TEST_ASSERT_EQUAL_INT(0, invcali_rests_get(&b.detector, &rest));
 }
 
 static void finish_answers_in_every_state(void)
 {
     setup(100, 16384, 1e-3);
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcali_rests_finish(&b.detector));
     hold(0, 0.3);
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcali_rests_finish(&b.detector));
     setup(100, 16384, 1e-3);
     hold(0, 1.2); /* not enough, but not nothing */
     TEST_ASSERT_EQUAL_UINT(0, b.ready);
-    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_rests_finish(&b.detector));
-    TEST_ASSERT_EQUAL_INT(INVCAL_REST_SHORT, invcal_rests_reason(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcali_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REST_SHORT, invcali_rests_reason(&b.detector));
     hold(0, 3);
     TEST_ASSERT_EQUAL_UINT(1, b.ready);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_rests_finish(&b.detector));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_reason(&b.detector));
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcali_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_reason(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcali_rests_finish(&b.detector));
     b.ready_before = 0;
     b.is_held = 0;
     turn(0, 1, 1);
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcali_rests_finish(&b.detector));
     hold(1, 3); /* the stream may go on */
     sense(face[1], none);
     sense(face[1], none);
-    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcal_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TAKEN, invcali_rests_finish(&b.detector));
     for (unsigned i = 1; i <= 16; i++) { /* with a block of its own, of 16 samples */
-        const invcal_event event = invcal_rests_feed(&b.detector, b.last);
+        const invcal_event event = invcali_rests_feed(&b.detector, b.last);
         TEST_ASSERT_EQUAL_INT(i == 16, event != INVCAL_NOTHING);
     }
 }
@@ -1561,11 +1562,11 @@ static void a_rest_of_one_block_is_refused_as_short(void)
 {
     setup(88, 16384, 1e-3);
     hold(0, 7.5 / 11);
-    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcal_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_MOVING, invcali_rests_finish(&b.detector));
     setup(88, 16384, 1e-3);
     hold(0, 8.5 / 11);
-    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcal_rests_finish(&b.detector));
-    TEST_ASSERT_EQUAL_INT(INVCAL_REST_SHORT, invcal_rests_reason(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REFUSED, invcali_rests_finish(&b.detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_REST_SHORT, invcali_rests_reason(&b.detector));
 }
 
 /* The next begins after as many blocks as after any motion. */
@@ -1606,21 +1607,22 @@ static void init_refuses_rates_and_rails_out_of_range(void)
     memset(&detector, 0x5A, sizeof detector);
     memcpy(&before, &detector, sizeof before);
     for (unsigned i = 0; i < 6; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE, invcal_rests_init(&detector, (invcal_real)rates[i]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_BAD_RATE,
+                              invcali_rests_init(&detector, (invcal_real)rates[i]));
     }
     TEST_ASSERT_TRUE(memcmp(&before, &detector, sizeof detector) == 0);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, 8));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_init(&detector, 8000));
-    TEST_ASSERT_EQUAL_UINT(0, invcal_rests_progress(&detector));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_reason(&detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_init(&detector, 8));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_init(&detector, 8000));
+    TEST_ASSERT_EQUAL_UINT(0, invcali_rests_progress(&detector));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_reason(&detector));
     memcpy(&before, &detector, sizeof before);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_rests_rails(&detector, 9, 9));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_rests_rails(&detector, 9, -9));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_rests_rails(&detector, 0, 0));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcal_rests_rails(&detector, INT32_MAX, INT32_MIN));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcali_rests_rails(&detector, 9, 9));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcali_rests_rails(&detector, 9, -9));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcali_rests_rails(&detector, 0, 0));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_LIMITS, invcali_rests_rails(&detector, INT32_MAX, INT32_MIN));
     TEST_ASSERT_TRUE(memcmp(&before, &detector, sizeof detector) == 0);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&detector, INT32_MIN, INT32_MAX));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_rests_rails(&detector, 0, 1));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_rails(&detector, INT32_MIN, INT32_MAX));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_rests_rails(&detector, 0, 1));
 }
 
 static void random_bits_and_alternating_extremes_are_not_a_rest(void)
@@ -1668,7 +1670,7 @@ static void ten_million_equal_samples_and_life_after(void)
 
     setup(100, 16384, 1e-3);
     for (unsigned long i = 0; i < 10000000; i++) {
-        note(invcal_rests_feed(&b.detector, raw));
+        note(invcali_rests_feed(&b.detector, raw));
     }
     TEST_ASSERT_EQUAL_UINT(1, b.refused[INVCAL_REST_FROZEN]);
     TEST_ASSERT_EQUAL_UINT(0, b.taken);
@@ -1686,8 +1688,8 @@ static void a_rest_stops_growing_before_its_counters_overflow(void)
 {
     setup(8, 16384, 1e-3);
     hold(1, 33000);
-    invcal_rest rest;
-    TEST_ASSERT_EQUAL_INT(1, invcal_rests_get(&b.detector, &rest));
+    invcali_rest rest;
+    TEST_ASSERT_EQUAL_INT(1, invcali_rests_get(&b.detector, &rest));
     TEST_ASSERT_EQUAL_UINT32(65535u * 4, rest.count);
     keep(1, 100);
     end_of_stream();

@@ -125,7 +125,7 @@ static void the_two_frames_differ_by_a_rotation_only(void)
         invcal_calibration triangular = symmetric;
         double a[3][3];
         double b[3][3];
-        invcal_make_triangular(&triangular, &nominal);
+        invcali_make_triangular(&triangular, &nominal);
         correction_of(&symmetric, &nominal, a);
         correction_of(&triangular, &nominal, b);
         for (int r = 0; r < 3; r++) {
@@ -148,7 +148,7 @@ static void a_diagonal_nominal_gives_an_upper_triangular_matrix(void)
     const invcal_calibration nominal = {{1, 2, 3}, {{2, 0, 0}, {0, 4, 0}, {0, 0, -8}}};
     invcal_calibration calibration = calibration_of(&truth, &nominal);
 
-    invcal_make_triangular(&calibration, &nominal);
+    invcali_make_triangular(&calibration, &nominal);
     TEST_ASSERT_TRUE(calibration.matrix[1][0] == 0 && calibration.matrix[2][0] == 0 &&
                      calibration.matrix[2][1] == 0);
     TEST_ASSERT_TRUE(calibration.matrix[0][0] > 0 && calibration.matrix[2][2] < 0);
@@ -160,7 +160,7 @@ static void what_is_not_a_calibration_is_not_turned(void)
     invcal_calibration calibration = {{0, 0, 0}, {{1, 0, 0}, {0, (invcal_real)NAN, 0}, {0, 0, 1}}};
     const invcal_calibration before = calibration;
 
-    invcal_make_triangular(&calibration, &nominal);
+    invcali_make_triangular(&calibration, &nominal);
     TEST_ASSERT_EQUAL_MEMORY(&before, &calibration, sizeof before);
 }
 

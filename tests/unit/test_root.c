@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal_root has the bits of libm's square root.
+ * invcali_root has the bits of libm's square root.
  */
 #include "core/vector.h"
 
@@ -27,7 +27,7 @@ static void check(uint32_t bits)
     float x;
 
     memcpy(&x, &bits, sizeof x);
-    const float root = invcal_root(x);
+    const float root = invcali_root(x);
     const float libm = sqrtf(x);
     if (isnan(libm)) {
         TEST_ASSERT_TRUE(isnan(root));

@@ -350,7 +350,7 @@ static void a_matrix_of_no_triad_terminates_as_well(void)
     invcal_real a[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, (invcal_real)1e-6}};
     invcal_real work[INVCAL_WORK];
 
-    invcal_make_symmetric(a, work);
+    invcali_make_symmetric(a, work);
     for (unsigned i = 0; i < 9; i++) {
         TEST_ASSERT_TRUE(isfinite(a[i / 3][i % 3]));
     }

@@ -132,7 +132,7 @@ static void a_refusal_has_the_text_of_its_status(void)
         INVCAL_OTHER_BUILD,  INVCAL_BAD_NOMINAL, INVCAL_BAD_RATE};
 
     for (unsigned i = 0; i < sizeof reasons / sizeof reasons[0]; i++) {
-        TEST_ASSERT_EQUAL_STRING(invcal_status_text(reasons[i]), invcal_refusal_text(reasons[i]));
+        TEST_ASSERT_EQUAL_STRING(invcal_status_text(reasons[i]), invcali_refusal_text(reasons[i]));
     }
 }
 
@@ -141,10 +141,10 @@ static void any_other_status_is_no_refusal(void)
 {
     for (unsigned value = 0; value < 256; value++) {
         if (value < 0x20 || value > 0x2A) {
-            TEST_ASSERT_EQUAL_STRING("", invcal_refusal_text((invcal_status)value));
+            TEST_ASSERT_EQUAL_STRING("", invcali_refusal_text((invcal_status)value));
         }
     }
-    TEST_ASSERT_EQUAL_STRING("", invcal_refusal_text((invcal_status)-1));
+    TEST_ASSERT_EQUAL_STRING("", invcali_refusal_text((invcal_status)-1));
 }
 
 static void parameters_are_named_in_the_order_of_the_paper(void)

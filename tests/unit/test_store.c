@@ -320,10 +320,10 @@ static void the_crc_has_the_check_value_of_the_standard(void)
 {
     static const uint8_t digits[] = {'1', '2', '3', '4', '5', '6', '7', '8', '9'};
 
-    TEST_ASSERT_EQUAL_HEX32(0xCBF43926u, invcal_crc32(0, digits, 9));
+    TEST_ASSERT_EQUAL_HEX32(0xCBF43926u, invcali_crc32(0, digits, 9));
     TEST_ASSERT_EQUAL_HEX32(0xCBF43926u, slow_crc(digits, 9));
-    TEST_ASSERT_EQUAL_HEX32(0xCBF43926u, invcal_crc32(invcal_crc32(0, digits, 4), digits + 4, 5));
-    TEST_ASSERT_EQUAL_HEX32(0, invcal_crc32(0, digits, 0));
+    TEST_ASSERT_EQUAL_HEX32(0xCBF43926u, invcali_crc32(invcali_crc32(0, digits, 4), digits + 4, 5));
+    TEST_ASSERT_EQUAL_HEX32(0, invcali_crc32(0, digits, 0));
 }
 
 static void numbers_have_their_least_byte_first(void)
@@ -331,11 +331,11 @@ static void numbers_have_their_least_byte_first(void)
     static const uint8_t expected[] = {0x81, 0x02, 0x03, 0xF4, 0x02, 0x81, 0xFE, 0x00};
     uint8_t b[8];
 
-    TEST_ASSERT_TRUE(invcal_put_u32(b, 0xF4030281u) == b + 4);
-    TEST_ASSERT_TRUE(invcal_put_two(b + 4, 0x8102u, 0x00FEu) == b + 8);
+    TEST_ASSERT_TRUE(invcali_put_u32(b, 0xF4030281u) == b + 4);
+    TEST_ASSERT_TRUE(invcali_put_two(b + 4, 0x8102u, 0x00FEu) == b + 8);
     TEST_ASSERT_EQUAL_HEX8_ARRAY(expected, b, 8);
-    TEST_ASSERT_EQUAL_HEX32(0xF4030281u, invcal_get_u32(b));
-    TEST_ASSERT_EQUAL_HEX16(0x8102u, invcal_get_u16(b + 4));
+    TEST_ASSERT_EQUAL_HEX32(0xF4030281u, invcali_get_u32(b));
+    TEST_ASSERT_EQUAL_HEX16(0x8102u, invcali_get_u16(b + 4));
 }
 
 static void reals_are_binary32(void)
@@ -345,16 +345,16 @@ static void reals_are_binary32(void)
     uint8_t b[12];
     invcal_real y[3];
 
-    TEST_ASSERT_TRUE(invcal_put_reals(b, x, 3) == b + 12);
+    TEST_ASSERT_TRUE(invcali_put_reals(b, x, 3) == b + 12);
     TEST_ASSERT_EQUAL_HEX8_ARRAY(expected, b, 12);
-    TEST_ASSERT_EQUAL_INT(1, invcal_get_reals(b, y, 3));
+    TEST_ASSERT_EQUAL_INT(1, invcali_get_reals(b, y, 3));
     TEST_ASSERT_EQUAL_MEMORY(x, y, sizeof x);
     for (uint8_t sign = 0; sign < 2; sign++) {
         b[4] = sign; /* not a number, and infinite */
         b[6] = 0x80;
         b[7] = (uint8_t)(sign ? 0xFF : 0x7F);
-        TEST_ASSERT_EQUAL_INT(0, invcal_get_reals(b, y, 3));
-        TEST_ASSERT_EQUAL_INT(1, invcal_get_reals(b, y, 1));
+        TEST_ASSERT_EQUAL_INT(0, invcali_get_reals(b, y, 3));
+        TEST_ASSERT_EQUAL_INT(1, invcali_get_reals(b, y, 1));
     }
 }
 
@@ -369,7 +369,7 @@ static void a_slot_holds_the_bytes_of_the_table(void)
             save(2, sizes[s]);
             const unsigned slot = slot_of(2);
             TEST_ASSERT_TRUE(slot < 2 && slot_of(1) == 1 - slot);
-            const uint32_t sequence = invcal_get_u32(flash.bytes[1 - slot] + 4);
+            const uint32_t sequence = invcali_get_u32(flash.bytes[1 - slot] + 4);
             memcpy(first, flash.bytes[1 - slot], SLOT);
             memcpy(second, flash.bytes[slot], SLOT);
             const uint32_t end = write_slot(1 - slot, sequence, 1, sizes[s], 1);

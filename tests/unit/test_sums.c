@@ -25,9 +25,9 @@ static void rows_stand_in_the_order_of_the_paper(void)
     const invcal_calibration nominal = unit_nominal();
     const invcal_real u[3] = {1, 2, 3};
     static const double expected[9] = {1, 2, 3, 1, 4, 9, 2, 3, 6};
-    invcal_row row;
+    invcali_row row;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observe(&nominal, u, &row));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_observe(&nominal, u, &row));
     for (int r = 0; r < 9; r++) {
         TEST_ASSERT_EQUAL_DOUBLE(expected[r], (double)row.h[r]);
     }
@@ -56,8 +56,8 @@ static void the_exact_row_vanishes_on_a_sphere_of_any_size_and_place(void)
         for (int k = 0; k < 3; k++) {
             u[k] = (invcal_real)(c[k] + radius * eta[k]);
         }
-        invcal_row row;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observe(&nominal, u, &row));
+        invcali_row row;
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_observe(&nominal, u, &row));
         double sum = (double)row.h[INVCAL_J];
         for (int r = 0; r < 9; r++) {
             sum += (double)row.h[r] * p[r];
@@ -72,9 +72,9 @@ static void a_reading_is_what_the_nominal_calibration_makes_of_it(void)
         {1, 2, 3},
         {{INVCAL_REAL(0.125), 0, 0}, {0, INVCAL_REAL(0.25), 0}, {1, 0, INVCAL_REAL(0.5)}}};
     const invcal_real raw[3] = {2, 4, 6};
-    invcal_row row;
+    invcali_row row;
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observe(&nominal, raw, &row));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_observe(&nominal, raw, &row));
     TEST_ASSERT_EQUAL_DOUBLE(0.125, (double)row.h[0]);
     TEST_ASSERT_EQUAL_DOUBLE(0.5, (double)row.h[1]);
     TEST_ASSERT_EQUAL_DOUBLE(2.5, (double)row.h[2]);
@@ -86,13 +86,13 @@ static void assert_refused(const double reading[3], invcal_status expected)
     const invcal_calibration nominal = unit_nominal();
     const invcal_real u[3] = {(invcal_real)reading[0], (invcal_real)reading[1],
                               (invcal_real)reading[2]};
-    invcal_row row;
+    invcali_row row;
     invcal_sums sums;
     invcal_sums before;
 
     memset(&sums, 7, sizeof sums);
     before = sums;
-    TEST_ASSERT_EQUAL_INT(expected, invcal_observe(&nominal, u, &row));
+    TEST_ASSERT_EQUAL_INT(expected, invcali_observe(&nominal, u, &row));
     TEST_ASSERT_EQUAL_INT(expected, invcal_sums_add(&sums, &nominal, u, 1));
     TEST_ASSERT_EQUAL_MEMORY(&before, &sums, sizeof sums);
 }
@@ -111,13 +111,13 @@ static void readings_that_cannot_be_of_this_field_are_refused(void)
 static void a_tenth_and_ten_times_the_field_are_readings(void)
 {
     static const double good[][3] = {{0.1005, 0, 0}, {0, -9.95, 0}};
-    invcal_row row;
+    invcali_row row;
 
     for (unsigned i = 0; i < sizeof good / sizeof good[0]; i++) {
         const invcal_real u[3] = {(invcal_real)good[i][0], (invcal_real)good[i][1],
                                   (invcal_real)good[i][2]};
         const invcal_calibration nominal = unit_nominal();
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observe(&nominal, u, &row));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_observe(&nominal, u, &row));
     }
 }
 
@@ -137,13 +137,13 @@ static void readings_are_refused_whichever_number_of_the_nominal_is_invalid(void
     for (int i = 0; i < 12; i++) {
         const invcal_real raw[3] = {(invcal_real)0.5, (invcal_real)0.5, (invcal_real)0.5};
         invcal_calibration nominal = unit_nominal();
-        invcal_row row;
+        invcali_row row;
         if (i < 3) {
             nominal.offset[i] = (invcal_real)NAN;
         } else {
             nominal.matrix[i / 3 - 1][i % 3] = (invcal_real)NAN;
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcal_observe(&nominal, raw, &row));
+        TEST_ASSERT_EQUAL_INT(INVCAL_NOT_FINITE, invcali_observe(&nominal, raw, &row));
     }
 }
 
@@ -152,7 +152,7 @@ static void readings_are_refused_whichever_number_of_the_nominal_is_invalid(void
 enum { COUNT = 20 };
 static const double small = FLOAT_OR_DOUBLE(2e-5, 2e-14); /* of sums of about 20 numbers below 1 */
 
-static invcal_row rows[COUNT];
+static invcali_row rows[COUNT];
 
 /* Rows of a triad with errors of 10 %. */
 static void make_rows(void)
@@ -168,7 +168,7 @@ static void make_rows(void)
     }
     read_positions(&truth, (const double(*)[3])direction, COUNT, 0, &random, &set);
     for (int i = 0; i < COUNT; i++) {
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observe(&nominal, set.u[i], &rows[i]));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_observe(&nominal, set.u[i], &rows[i]));
     }
 }
 
@@ -178,7 +178,7 @@ static invcal_sums sum_of(int first, int last)
 
     invcal_sums_init(&n);
     for (int i = first; i < last; i++) {
-        invcal_sums_add_row(&n, &rows[i], 1);
+        invcali_sums_add_row(&n, &rows[i], 1);
     }
     return n;
 }
@@ -240,12 +240,12 @@ static void a_position_added_is_its_row_added(void)
     const invcal_real raw[3] = {1, INVCAL_REAL(0.25), INVCAL_REAL(0.5)};
     invcal_sums by_row;
     invcal_sums at_once;
-    invcal_row row;
+    invcali_row row;
 
     invcal_sums_init(&by_row);
     invcal_sums_init(&at_once);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_observe(&nominal, raw, &row));
-    invcal_sums_add_row(&by_row, &row, 1);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_observe(&nominal, raw, &row));
+    invcali_sums_add_row(&by_row, &row, 1);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_sums_add(&at_once, &nominal, raw, 1));
     TEST_ASSERT_EQUAL_MEMORY(by_row.sum, at_once.sum, sizeof by_row.sum);
     TEST_ASSERT_EQUAL_UINT(by_row.count, at_once.count);
@@ -259,7 +259,7 @@ static void order_does_not_matter(void)
     const invcal_sums n = sum_of(0, COUNT);
     invcal_sums_init(&backwards);
     for (int i = COUNT; i-- > 0;) {
-        invcal_sums_add_row(&backwards, &rows[i], 1);
+        invcali_sums_add_row(&backwards, &rows[i], 1);
     }
     assert_equal_sums(&n, &backwards);
 }
@@ -302,9 +302,9 @@ static void the_count_does_not_wrap(void)
     invcal_sums n = sum_of(0, 9);
 
     n.count = UINT_MAX - 1;
-    invcal_sums_add_row(&n, &rows[11], 1);
+    invcali_sums_add_row(&n, &rows[11], 1);
     TEST_ASSERT_EQUAL_UINT(UINT_MAX, n.count);
-    invcal_sums_add_row(&n, &rows[12], 1);
+    invcali_sums_add_row(&n, &rows[12], 1);
     TEST_ASSERT_EQUAL_UINT(UINT_MAX, n.count);
 }
 

@@ -51,7 +51,7 @@ static void the_factor_of_the_min_matrix_is_all_ones_for_every_size(void)
     for (unsigned n = 1; n <= MOST; n++) {
         invcal_real a[SUMS];
         fill_min(a, n);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(a, n, n, INVCAL_FLOOR));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_factor(a, n, n, INVCAL_FLOOR));
         for (unsigned i = 0; i < packed_size(n); i++) {
             TEST_ASSERT_EQUAL_DOUBLE(1, (double)a[i]);
         }
@@ -74,11 +74,11 @@ static void inverse_and_variances_agree_with_the_closed_form(void)
     for (unsigned n = 1; n <= MOST; n++) {
         invcal_real a[SUMS];
         fill_min(a, n);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(a, n, n, INVCAL_FLOOR));
-        invcal_invert(a, n);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_factor(a, n, n, INVCAL_FLOOR));
+        invcali_invert(a, n);
         for (unsigned r = 0; r < n; r++) {
             TEST_ASSERT_DOUBLE_WITHIN(tiny, inverse_of_min(n, r, r),
-                                      (double)invcal_variance(a, n, r));
+                                      (double)invcali_variance(a, n, r));
             for (unsigned c = 0; c <= r; c++) {
                 TEST_ASSERT_DOUBLE_WITHIN(tiny, inverse_of_min(n, r, c), inverse_of(a, n, r, c));
             }
@@ -103,9 +103,9 @@ static void a_system_is_solved_along_with_its_matrix(void)
             constant += sum * (r + 1);
         }
         b[n] = (invcal_real)(constant + 5);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(a, n, n + 1, INVCAL_FLOOR));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_factor(a, n, n + 1, INVCAL_FLOOR));
         TEST_ASSERT_DOUBLE_WITHIN(tiny * constant + tiny, 5, (double)b[n]);
-        invcal_back_substitute(a, n);
+        invcali_back_substitute(a, n);
         for (unsigned r = 0; r < n; r++) {
             TEST_ASSERT_DOUBLE_WITHIN(n * 10 * tiny, -(r + 1.0), (double)b[r]);
         }
@@ -118,11 +118,11 @@ static void leverage_is_the_variance_of_a_combination(void)
     invcal_real h[INVCAL_PARAMETERS] = {0};
 
     fill_min(a, 9);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(a, 9, 9, INVCAL_FLOOR));
-    invcal_invert(a, 9);
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_factor(a, 9, 9, INVCAL_FLOOR));
+    invcali_invert(a, 9);
     h[3] = 1;
     h[4] = 1; /* 2 + 2 - 1 - 1 */
-    TEST_ASSERT_DOUBLE_WITHIN(tiny, 2, (double)invcal_leverage(a, h));
+    TEST_ASSERT_DOUBLE_WITHIN(tiny, 2, (double)invcali_leverage(a, h));
 }
 
 /* The elements on the diagonal are 1 2 ... n; the largest ignores a NaN. */
@@ -132,13 +132,13 @@ static void trace_and_largest_element_are_of_the_diagonal(void)
 
     for (unsigned n = 1; n <= N; n++) {
         fill_min(a, n);
-        TEST_ASSERT_EQUAL_DOUBLE(n * (n + 1) / 2, (double)invcal_trace(a, n));
-        TEST_ASSERT_EQUAL_DOUBLE(n, (double)invcal_largest_diagonal(a, n));
+        TEST_ASSERT_EQUAL_DOUBLE(n * (n + 1) / 2, (double)invcali_trace(a, n));
+        TEST_ASSERT_EQUAL_DOUBLE(n, (double)invcali_largest_diagonal(a, n));
     }
     a[INVCAL_PACKED(8, 8)] = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_DOUBLE(8, (double)invcal_largest_diagonal(a, N));
+    TEST_ASSERT_EQUAL_DOUBLE(8, (double)invcali_largest_diagonal(a, N));
     a[0] = -1;
-    TEST_ASSERT_EQUAL_DOUBLE(0, (double)invcal_largest_diagonal(a, 1));
+    TEST_ASSERT_EQUAL_DOUBLE(0, (double)invcali_largest_diagonal(a, 1));
 }
 
 static void assert_close(const double *expected, const invcal_real *actual, unsigned count,
@@ -161,7 +161,7 @@ static void assert_factored(unsigned n, const double *matrix, const double *fact
     invcal_real whole[SUMS];
 
     from_double(matrix, a, packed_size(n));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(a, n, n, INVCAL_FLOOR));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_factor(a, n, n, INVCAL_FLOOR));
     for (unsigned i = 0; i < packed_size(n); i++) {
         whole[i] = a[i];
     }
@@ -169,7 +169,7 @@ static void assert_factored(unsigned n, const double *matrix, const double *fact
         whole[INVCAL_PACKED(r, r)] = 1 / a[INVCAL_PACKED(r, r)];
     }
     assert_close(factor, whole, packed_size(n), 10 * tiny);
-    invcal_invert(a, n);
+    invcali_invert(a, n);
     for (unsigned r = 0; r < n; r++) {
         for (unsigned c = 0; c <= r; c++) {
             whole[INVCAL_PACKED(r, c)] = (invcal_real)inverse_of(a, n, r, c);
@@ -221,7 +221,7 @@ static void matrices_of_deficient_rank_are_refused(void)
 
     for (unsigned i = 0; i < SOME(8000); i++) {
         random_of_rank(&random, 1 + i % (N - 1), a);
-        passed += invcal_factor(a, N, N, INVCAL_FLOOR) == INVCAL_OK;
+        passed += invcali_factor(a, N, N, INVCAL_FLOOR) == INVCAL_OK;
     }
     TEST_ASSERT_LESS_OR_EQUAL_UINT(FLOAT_OR_DOUBLE(SOME(160) + 1, 0), passed);
 }
@@ -235,7 +235,7 @@ static void indefinite_zero_and_unreal_matrices_are_refused(void)
             invcal_real a[SUMS];
             fill_min(a, N);
             a[INVCAL_PACKED(r, r)] = (invcal_real)bad[i];
-            TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_factor(a, N, N, INVCAL_FLOOR));
+            TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcali_factor(a, N, N, INVCAL_FLOOR));
         }
     }
 }
@@ -247,7 +247,7 @@ static void a_nan_beside_the_diagonal_is_refused(void)
             invcal_real a[SUMS];
             fill_min(a, N);
             a[INVCAL_PACKED(r, c)] = (invcal_real)NAN;
-            TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_factor(a, N, N, INVCAL_FLOOR));
+            TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcali_factor(a, N, N, INVCAL_FLOOR));
         }
     }
 }
@@ -259,8 +259,8 @@ static void the_floor_is_relative_to_the_largest_diagonal_element(void)
     invcal_real small[3] = {1, 0, (invcal_real)0.9e-3};
     invcal_real enough[3] = {1, 0, (invcal_real)1.1e-3};
 
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_factor(small, 2, 2, floor));
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(enough, 2, 2, floor));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcali_factor(small, 2, 2, floor));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_factor(enough, 2, 2, floor));
 }
 
 static void the_floor_does_not_depend_on_the_unit(void)
@@ -271,7 +271,7 @@ static void the_floor_does_not_depend_on_the_unit(void)
         for (unsigned i = 0; i < packed_size(N); i++) {
             a[i] *= (invcal_real)pow(10, exponent);
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_factor(a, N, N, INVCAL_FLOOR));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_factor(a, N, N, INVCAL_FLOOR));
     }
 }
 
@@ -280,9 +280,9 @@ static void a_floor_that_is_not_a_number_refuses_everything(void)
     invcal_real a[SUMS];
 
     fill_min(a, N);
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_factor(a, N, N, (invcal_real)NAN));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcali_factor(a, N, N, (invcal_real)NAN));
     a[0] = -1;
-    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcal_factor(a, N, N, -100));
+    TEST_ASSERT_EQUAL_INT(INVCAL_UNDETERMINED, invcali_factor(a, N, N, -100));
 }
 
 int main(void)

@@ -23,7 +23,7 @@ static const double PI = 3.14159265358979324;
 static const invcal_real z_up[3] = {0, 0, 1};
 static const world_settings perfect = {0, 0, 0, 0, 0};
 static const world_settings perfect_held = {1, 0, 0, 0, 0};
-static invcal_turns t;
+static invcali_turns t;
 
 static invcal_status turns_begin(const invcal_real up[3], const world_settings *settings)
 {
@@ -31,10 +31,10 @@ static invcal_status turns_begin(const invcal_real up[3], const world_settings *
     invcal_imu_settings stated_ones;
 
     if (!settings) {
-        return invcal_turns_begin(&t, up, NULL, 0);
+        return invcali_turns_begin(&t, up, NULL, 0);
     }
     stated_ones = world_stated(settings, prior);
-    return invcal_turns_begin(&t, up, &stated_ones, settings->noise);
+    return invcali_turns_begin(&t, up, &stated_ones, settings->noise);
 }
 
 /* In the order of the solution. */
@@ -43,12 +43,12 @@ static invcal_status turns_sigma(const invcal_turn *turn, invcal_real sigma[18],
     invcal_real of[18];
     uint32_t weak;
 
-    const invcal_status status = invcal_turns_sigma(&t, turn, of, &weak);
+    const invcal_status status = invcali_turns_sigma(&t, turn, of, &weak);
     if (status == INVCAL_OK || status == INVCAL_UNDETERMINED) {
         *open = 0;
         for (unsigned i = 0; i < 18; i++) {
-            sigma[i] = of[invcal_imu_parameter(i)];
-            *open |= (weak >> invcal_imu_parameter(i) & 1u) << i;
+            sigma[i] = of[invcali_imu_parameter(i)];
+            *open |= (weak >> invcali_imu_parameter(i) & 1u) << i;
         }
     }
     return status;
@@ -64,8 +64,8 @@ static void tour(const world_settings *settings, unsigned turns)
     begin(settings);
     for (unsigned i = 0; i < turns; i++) {
         invcal_turn turn;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_tour(i, &turn));
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_tour(i, &turn));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_turns_add(&t, &turn));
         for (unsigned a = 0; a < 3; a++) {
             TEST_ASSERT_DOUBLE_WITHIN(1e-6, (double)turn.up[a], (double)t.up[a]);
         }
@@ -77,7 +77,7 @@ static void about(unsigned axis, double degrees, unsigned turns)
     for (unsigned i = 0; i < turns; i++) {
         invcal_turn turn = {{0, 0, 0}, (invcal_real)(degrees * DEGREE), {0, 0, 0}};
         turn.axis[axis] = 1;
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_turns_add(&t, &turn));
     }
 }
 
@@ -193,7 +193,7 @@ static void ranks_are_those_of_the_number_of_axes(void)
                     turn.axis[a] = (invcal_real)n[a];
                 }
                 turn.angle = (invcal_real)(random_uniform(&random, 100, 150) * DEGREE);
-                TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+                TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_turns_add(&t, &turn));
             }
             TEST_ASSERT_LESS_OR_EQUAL_UINT(expected[turns], rank());
             if (FLOAT_OR_DOUBLE(0, 1) > 0) {
@@ -280,8 +280,8 @@ static double follow(const world_settings *settings, unsigned turns, const char 
     begin(settings);
     for (unsigned i = 0; i < turns; i++) {
         invcal_turn turn;
-        invcal_turns_next(&t, &turn);
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+        invcali_turns_next(&t, &turn);
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_turns_add(&t, &turn));
         strcat(path, " ");
         add_word(turn.up, path);
     }
@@ -329,10 +329,10 @@ static void of_any_rest_there_is_a_next_turn(void)
         TEST_ASSERT_DOUBLE_WITHIN(1e-8, 3e-4, (double)t.noise);
         t.seconds = (invcal_real)(k % 2); /* or so fast that gyroscope noise does not count */
         for (unsigned i = 0; i < 6; i++) {
-            invcal_turns_next(&t, &turn);
+            invcali_turns_next(&t, &turn);
             const double angle = (double)turn.angle / DEGREE;
             TEST_ASSERT_TRUE(angle > 17.45 && angle < 162.55); /* a sine of 0.3 */
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_turns_add(&t, &turn));
         }
         TEST_ASSERT_EQUAL_UINT(18, rank());
     }
@@ -368,7 +368,7 @@ static void guidance_goes_as_far_as_it_may(void)
                 from[i] = (invcal_real)(up[i] / length3(to));
             }
             TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_begin(from, &perfect_held));
-            invcal_turns_next(&t, &turn);
+            invcali_turns_next(&t, &turn);
             double cosine = 0;
             for (int i = 0; i < 3; i++) {
                 cosine += (double)turn.up[i] * to[i] / length3(to);
@@ -386,8 +386,8 @@ static void nonsense_has_no_next_turn(void)
     begin(&perfect);
     t.up[1] = (invcal_real)NAN;
     memset(&turn, 0x5A, sizeof turn);
-    invcal_turns_next(&t, &turn);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turns_add(&t, &turn));
+    invcali_turns_next(&t, &turn);
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcali_turns_add(&t, &turn));
     for (unsigned a = 0; a < 3; a++) {
         TEST_ASSERT_DOUBLE_WITHIN(0, 0, (double)turn.axis[a]);
         TEST_ASSERT_DOUBLE_WITHIN(0, 0, (double)turn.up[a]);
@@ -429,7 +429,7 @@ static void the_tour_takes_each_edge_once_about_horizontal_axes(void)
 
     for (unsigned i = 0; i < INVCAL_TOUR_FULL; i++) {
         double up[3];
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_tour(i, &turn));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_tour(i, &turn));
         turned(from, &turn, up);
         for (unsigned a = 0; a < 3; a++) {
             TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-6, 1e-12), up[a], (double)turn.up[a]);
@@ -451,8 +451,8 @@ static void the_tour_takes_each_edge_once_about_horizontal_axes(void)
     for (unsigned a = 0; a < 3; a++) {
         TEST_ASSERT_EQUAL_INT(1, full[a]);
     }
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_tour(INVCAL_TOUR_FULL, &turn));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_tour(UINT_MAX, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcali_tour(INVCAL_TOUR_FULL, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcali_tour(UINT_MAX, &turn));
 }
 
 static void the_shortest_turn_is_that_of_closed_form(void)
@@ -473,7 +473,7 @@ static void the_shortest_turn_is_that_of_closed_form(void)
         if (fabs(cosine) > 0.9999) {
             continue;
         }
-        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turn_to(v[0], v[1], &turn));
+        TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_turn_to(v[0], v[1], &turn));
         TEST_ASSERT_DOUBLE_WITHIN(FLOAT_OR_DOUBLE(1e-3, 1e-9), acos(cosine) / DEGREE,
                                   (double)turn.angle / DEGREE);
         turned(v[0], &turn, up);
@@ -494,7 +494,7 @@ static void opposite_directions_have_no_shortest_turn(void)
         const invcal_real up[3] = {0, (invcal_real)sqrt(square[k]), (invcal_real)along};
         invcal_turn turn;
         TEST_ASSERT_EQUAL_INT(k % 2 == 0 ? INVCAL_BAD_DIRECTION : INVCAL_OK,
-                              invcal_turn_to(z_up, up, &turn));
+                              invcali_turn_to(z_up, up, &turn));
     }
 }
 
@@ -511,10 +511,10 @@ static void bad_arguments_are_refused(void)
 
     memset(&kept, 0x55, sizeof kept);
     memcpy(&turn, &kept, sizeof turn);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(z_up, down, &turn));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(z_up, z_up, &turn));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(longer, x_up, &turn));
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turn_to(x_up, longer, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcali_turn_to(z_up, down, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcali_turn_to(z_up, z_up, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcali_turn_to(longer, x_up, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcali_turn_to(x_up, longer, &turn));
     TEST_ASSERT_EQUAL_MEMORY(&kept, &turn, sizeof turn);
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, turns_begin(none, NULL));
     settings.noise = -1;
@@ -534,24 +534,24 @@ static void bad_arguments_are_refused(void)
     prior[17] = 0;
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_begin(z_up, &settings));
 
-    const invcal_turns before = t;
+    const invcali_turns before = t;
     invcal_real sigma[18] = {7};
     uint32_t open = 7;
     turn = (invcal_turn){{0, 0, INVCAL_REAL(1.01)}, 1, {0, 0, 0}};
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcal_turns_add(&t, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, invcali_turns_add(&t, &turn));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_DIRECTION, turns_sigma(&turn, sigma, &open));
     turn.axis[2] = 1;
     turn.angle = (invcal_real)(720.3 * DEGREE);
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_turns_add(&t, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcali_turns_add(&t, &turn));
     turn.angle = (invcal_real)NAN;
-    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcal_turns_add(&t, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, invcali_turns_add(&t, &turn));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_ANGLE, turns_sigma(&turn, sigma, &open));
     TEST_ASSERT_EQUAL_MEMORY(&before, &t, sizeof t);
     TEST_ASSERT_TRUE(open == 7 && sigma[0] > 6);
     turn.angle = (invcal_real)(-720 * DEGREE);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_turns_add(&t, &turn));
     turn.angle = (invcal_real)(720 * DEGREE);
-    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_turns_add(&t, &turn));
     for (unsigned a = 0; a < 3; a++) {
         TEST_ASSERT_DOUBLE_WITHIN(0, a == 2, (double)t.up[a]);
     }
@@ -612,8 +612,8 @@ static void the_noise_of_a_turn_is_that_of_the_design(void)
         t.seconds = k == 0 ? t.seconds : INVCAL_REAL(0.5);
         for (unsigned i = 0; i < INVCAL_TOUR; i++) {
             invcal_turn turn;
-            (void)invcal_tour(i, &turn);
-            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_turns_add(&t, &turn));
+            (void)invcali_tour(i, &turn);
+            TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcali_turns_add(&t, &turn));
         }
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_sigma(NULL, sigma, &open));
         const double variance = 2 * 4e-8 + 1e-8 * time + (1e-8 / 2 + 2.25 * 4e-8) * time * time;
@@ -731,9 +731,9 @@ static void a_prospect_is_what_the_turn_then_achieves(void)
 
     begin(&perfect);
     for (unsigned i = 0; i < INVCAL_TOUR_FULL; i++) {
-        (void)invcal_tour(i, &turn);
+        (void)invcali_tour(i, &turn);
         const invcal_status status = turns_sigma(&turn, sigma[0], &open[0]);
-        (void)invcal_turns_add(&t, &turn);
+        (void)invcali_turns_add(&t, &turn);
         TEST_ASSERT_EQUAL_INT(status, turns_sigma(NULL, sigma[1], &open[1]));
         TEST_ASSERT_EQUAL_INT(i < 7 ? INVCAL_UNDETERMINED : INVCAL_OK, status);
         TEST_ASSERT_EQUAL_HEX32(open[0], open[1]);
@@ -777,7 +777,7 @@ static invcal_status turns_after(const invcal_real raw[][3], unsigned count,
                                         settings->noise, NULL};
     const invcal_imu_settings stated_ones = world_stated(settings, NULL);
 
-    return invcal_turns_after(&t, &w.imu, &positions, &stated_ones);
+    return invcali_turns_after(&t, &w.imu, &positions, &stated_ones);
 }
 
 /* The tour by steady turns, without errors. Returns how long a turn is by its segments. */
@@ -792,7 +792,7 @@ static double make_tour(invcal_real raw[WORLD_RESTS][3])
     for (unsigned i = 0; i < INVCAL_TOUR; i++) {
         invcal_turn turn;
         double vector[3];
-        (void)invcal_tour(i, &turn);
+        (void)invcali_tour(i, &turn);
         for (unsigned a = 0; a < 3; a++) {
             vector[a] = (double)turn.axis[a] * PI / 2;
         }
@@ -821,8 +821,8 @@ static void after_the_turns_it_knows_what_it_had_planned(void)
     t.seconds = (invcal_real)make_tour(raw);
     for (unsigned i = 0; i < INVCAL_TOUR; i++) {
         invcal_turn turn;
-        (void)invcal_tour(i, &turn);
-        (void)invcal_turns_add(&t, &turn);
+        (void)invcali_tour(i, &turn);
+        (void)invcali_turns_add(&t, &turn);
     }
     memcpy(expected, t.sum, sizeof expected);
     (void)turns_sigma(NULL, sigma[0], &open);
@@ -889,8 +889,8 @@ static void errors_are_what_the_plan_says(void)
     t.seconds = 1; /* about as long as those of world_tour */
     for (unsigned i = 0; i < INVCAL_TOUR; i++) {
         invcal_turn turn;
-        (void)invcal_tour(i, &turn);
-        (void)invcal_turns_add(&t, &turn);
+        (void)invcali_tour(i, &turn);
+        (void)invcali_turns_add(&t, &turn);
     }
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, turns_sigma(NULL, sigma, &open));
     for (unsigned run = 0; run < RUNS; run++) {

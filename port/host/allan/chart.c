@@ -152,7 +152,7 @@ static void draw_model(FILE *file, const plot *p, unsigned axis)
     for (unsigned i = 0; i <= CURVE_STEPS; i++) {
         const double tau = exp(first + (last - first) * i / CURVE_STEPS);
         svg_polyline_point(file, chart_pixel(&p->x, tau),
-                           y_of(p, invcal_noise_sigma(&p->r->noise[axis], tau)));
+                           y_of(p, invcali_noise_sigma(&p->r->noise[axis], tau)));
     }
     svg_polyline_end(file);
 }
@@ -177,7 +177,7 @@ static void draw_slope(FILE *file, const plot *p, unsigned kind)
     double last = p->x.last;
 
     alone.coefficient[kind] = p->r->noise[p->r->worst].coefficient[kind];
-    const double log_at_1 = log(invcal_noise_sigma(&alone, 1) / p->unit);
+    const double log_at_1 = log(invcali_noise_sigma(&alone, 1) / p->unit);
     if (slope < 0 || slope > 0) {
         const double low = (p->y.first - log_at_1) / slope;
         const double high = (p->y.last - log_at_1) / slope;

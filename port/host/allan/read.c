@@ -226,7 +226,7 @@ static unsigned find_limit(const invcal_noise *n, double tau, unsigned first)
 static int find_dwell(const invcal_noise *n, double wanted, allan_dwell *out)
 {
     static const allan_end ends[] = {ALLAN_REACHED, ALLAN_BEYOND, ALLAN_FLOOR};
-    invcal_dwell d = {n->longest, invcal_noise_sigma(n, n->longest), INVCAL_DWELL_REACHED};
+    invcal_dwell d = {n->longest, invcali_noise_sigma(n, n->longest), INVCAL_DWELL_REACHED};
     const int has_floor = (n->visible >> INVCAL_NOISE_WHITE) > 1;
 
     if (wanted > 0 || has_floor) {

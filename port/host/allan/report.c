@@ -43,7 +43,7 @@ static void write_figures(page *p, const allan_result *r)
     page_figures_begin(p);
     page_figure(p, plan_time_text(d->seconds, time), "in each position");
     page_figure(p, allan_deviation(r, d->sigma, text), "σ of its mean, worst axis");
-    page_figure(p, allan_deviation(r, invcal_noise_sigma(n, 1), text), "after one second");
+    page_figure(p, allan_deviation(r, invcali_noise_sigma(n, 1), text), "after one second");
     page_figure(p, allan_deviation(r, n->minimum, text), "minimum");
     page_figures_end(p);
 }

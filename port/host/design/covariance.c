@@ -45,8 +45,8 @@ double covariance_find(const double (*direction)[3], const double *weight, unsig
     for (unsigned r = 0; r < P; r++) {
         a[INVCAL_PACKED(r, r)] += RIDGE;
     }
-    (void)invcal_factor(a, P, P, 0); /* positive definite by the ridge */
-    invcal_invert(a, P);
+    (void)invcali_factor(a, P, P, 0); /* positive definite by the ridge */
+    invcali_invert(a, P);
     for (unsigned r = 0; r < P; r++) {
         log_det -= 2 * log(a[INVCAL_PACKED(r, r)]);
         for (unsigned c = 0; c <= r; c++) { /* K = L'^-1 L^-1 */

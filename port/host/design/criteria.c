@@ -20,9 +20,9 @@ void criteria_add_weighted(invcal_sums *design, const double vertical[3], double
     const double x = vertical[0];
     const double y = vertical[1];
     const double z = vertical[2];
-    const invcal_row row = {{x, y, z, x * x, y * y, z * z, x * y, x * z, y * z, 0}};
+    const invcali_row row = {{x, y, z, x * x, y * y, z * z, x * y, x * z, y * z, 0}};
 
-    invcal_sums_add_row(design, &row, weight);
+    invcali_sums_add_row(design, &row, weight);
 }
 
 void criteria_information(const invcal_sums *design, double hth[SUMS])

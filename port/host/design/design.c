@@ -79,7 +79,7 @@ void design_next(const design *d, double up[3])
 {
     const invcal_positions given = readings(d);
 
-    invcal_next(&given, up);
+    invcali_next(&given, up);
 }
 
 /* The same in threes. */
@@ -137,7 +137,7 @@ static void find_coverage(design *d)
         if (!(d->position[n].share > 0)) {
             continue;
         }
-        d->axes |= invcal_axis_up(v);
+        d->axes |= invcali_axis_up(v);
         for (unsigned i = 0; i < 3; i++) {
             d->range[i][0] = is_first || v[i] < d->range[i][0] ? v[i] : d->range[i][0];
             d->range[i][1] = is_first || v[i] > d->range[i][1] ? v[i] : d->range[i][1];
@@ -393,7 +393,7 @@ static void make_stand_12(design *d, const char *name)
 
     design_stand(d, &plan);
     for (unsigned n = 0; n < d->count; n++) {
-        if (!invcal_axis_up(d->position[n].vertical)) {
+        if (!invcali_axis_up(d->position[n].vertical)) {
             d->position[count++] = d->position[n];
         }
     }

@@ -41,14 +41,14 @@ double order_drift_factor(const double (*direction)[3], const double *weight, un
         }
     }
     memcpy(nine, a, sizeof nine);
-    if (invcal_factor(nine, NINE, NINE, INVCAL_FLOOR) != INVCAL_OK ||
-        invcal_factor(a, ALL, ALL, INVCAL_FLOOR) != INVCAL_OK) {
+    if (invcali_factor(nine, NINE, NINE, INVCAL_FLOOR) != INVCAL_OK ||
+        invcali_factor(a, ALL, ALL, INVCAL_FLOOR) != INVCAL_OK) {
         return HUGE_VAL;
     }
-    invcal_invert(nine, NINE);
-    invcal_invert(a, ALL);
+    invcali_invert(nine, NINE);
+    invcali_invert(a, ALL);
     for (unsigned r = 0; r < NINE; r++) {
-        max = fmax(max, invcal_variance(a, ALL, r) / invcal_variance(nine, NINE, r));
+        max = fmax(max, invcali_variance(a, ALL, r) / invcali_variance(nine, NINE, r));
     }
     return sqrt(max);
 }

@@ -22,7 +22,7 @@ void series_terms(unsigned group, const double vertical[3], double terms[SERIES_
 
 invcal_status series_init(series *s, const invcal_plan *plan)
 {
-    const invcal_status status = invcal_plan_check(plan);
+    const invcal_status status = invcali_plan_check(plan);
 
     if (status == INVCAL_OK) {
         memset(s, 0, sizeof *s);
@@ -112,7 +112,7 @@ invcal_status series_information(const invcal_plan *plan, unsigned group,
 {
     double t[SERIES_TERMS];
 
-    const invcal_status status = invcal_plan_check(plan);
+    const invcal_status status = invcali_plan_check(plan);
     if (status != INVCAL_OK) {
         return status;
     }
@@ -142,7 +142,7 @@ double series_efficiency(double information[INVCAL_PACKED_SIZE(SERIES_TERMS)])
     const double n = information[0];
     double ratio = 1;
 
-    if (invcal_factor(information, SERIES_TERMS, SERIES_TERMS, INVCAL_FLOOR) != INVCAL_OK) {
+    if (invcali_factor(information, SERIES_TERMS, SERIES_TERMS, INVCAL_FLOOR) != INVCAL_OK) {
         return 0;
     }
     for (unsigned r = 0; r < SERIES_TERMS; r++) {

@@ -46,7 +46,7 @@ void series_terms(unsigned group, const double vertical[3], double terms[SERIES_
 
 /* Begins with the first position of a program.
  *
- * Returns as invcal_plan_check. */
+ * Returns as invcali_plan_check. */
 invcal_status series_init(series *s, const invcal_plan *plan);
 
 /* Adds the composition J of the next position, J1 or J2.
@@ -69,7 +69,7 @@ invcal_status series_solve(const series *s, double x[INVCAL_PARAMETERS]);
  *
  * group  1 ... 3.
  *
- * Returns as invcal_plan_check; INVCAL_BAD_ANGLE for another group. */
+ * Returns as invcali_plan_check; INVCAL_BAD_ANGLE for another group. */
 invcal_status series_information(const invcal_plan *plan, unsigned group,
                                  double information[INVCAL_PACKED_SIZE(SERIES_TERMS)]);
 

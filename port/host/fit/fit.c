@@ -66,7 +66,7 @@ fit_solution fit_solution_of(const invcal_calibration *symmetric, const fit_sett
 
     invcal_deviation(symmetric, &settings->nominal, s.x);
     if (settings->is_triangular) {
-        invcal_make_triangular(&s.calibration, &settings->nominal);
+        invcali_make_triangular(&s.calibration, &settings->nominal);
     }
     return s;
 }
@@ -120,14 +120,14 @@ void fit_information(const double *raw, unsigned count, const fit_settings *sett
     const invcal_calibration *nominal = &settings->nominal;
     const double sensitivity = fit_sensitivity(&solution->symmetric, nominal);
     invcal_sums sums;
-    invcal_row row;
+    invcali_row row;
 
     invcal_sums_init(&sums);
     for (unsigned n = 0; n < count; n++) { /* none can fail, as none did in the solution */
-        (void)invcal_observe(&solution->symmetric, &raw[3 * (size_t)n], &row);
-        invcal_sums_add_row(&sums, &row,
-                            sensitivity * sensitivity *
-                                fit_weight(&solution->symmetric, nominal, row.h));
+        (void)invcali_observe(&solution->symmetric, &raw[3 * (size_t)n], &row);
+        invcali_sums_add_row(&sums, &row,
+                             sensitivity * sensitivity *
+                                 fit_weight(&solution->symmetric, nominal, row.h));
     }
     memcpy(information, sums.sum, INVCAL_PACKED_SIZE(INVCAL_PARAMETERS) * sizeof *information);
     for (unsigned r = 0; r < INVCAL_PARAMETERS; r++) {

@@ -26,11 +26,11 @@ typedef struct {
  * linear problem. */
 static void row_of(const work *w, const fit_solution *s, unsigned i, double row[UNKNOWNS_MAX + 1])
 {
-    invcal_row observed;
+    invcali_row observed;
     double g[3];
 
-    (void)invcal_observe(&s->symmetric, &w->corrected[3 * (size_t)i],
-                         &observed); /* as the fit did */
+    (void)invcali_observe(&s->symmetric, &w->corrected[3 * (size_t)i],
+                          &observed); /* as the fit did */
     const double *eta = observed.h;
     for (unsigned a = 0; a < 3; a++) { /* g = A eta, A = M N^-1 */
         g[a] = 0;
@@ -71,11 +71,11 @@ static int solve_linear(const work *w, const fit_solution *s, unsigned n,
             }
         }
     }
-    if (invcal_factor(a, n, n + 1, INVCAL_FLOOR) != INVCAL_OK) {
+    if (invcali_factor(a, n, n + 1, INVCAL_FLOOR) != INVCAL_OK) {
         return 0;
     }
-    invcal_back_substitute(a, n);
-    invcal_invert(a, n);
+    invcali_back_substitute(a, n);
+    invcali_invert(a, n);
     return 1;
 }
 
@@ -107,7 +107,7 @@ static double reweigh_noise(double stated, double sensitivity, unsigned extra, f
     const double squares = fmax(squares_before - stated * stated * (q->sigma_dof - q->dof), 0);
     invcal_quality reduced = {.verdict = q->verdict, .dof = (uint16_t)(q->dof - extra)};
 
-    invcal_weigh_noise(stated, squares, &reduced);
+    invcali_weigh_noise(stated, squares, &reduced);
     q->verdict = reduced.verdict;
     q->noise = sensitivity * reduced.noise;
     q->dof = reduced.dof;
@@ -126,7 +126,7 @@ static void widen(const work *w, const fit_solution *s, const double *nine, cons
 
     for (unsigned r = 0; r < NINE; r++) {
         const double factor =
-            sqrt(invcal_variance(all, w->unknowns, r) / invcal_variance(nine, NINE, r)) *
+            sqrt(invcali_variance(all, w->unknowns, r) / invcali_variance(nine, NINE, r)) *
             noise_ratio;
         q->sigma[r] *= factor;
         if (r < 3) {
@@ -134,7 +134,7 @@ static void widen(const work *w, const fit_solution *s, const double *nine, cons
         }
     }
     for (unsigned e = 0; e < w->unknowns - NINE; e++) {
-        sigma[e] = q->noise / sensitivity * sqrt(invcal_variance(all, w->unknowns, NINE + e));
+        sigma[e] = q->noise / sensitivity * sqrt(invcali_variance(all, w->unknowns, NINE + e));
     }
 }
 

@@ -134,10 +134,10 @@ static void begin_replay(replay *r, const gyro_log *log, unsigned rate, const do
                          const positions *p, const rejection *kept)
 {
     *r = (replay){.log = log, .p = p, .kept = kept};
-    (void)invcal_rests_init(&r->rests, rate); /* it accepted the rate before */
+    (void)invcali_rests_init(&r->rests, rate); /* it accepted the rate before */
     if (clip) {
-        (void)invcal_rests_rails(&r->rests, (int32_t)nearbyint(clip[0] / log->unit),
-                                 (int32_t)nearbyint(clip[1] / log->unit));
+        (void)invcali_rests_rails(&r->rests, (int32_t)nearbyint(clip[0] / log->unit),
+                                  (int32_t)nearbyint(clip[1] / log->unit));
     }
 }
 
@@ -146,9 +146,9 @@ static void begin_replay(replay *r, const gyro_log *log, unsigned rate, const do
 static int is_position(const replay *r)
 {
     const double *mean = &r->p->mean[3 * (size_t)r->position];
-    invcal_rest rest;
+    invcali_rest rest;
 
-    if (r->position >= r->p->count || !invcal_rests_get(&r->rests, &rest)) {
+    if (r->position >= r->p->count || !invcali_rests_get(&r->rests, &rest)) {
         return 0;
     }
     for (unsigned i = 0; i < 3; i++) {
@@ -168,10 +168,10 @@ static invcal_event replay_step(replay *r)
     const int is_end = r->i == r->log->samples;
 
     if (!is_end && s->is_gap) {
-        invcal_rests_gap(&r->rests);
+        invcali_rests_gap(&r->rests);
     }
     invcal_event event =
-        is_end ? invcal_rests_finish(&r->rests) : invcal_rests_feed(&r->rests, s->raw);
+        is_end ? invcali_rests_finish(&r->rests) : invcali_rests_feed(&r->rests, s->raw);
     if (event == INVCAL_TAKEN) {
         const int is_one = is_position(r);
         event = is_one && is_kept(r->kept, r->position) ? INVCAL_TAKEN : INVCAL_REFUSED;
@@ -185,9 +185,9 @@ static invcal_event replay_step(replay *r)
 static void find_rests(gyro_fit *g, replay *r)
 {
     while (r->i <= r->log->samples) {
-        invcal_rest rest;
+        invcali_rest rest;
         const size_t now = r->i < r->log->samples ? r->i + 1 : r->i;
-        if (replay_step(r) != INVCAL_TAKEN || !invcal_rests_get(&r->rests, &rest)) {
+        if (replay_step(r) != INVCAL_TAKEN || !invcali_rests_get(&r->rests, &rest)) {
             continue;
         }
         if (g->rests == INVCAL_MAX_MOVES) {
@@ -598,7 +598,7 @@ static invcal_status make_moves(gyro_fit *g, replay *r, long lag, const double b
         const invcal_event event = replay_step(r);
         if (event != INVCAL_NOTHING) {
             moves.session.rests = r->rests;
-            invcal_imu_follow(&moves, event);
+            invcali_imu_follow(&moves, event);
         }
     }
     return INVCAL_OK;
@@ -695,16 +695,16 @@ static invcal_status solve(gyro_fit *g, const positions *p, const invcal_calibra
     invcal_vector raw[INVCAL_MAX_MOVES];
     const invcal_positions rests = positions_of(g, p, start, raw);
 
-    return invcal_imu_solve_of(&moves, &rests, NULL, &g->imu);
+    return invcali_imu_solve_of(&moves, &rests, NULL, &g->imu);
 }
 
 int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *start,
-               invcal_turns *out)
+               invcali_turns *out)
 {
     invcal_vector raw[INVCAL_MAX_MOVES];
     const invcal_positions rests = positions_of(g, p, start, raw);
 
-    return g->moves > 0 && invcal_turns_after(out, &moves, &rests, NULL) == INVCAL_OK;
+    return g->moves > 0 && invcali_turns_after(out, &moves, &rests, NULL) == INVCAL_OK;
 }
 
 /* The delay of the readings; 0 unless the rests are quieter with it. Fills rests and bias

@@ -89,7 +89,7 @@ int gyro_make(gyro_fit *g, const gyro_log *log, const gyro_options *options, uns
 /* The information in the rests and moves of the last gyro_make, with the same arguments. Returns 1;
  * 0 if there were no moves. */
 int gyro_turns(const gyro_fit *g, const positions *p, const invcal_calibration *start,
-               invcal_turns *out);
+               invcali_turns *out);
 
 /* Why a move is unusable. The library's texts of these statuses are about rests. */
 const char *gyro_reason(invcal_status why);

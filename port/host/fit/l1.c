@@ -26,10 +26,10 @@ static double mean_residual(const double *raw, unsigned count, const invcal_cali
 {
     double sum = 0;
     unsigned used = 0;
-    invcal_row row;
+    invcali_row row;
 
     for (unsigned i = 0; i < count; i++) {
-        if (invcal_observe(nominal, &raw[3 * (size_t)i], &row) == INVCAL_OK) {
+        if (invcali_observe(nominal, &raw[3 * (size_t)i], &row) == INVCAL_OK) {
             sum += residual(c, &raw[3 * (size_t)i]);
             used++;
         }
@@ -42,14 +42,14 @@ static invcal_status solve(const double *raw, unsigned count, const invcal_calib
                            const invcal_calibration *c, double mean, invcal_calibration *out)
 {
     invcal_sums sums;
-    invcal_row row;
+    invcali_row row;
 
     invcal_sums_init(&sums);
     for (unsigned i = 0; i < count; i++) {
         const double *u = &raw[3 * (size_t)i];
-        if (invcal_observe(nominal, u, &row) == INVCAL_OK) {
-            invcal_sums_add_row(&sums, &row,
-                                c ? mean / fmax(residual(c, u), RESIDUAL_MIN * mean) : 1);
+        if (invcali_observe(nominal, u, &row) == INVCAL_OK) {
+            invcali_sums_add_row(&sums, &row,
+                                 c ? mean / fmax(residual(c, u), RESIDUAL_MIN * mean) : 1);
         }
     }
     return invcal_sums_solve(&sums, nominal, out);

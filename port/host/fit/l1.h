@@ -23,7 +23,7 @@
  *
  * x  delta, dk, gamma against nominal.
  *
- * Returns as invcal_solve; x is untouched unless INVCAL_OK. */
+ * Returns as invcali_solve; x is untouched unless INVCAL_OK. */
 invcal_status l1_fit(const double *raw, unsigned count, const invcal_calibration *nominal,
                      double x[INVCAL_PARAMETERS]);
 

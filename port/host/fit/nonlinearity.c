@@ -27,9 +27,9 @@ static unsigned unknowns(unsigned degree)
 static void row_of(const double eta[3], double row[UNKNOWNS_MAX])
 {
     const invcal_calibration unit = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    invcal_row h;
+    invcali_row h;
 
-    (void)invcal_observe(&unit, eta, &h); /* a unit vector is a valid reading */
+    (void)invcali_observe(&unit, eta, &h); /* a unit vector is a valid reading */
     memcpy(row, h.h, NINE * sizeof *row);
     for (unsigned a = 0; a < 3; a++) {
         row[NINE + a] = eta[a] * eta[a] * eta[a];

@@ -30,10 +30,10 @@ static int is_impossible(const positions *p, unsigned i, const fit_settings *set
 {
     const double *mean = &p->mean[3 * (size_t)i];
     double u[3];
-    invcal_row row;
+    invcali_row row;
 
     invcal_apply(&settings->nominal, mean[0], mean[1], mean[2], u);
-    return invcal_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE &&
+    return invcali_observe(&settings->nominal, mean, &row) == INVCAL_OUT_OF_RANGE &&
            sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) - 1 <= REJECTION_LENGTH_MAX;
 }
 

@@ -20,10 +20,10 @@ int thermal_rows_one(const invcal_thermal *c, const double raw[3], double temper
     const double t = (temperature - c->reference) / c->span;
     invcal_calibration here;
     invcal_thermal_place place;
-    invcal_row row;
+    invcali_row row;
 
     if (invcal_thermal_at(c, temperature, &here, &place) != INVCAL_OK ||
-        invcal_observe(&here, raw, &row) != INVCAL_OK) {
+        invcali_observe(&here, raw, &row) != INVCAL_OK) {
         return 0;
     }
     memcpy(out->h, row.h, sizeof row.h);
@@ -61,10 +61,10 @@ int thermal_rows_inverse(const invcal_thermal *c, const rejection *kept,
     const unsigned n = thermal_rows_unknowns(c);
 
     sum_up(c, kept, 0, inverse);
-    if (invcal_factor(inverse, n, n, INVCAL_FLOOR) != INVCAL_OK) {
+    if (invcali_factor(inverse, n, n, INVCAL_FLOOR) != INVCAL_OK) {
         return 0;
     }
-    invcal_invert(inverse, n);
+    invcali_invert(inverse, n);
     return 1;
 }
 

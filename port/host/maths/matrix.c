@@ -50,10 +50,10 @@ int matrix_inverse(const invcal_calibration *calibration, double inverse[3][3])
 /* A^-1 = L^-1' L^-1, row by row: no later element needs one that has been overwritten. */
 int matrix_invert_packed(double *a, unsigned n)
 {
-    if (invcal_factor(a, n, n, INVCAL_FLOOR) != INVCAL_OK) {
+    if (invcali_factor(a, n, n, INVCAL_FLOOR) != INVCAL_OK) {
         return 0;
     }
-    invcal_invert(a, n);
+    invcali_invert(a, n);
     for (unsigned r = 0; r < n; r++) {
         for (unsigned c = 0; c <= r; c++) {
             double sum = 0;

@@ -46,7 +46,7 @@ static int make_tour(turns_plan *p, unsigned turns)
     invcal_turn turn;
 
     for (unsigned i = 0; i < turns; i++) {
-        (void)invcal_tour(i, &turn);
+        (void)invcali_tour(i, &turn);
         (void)append(p, &turn);
     }
     return EXIT_GOOD;
@@ -59,20 +59,20 @@ static int make_round_trip(turns_plan *p)
     for (unsigned i = INVCAL_TOUR; i > 0; i--) {
         const invcal_real *to = i > 1 ? p->step[i - 2].turn.up : p->start;
         invcal_turn turn;
-        (void)invcal_turn_to(p->step[i - 1].turn.up, to, &turn);
+        (void)invcali_turn_to(p->step[i - 1].turn.up, to, &turn);
         (void)append(p, &turn);
     }
     return EXIT_GOOD;
 }
 
-static void begin_sums(const turns_plan *p, invcal_turns *turns)
+static void begin_sums(const turns_plan *p, invcali_turns *turns)
 {
     const turns_request *r = &p->request;
     const invcal_imu_settings settings = {.rate_noise = fmax(r->rate_noise, NONE),
                                           .instability = fmax(r->instability, NONE)};
 
     /* noise and direction are checked */
-    (void)invcal_turns_begin(turns, p->start, &settings, r->noise);
+    (void)invcali_turns_begin(turns, p->start, &settings, r->noise);
     turns->seconds = r->turn;
 }
 
@@ -81,7 +81,7 @@ static int make_greedy(turns_plan *p, const char *number)
 {
     const size_t digits = strspn(number, "0123456789");
     const unsigned long turns = strtoul(number, NULL, 10);
-    invcal_turns sums;
+    invcali_turns sums;
     invcal_turn turn;
 
     if (digits == 0 || digits > 2 || number[digits] != '\0' || turns < 1 || turns > TURNS_MAX) {
@@ -90,8 +90,8 @@ static int make_greedy(turns_plan *p, const char *number)
     }
     begin_sums(p, &sums);
     for (unsigned long i = 0; i < turns; i++) {
-        invcal_turns_next(&sums, &turn);
-        (void)invcal_turns_add(&sums, &turn);
+        invcali_turns_next(&sums, &turn);
+        (void)invcali_turns_add(&sums, &turn);
         (void)append(p, &turn);
     }
     return EXIT_GOOD;
@@ -146,16 +146,16 @@ static int add_word(turns_plan *p, const char *word, invcal_real up[3])
     invcal_turn turn;
 
     if (read_up(word, to)) {
-        if (invcal_turn_to(up, to, &turn) != INVCAL_OK) {
+        if (invcali_turn_to(up, to, &turn) != INVCAL_OK) {
             return message_usage("plan",
                                  "--moves %s: '%s' points up or down already, so there is no "
                                  "shortest turn to it; name an axis, for example x:180",
                                  p->program, word);
         }
     } else if (read_turn(word, &turn)) {
-        invcal_turns sums;
-        (void)invcal_turns_begin(&sums, up, NULL, 0); /* to find the up direction after it */
-        (void)invcal_turns_add(&sums, &turn);
+        invcali_turns sums;
+        (void)invcali_turns_begin(&sums, up, NULL, 0); /* to find the up direction after it */
+        (void)invcali_turns_add(&sums, &turn);
         memcpy(turn.up, sums.up, sizeof turn.up);
     } else {
         return message_usage(
@@ -249,7 +249,7 @@ static double turn_seconds(const turns_plan *p, unsigned n)
     return p->request.turn * fmax(1, fabs(turns_degrees(&p->step[n].turn)) / 90);
 }
 
-static void find_spectrum(turns_plan *p, const invcal_turns *sums)
+static void find_spectrum(turns_plan *p, const invcali_turns *sums)
 {
     double value[ALL];
     double max = 0;
@@ -282,16 +282,16 @@ static void evaluate(turns_plan *p)
 {
     double sigma[2][ALL];
     uint32_t open;
-    invcal_turns sums;
+    invcali_turns sums;
     invcal_status status = INVCAL_UNDETERMINED;
 
     begin_sums(p, &sums);
-    (void)invcal_turns_sigma(&sums, NULL, sigma[0], &open);
+    (void)invcali_turns_sigma(&sums, NULL, sigma[0], &open);
     p->seconds = p->request.rest * (p->count + 1);
     for (unsigned i = 0; i < p->count; i++) {
         turns_step *step = &p->step[i];
-        (void)invcal_turns_add(&sums, &step->turn); /* its axis and degrees are checked */
-        status = invcal_turns_sigma(&sums, NULL, sigma[1], &open);
+        (void)invcali_turns_add(&sums, &step->turn); /* its axis and degrees are checked */
+        status = invcali_turns_sigma(&sums, NULL, sigma[1], &open);
         step->open = status == INVCAL_OK ? 0 : bits_in(open);
         step->improves = find_most_improved(sigma[0], sigma[1]);
         memcpy(sigma[0], sigma[1], sizeof sigma[0]);
@@ -301,7 +301,7 @@ static void evaluate(turns_plan *p)
     p->open = open;
     memcpy(p->sigma, sigma[1], sizeof p->sigma);
     find_spectrum(p, &sums);
-    invcal_turns_next(&sums, &p->next);
+    invcali_turns_next(&sums, &p->next);
 }
 
 /* A calibration would refuse a move that is too long. */

@@ -73,7 +73,7 @@ void rests_refuse(rests_summary *summary, invcal_status reason, recording *log)
     timeline_refuse(&log->outline);
 }
 
-int rests_take(positions *p, const invcal_rest *rest, double unit, const recording *log)
+int rests_take(positions *p, const invcali_rest *rest, double unit, const recording *log)
 {
     const recording_place place = recording_find(log, rest);
     const position_origin origin = {.line = place.line,
@@ -154,12 +154,12 @@ void rests_end(positions *p, const samples *log, rests_summary *summary)
 
 static int handle_event(trial *r, invcal_event event)
 {
-    invcal_rest rest;
+    invcali_rest rest;
 
     if (event == INVCAL_REFUSED) {
-        rests_refuse(&r->summary, invcal_rests_reason(&r->rests), r->recording);
+        rests_refuse(&r->summary, invcali_rests_reason(&r->rests), r->recording);
     }
-    return event == INVCAL_TAKEN && invcal_rests_get(&r->rests, &rest)
+    return event == INVCAL_TAKEN && invcali_rests_get(&r->rests, &rest)
                ? rests_take(&r->p, &rest, r->unit, r->recording)
                : EXIT_GOOD;
 }
@@ -167,12 +167,12 @@ static int handle_event(trial *r, invcal_event event)
 static int feed(trial *r, const samples *log, sample s)
 {
     if (s.is_gap) {
-        invcal_rests_gap(&r->rests);
+        invcali_rests_gap(&r->rests);
     }
     s.clock *= r->clock_scale;
     r->summary.samples++;
     recording_sample(r->recording, log, &s);
-    const invcal_event event = invcal_rests_feed(&r->rests, s.raw);
+    const invcal_event event = invcali_rests_feed(&r->rests, s.raw);
     if (event == INVCAL_NOTHING) {
         return EXIT_GOOD;
     }
@@ -196,7 +196,7 @@ static int read_samples(trial *r, unsigned trials, samples *log, gyro_log *gyro)
     progress_end();
     failure = failure || more < 0 ? EXIT_FILE : EXIT_GOOD;
     for (unsigned k = 0; k < trials && !failure; k++) {
-        failure = handle_event(&r[k], invcal_rests_finish(&r[k].rests));
+        failure = handle_event(&r[k], invcali_rests_finish(&r[k].rests));
     }
     return failure;
 }
@@ -215,13 +215,13 @@ static int begin(trial *r, const samples *log, const double *clip, unsigned assu
     r->clock_scale = log->rate / rate;
     recording_begin(r->recording, log);
     timeline_begin(&r->recording->outline, rate);
-    if (invcal_rests_init(&r->rests, assumed > 0 ? assumed : samples_whole_rate(log)) !=
+    if (invcali_rests_init(&r->rests, assumed > 0 ? assumed : samples_whole_rate(log)) !=
         INVCAL_OK) {
         message("%s: %.6g samples per second: 8 to 8000 are supported", log->table.name, rate);
         return EXIT_FILE;
     }
-    if (clip && invcal_rests_rails(&r->rests, samples_count(log, clip[0]),
-                                   samples_count(log, clip[1])) != INVCAL_OK) {
+    if (clip && invcali_rests_rails(&r->rests, samples_count(log, clip[0]),
+                                    samples_count(log, clip[1])) != INVCAL_OK) {
         message("%s: --clip: the two limits are equal", log->table.name);
         return EXIT_FILE;
     }

@@ -46,7 +46,7 @@ const char *rests_reason_text(invcal_status reason);
 void rests_refuse(rests_summary *summary, invcal_status reason, recording *log);
 
 /* Adds a rest to the positions. `unit`: input units in a count. Returns as positions_add. */
-int rests_take(positions *p, const invcal_rest *rest, double unit, const recording *log);
+int rests_take(positions *p, const invcali_rest *rest, double unit, const recording *log);
 
 /* Turns the sums in noise_square into the noise of a position mean; to be called once, or on a
  * copy. */

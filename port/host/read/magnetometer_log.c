@@ -66,7 +66,7 @@ static int take_cells(const invcal_magnetometer *m, const magnetometer_log *out,
 
     for (unsigned k = 0; k < INVCAL_CELLS && !failure; k++) {
         double raw[3];
-        if (invcal_magnetometer_cell(m, &out->calibration, k, raw) > 0) {
+        if (invcali_magnetometer_cell(m, &out->calibration, k, raw) > 0) {
             failure = positions_add(p, raw, &origin);
         }
     }

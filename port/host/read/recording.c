@@ -115,7 +115,7 @@ recording_mean recording_at(const recording *r, unsigned block, double unit)
     return m;
 }
 
-recording_place recording_find(const recording *r, const invcal_rest *rest)
+recording_place recording_find(const recording *r, const invcali_rest *rest)
 {
     const unsigned long first = block_of(r, rest->begin);
     const unsigned long last = block_of(r, rest->end);

@@ -61,6 +61,6 @@ typedef struct {
 unsigned recording_count(const recording *r);
 recording_mean recording_at(const recording *r, unsigned block, double unit);
 
-recording_place recording_find(const recording *r, const invcal_rest *rest);
+recording_place recording_find(const recording *r, const invcali_rest *rest);
 
 #endif

@@ -69,7 +69,7 @@ static int find_next(report_facts *f)
         calibrate_reference_reading(f->result, n, &raw[3 * (size_t)n]);
     }
     const invcal_positions given = fit_positions(raw, kept, &f->result->solution.symmetric, 0);
-    invcal_next(&given, f->next);
+    invcali_next(&given, f->next);
     (void)invcal_direction_text(f->next, f->next_words);
     free(raw);
     return 1;

@@ -211,7 +211,7 @@ int calibration_file_at(const calibration_file *file, double temperature, invcal
         return 0;
     }
     if (file->is_triangular) {
-        invcal_make_triangular(&c, &file->thermal.nominal);
+        invcali_make_triangular(&c, &file->thermal.nominal);
     }
     *out = fit_in_field_units(&c, file->thermal_field);
     return 1;

@@ -120,7 +120,7 @@ static int determines_nine(const directions *d)
     double root[INVCAL_PARAMETERS];
     int is_determined = d->count >= POSITIONS_GOOD;
 
-    invcal_prospect(&given, NULL, root);
+    invcali_prospect(&given, NULL, root);
     for (unsigned p = 0; p < INVCAL_PARAMETERS; p++) {
         is_determined = is_determined && root[p] <= SIGMA_MAX;
     }
@@ -169,7 +169,7 @@ static void find_direction(const directions *d, unsigned degree, double out[3])
     if (degree > 0) {
         find_gap(d, out);
     } else {
-        invcal_next(&given, out);
+        invcali_next(&given, out);
     }
 }
 

@@ -19,10 +19,10 @@
 static double square_of(const uncertainty *u, const double up[3], unsigned of)
 {
     static const invcal_calibration unit = {{0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    invcal_row row;
+    invcali_row row;
     double square = 0;
 
-    if (invcal_observe(&unit, up, &row) != INVCAL_OK) {
+    if (invcali_observe(&unit, up, &row) != INVCAL_OK) {
         return 0;
     }
     for (unsigned i = 0; i < INVCAL_PARAMETERS; i++) {

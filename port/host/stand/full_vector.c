@@ -16,7 +16,7 @@
 
 enum { OF_AXIS = 4, OF_ROW = OF_AXIS + 3 }; /* unknowns of an axis: a row of M, and delta */
 
-#define LEAST_DET 1e-3 /* of det M: invcal_triad wants as much of det (I + S) */
+#define LEAST_DET 1e-3 /* of det M: invcali_triad wants as much of det (I + S) */
 
 void full_vector_init(full_vector *full)
 {
@@ -27,13 +27,13 @@ invcal_status full_vector_add(full_vector *full, const invcal_calibration *nomin
                               const double raw[3], const double eta[3])
 {
     double row[OF_ROW];
-    invcal_row observed;
+    invcali_row observed;
 
-    const invcal_status status = invcal_observe(nominal, raw, &observed);
+    const invcal_status status = invcali_observe(nominal, raw, &observed);
     if (status != INVCAL_OK) {
         return status;
     }
-    if (!invcal_is_unit(eta)) {
+    if (!invcali_is_unit(eta)) {
         return INVCAL_BAD_DIRECTION;
     }
     for (unsigned i = 0; i < 3; i++) {
@@ -41,12 +41,12 @@ invcal_status full_vector_add(full_vector *full, const invcal_calibration *nomin
         row[OF_AXIS + i] = observed.h[i];
     }
     row[3] = 1;
-    invcal_rank_one(full->sum, row, OF_ROW, 1);
+    invcali_rank_one(full->sum, row, OF_ROW, 1);
     full->count += full->count < UINT_MAX;
     return INVCAL_OK;
 }
 
-/* M and delta, one axis at a time, as the row after the system, where invcal_back_substitute
+/* M and delta, one axis at a time, as the row after the system, where invcali_back_substitute
  * expects it. It solves A p = -b, hence the signs. */
 static void solve_axes(double *a, double m[3][3], double delta[3])
 {
@@ -56,7 +56,7 @@ static void solve_axes(double *a, double m[3][3], double delta[3])
         if (axis > 0) {
             memcpy(p, &a[INVCAL_PACKED(OF_AXIS + axis, 0)], OF_AXIS * sizeof *p);
         }
-        invcal_back_substitute(a, OF_AXIS);
+        invcali_back_substitute(a, OF_AXIS);
         for (unsigned i = 0; i < 3; i++) {
             m[axis][i] = -p[i];
         }
@@ -77,7 +77,7 @@ static void parameters_of(const double p[3][3], const double delta[3], double x[
 }
 
 /* M = (I + S) R; the calibrated R'A u is M^-1 u. X is found first, and passes the same limits as
- * that of lengths (invcal_triad). `full` is overwritten as work space. */
+ * that of lengths (invcali_triad). `full` is overwritten as work space. */
 invcal_status full_vector_solve(full_vector *full, const invcal_calibration *nominal,
                                 invcal_calibration *out, double x[INVCAL_PARAMETERS],
                                 double mounting[3][3])
@@ -90,21 +90,21 @@ invcal_status full_vector_solve(full_vector *full, const invcal_calibration *nom
     if (full->count < OF_AXIS) {
         return INVCAL_TOO_FEW;
     }
-    invcal_status status = invcal_factor(work, OF_AXIS, OF_ROW, INVCAL_FLOOR);
+    invcal_status status = invcali_factor(work, OF_AXIS, OF_ROW, INVCAL_FLOOR);
     if (status != INVCAL_OK) {
         return status;
     }
     solve_axes(work, m, c.offset);
-    if (!(invcal_cofactors((const double(*)[3])m, (double(*)[3])work) > LEAST_DET)) {
+    if (!(invcali_cofactors((const double(*)[3])m, (double(*)[3])work) > LEAST_DET)) {
         return INVCAL_NOT_ELLIPSOID;
     }
     memcpy(c.matrix, m, sizeof m);
-    invcal_make_symmetric(c.matrix, work);
+    invcali_make_symmetric(c.matrix, work);
     parameters_of((const double(*)[3])c.matrix, c.offset, found);
-    status = invcal_triad(found, &c);
+    status = invcali_triad(found, &c);
     if (status == INVCAL_OK) {
-        invcal_inverse3((const double(*)[3])m, c.matrix);
-        status = invcal_compose(nominal, &c);
+        invcali_inverse3((const double(*)[3])m, c.matrix);
+        status = invcali_compose(nominal, &c);
     }
     if (status == INVCAL_OK) {
         *out = c;

@@ -146,16 +146,16 @@ static int solve_nine(const equations e[GROUPS], double x[NINE], double root[NIN
     for (unsigned g = 0; g < GROUPS; g++) {
         add_group(&e[g], g, a);
     }
-    if (invcal_factor(a, NINE, NINE + 1, INVCAL_FLOOR) != INVCAL_OK) {
+    if (invcali_factor(a, NINE, NINE + 1, INVCAL_FLOOR) != INVCAL_OK) {
         return 0;
     }
-    invcal_back_substitute(a, NINE);
+    invcali_back_substitute(a, NINE);
     for (unsigned i = 0; i < NINE; i++) {
         x[i] = -a[INVCAL_PACKED(NINE, i)];
     }
-    invcal_invert(a, NINE);
+    invcali_invert(a, NINE);
     for (unsigned i = 0; i < NINE; i++) {
-        root[i] = sqrt(invcal_variance(a, NINE, i));
+        root[i] = sqrt(invcali_variance(a, NINE, i));
     }
     return 1;
 }

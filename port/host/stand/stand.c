@@ -175,7 +175,7 @@ static void find_convention(stand *s, const invcal_calibration *nominal)
 static double residual(const mounting_position *p, const mounting *m,
                        const invcal_calibration *nominal, const double x[NINE])
 {
-    invcal_row row;
+    invcali_row row;
     double up[3];
     double u[3];
 
@@ -183,7 +183,7 @@ static double residual(const mounting_position *p, const mounting *m,
     invcal_apply(nominal, p->raw[0], p->raw[1], p->raw[2], u);
     double j = u[0] * up[0] + u[1] * up[1] + u[2] * up[2] - 1;
     const invcal_calibration unit = {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    (void)invcal_observe(&unit, up, &row);
+    (void)invcali_observe(&unit, up, &row);
     for (unsigned r = 0; r < NINE; r++) {
         j -= row.h[r] * x[r];
     }

@@ -80,9 +80,9 @@ static void add_rest(watch_gyro *w, const double up[3])
 {
     invcal_turn turn;
 
-    if (!w->has_turns || invcal_turn_to(w->turns.up, up, &turn) != INVCAL_OK ||
-        invcal_turns_add(&w->turns, &turn) != INVCAL_OK) {
-        w->has_turns = invcal_turns_begin(&w->turns, up, NULL, 0) == INVCAL_OK;
+    if (!w->has_turns || invcali_turn_to(w->turns.up, up, &turn) != INVCAL_OK ||
+        invcali_turns_add(&w->turns, &turn) != INVCAL_OK) {
+        w->has_turns = invcali_turns_begin(&w->turns, up, NULL, 0) == INVCAL_OK;
     }
 }
 
@@ -119,7 +119,7 @@ int watch_gyro_next(const watch_gyro *w, const double *held, double target[3],
         return 0;
     }
     snap(soon.turns.up);
-    invcal_turns_next(&soon.turns, &turn);
+    invcali_turns_next(&soon.turns, &turn);
     memcpy(target, turn.up, sizeof turn.up);
     (void)turns_words(&turn, soon.turns.up, text);
     return 1;

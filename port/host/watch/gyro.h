@@ -19,7 +19,7 @@ typedef struct {
     int is_mistake;               /* there is an error that more moves do not correct */
     int is_good;                  /* both sensors are determined, and further moves confirm it */
     int has_turns;
-    invcal_turns turns; /* rests and moves so far */
+    invcali_turns turns; /* rests and moves so far */
     /* positions after refused moves that have been reported; ends with 0 */
     unsigned reported[INVCAL_MAX_MOVES + 1];
 } watch_gyro;

@@ -133,11 +133,11 @@ static int is_held_long_enough(const state *s)
 {
     const invcal_calibration *c = &session.nominal;
     const double sigma = s->options->mean_sigma / s->options->field;
-    invcal_rest rest;
+    invcali_rest rest;
     double square = 0;
 
     if (!(sigma > 0) || s->options->noise || now.taken > 0 ||
-        !invcal_rests_get(&session.rests, &rest)) {
+        !invcali_rests_get(&session.rests, &rest)) {
         return 1;
     }
     for (unsigned i = 0; i < 9; i++) {
@@ -173,9 +173,9 @@ static int hold_by_noise(const live_options *options)
 
 static int take_rest(state *s)
 {
-    invcal_rest rest;
+    invcali_rest rest;
 
-    return invcal_rests_get(&session.rests, &rest)
+    return invcali_rests_get(&session.rests, &rest)
                ? rests_take(s->p, &rest, live_log.unit, &live_recording)
                : EXIT_GOOD;
 }

@@ -108,7 +108,7 @@ const program *live_program_predicted(const live_program *l)
 
     soon = l->program;
     if (invcal_session_progress(l->session) == 100 &&
-        invcal_rests_mean(&l->session->rests, counts)) {
+        invcali_rests_mean(&l->session->rests, counts)) {
         const invcal_calibration known = best_known(l);
         visit(l, &soon, &known, counts);
     }

@@ -44,7 +44,7 @@ static void find_covered(const invcal_magnetometer *m)
     now.covered = 0;
     for (unsigned k = 0; k < INVCAL_CELLS; k++) {
         double raw[3];
-        if (invcal_magnetometer_cell(m, &m->own_work, k, raw) > 0) {
+        if (invcali_magnetometer_cell(m, &m->own_work, k, raw) > 0) {
             now.covered += (unsigned)find_direction(&m->own_work, raw, now.direction[now.covered]);
         }
     }

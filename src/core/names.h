@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Internal: in a double library every internal function has another name, too: see double.h.
+ * port/double.sh writes this list.
+ */
+#ifndef INVCAL_NAMES_H
+#define INVCAL_NAMES_H
+
+#include "invcal/config.h"
+
+#if INVCAL_DOUBLE
+
+#define invcali_axis_up invcaldi_axis_up
+#define invcali_back_substitute invcaldi_back_substitute
+#define invcali_cell_direction invcaldi_cell_direction
+#define invcali_cell_of invcaldi_cell_of
+#define invcali_cells_calibrate invcaldi_cells_calibrate
+#define invcali_cells_count invcaldi_cells_count
+#define invcali_cells_field invcaldi_cells_field
+#define invcali_cells_gap invcaldi_cells_gap
+#define invcali_cells_halve invcaldi_cells_halve
+#define invcali_cells_merge invcaldi_cells_merge
+#define invcali_cells_move invcaldi_cells_move
+#define invcali_cells_point invcaldi_cells_point
+#define invcali_cells_solve invcaldi_cells_solve
+#define invcali_cells_step invcaldi_cells_step
+#define invcali_cells_weigh invcaldi_cells_weigh
+#define invcali_chance invcaldi_chance
+#define invcali_circle invcaldi_circle
+#define invcali_cofactors invcaldi_cofactors
+#define invcali_compose invcaldi_compose
+#define invcali_condition invcaldi_condition
+#define invcali_copy_bytes invcaldi_copy_bytes
+#define invcali_correct invcaldi_correct
+#define invcali_crc32 invcaldi_crc32
+#define invcali_cross invcaldi_cross
+#define invcali_determine invcaldi_determine
+#define invcali_diagnose invcaldi_diagnose
+#define invcali_direction invcaldi_direction
+#define invcali_directions_add_scalar invcaldi_directions_add_scalar
+#define invcali_dot invcaldi_dot
+#define invcali_ellipsoid invcaldi_ellipsoid
+#define invcali_factor invcaldi_factor
+#define invcali_fit_row invcaldi_fit_row
+#define invcali_fit_solve invcaldi_fit_solve
+#define invcali_get_reals invcaldi_get_reals
+#define invcali_imu_begin invcaldi_imu_begin
+#define invcali_imu_follow invcaldi_imu_follow
+#define invcali_imu_mounting_of invcaldi_imu_mounting_of
+#define invcali_imu_positions invcaldi_imu_positions
+#define invcali_imu_settings_check invcaldi_imu_settings_check
+#define invcali_imu_solve_of invcaldi_imu_solve_of
+#define invcali_imu_sum invcaldi_imu_sum
+#define invcali_inverse3 invcaldi_inverse3
+#define invcali_invert invcaldi_invert
+#define invcali_judge_noise invcaldi_judge_noise
+#define invcali_judge_parameters invcaldi_judge_parameters
+#define invcali_largest_diagonal invcaldi_largest_diagonal
+#define invcali_leverage invcaldi_leverage
+#define invcali_magnetometer_cell invcaldi_magnetometer_cell
+#define invcali_make_symmetric invcaldi_make_symmetric
+#define invcali_make_triangular invcaldi_make_triangular
+#define invcali_moves_empty invcaldi_moves_empty
+#define invcali_moves_restart invcaldi_moves_restart
+#define invcali_next invcaldi_next
+#define invcali_next_of_sums invcaldi_next_of_sums
+#define invcali_noise_sigma invcaldi_noise_sigma
+#define invcali_nominal_check invcaldi_nominal_check
+#define invcali_observe invcaldi_observe
+#define invcali_outliers_search invcaldi_outliers_search
+#define invcali_plan_check invcaldi_plan_check
+#define invcali_polynomials invcaldi_polynomials
+#define invcali_positions_calibrate invcaldi_positions_calibrate
+#define invcali_positions_check invcaldi_positions_check
+#define invcali_positions_pass invcaldi_positions_pass
+#define invcali_positions_solve invcaldi_positions_solve
+#define invcali_products invcaldi_products
+#define invcali_prospect invcaldi_prospect
+#define invcali_put_reals invcaldi_put_reals
+#define invcali_put_u32 invcaldi_put_u32
+#define invcali_rank_one invcaldi_rank_one
+#define invcali_read invcaldi_read
+#define invcali_refusal_text invcaldi_refusal_text
+#define invcali_replay_move invcaldi_replay_move
+#define invcali_rests_feed invcaldi_rests_feed
+#define invcali_rests_finish invcaldi_rests_finish
+#define invcali_rests_gap invcaldi_rests_gap
+#define invcali_rests_get invcaldi_rests_get
+#define invcali_rests_hold invcaldi_rests_hold
+#define invcali_rests_init invcaldi_rests_init
+#define invcali_rests_mean invcaldi_rests_mean
+#define invcali_rests_progress invcaldi_rests_progress
+#define invcali_rests_rails invcaldi_rests_rails
+#define invcali_rests_reason invcaldi_rests_reason
+#define invcali_ridged_inverse invcaldi_ridged_inverse
+#define invcali_root invcaldi_root
+#define invcali_row_of invcaldi_row_of
+#define invcali_seal invcaldi_seal
+#define invcali_session_take invcaldi_session_take
+#define invcali_sum_readings invcaldi_sum_readings
+#define invcali_sums_add_row invcaldi_sums_add_row
+#define invcali_test_for invcaldi_test_for
+#define invcali_text invcaldi_text
+#define invcali_thermal_find invcaldi_thermal_find
+#define invcali_thermal_triad invcaldi_thermal_triad
+#define invcali_tour invcaldi_tour
+#define invcali_tour_face invcaldi_tour_face
+#define invcali_trace invcaldi_trace
+#define invcali_transposed invcaldi_transposed
+#define invcali_triad invcaldi_triad
+#define invcali_turn_to invcaldi_turn_to
+#define invcali_turns_add invcaldi_turns_add
+#define invcali_turns_after invcaldi_turns_after
+#define invcali_turns_begin invcaldi_turns_begin
+#define invcali_turns_next invcaldi_turns_next
+#define invcali_turns_sigma invcaldi_turns_sigma
+#define invcali_unpack invcaldi_unpack
+#define invcali_unseal invcaldi_unseal
+#define invcali_variance invcaldi_variance
+#define invcali_weigh_noise invcaldi_weigh_noise
+#define invcali_zero_bytes invcaldi_zero_bytes
+#define invcali_zero_reals invcaldi_zero_reals
+
+#endif
+
+#endif
