@@ -46,7 +46,7 @@ magnetometer() { # from a recording that is not part of the project
         diff tests/reference/magnetometer.h "$build/magnetometer.h"
 }
 logs() { # from such recordings: what the library keeps of them today
-    ${CC:-cc} -std=c99 -DINVCAL_DOUBLE=1 -Iinclude tests/reference/gyro_logs.c src/*/*.c -lm -o "$build/gyro_logs" &&
+    ${CC:-cc} -std=c99 -DINVCAL_DOUBLE=1 -Iinclude -Isrc tests/reference/gyro_logs.c src/*/*.c -lm -o "$build/gyro_logs" &&
         "$build/gyro_logs" "$recordings/xsens_mti_acc.txt" "$recordings/xsens_mti_gyro.txt" \
             "$recordings/mpu9150_0.txt" "$recordings/mpu9150_1.txt" > "$build/gyro_logs.h" &&
         diff tests/unit/gyro_logs.h "$build/gyro_logs.h"

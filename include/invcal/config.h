@@ -32,8 +32,8 @@
 #define INVCAL_TEXT(number) INVCAL_TEXT_OF(number) /* a macro's value as text */
 #define INVCAL_TEXT_OF(number) #number             /* its name as text */
 
-/* 1: invcal_real is double, and the library another one, which may be linked beside that of 0. 0: it
- * is float, and nothing is computed in double. */
+/* 0: invcal_real is float, and nothing is computed in double. 1: it is double, and the library is
+ * another one; both may be linked into one program. */
 #ifndef INVCAL_DOUBLE
 #define INVCAL_DOUBLE 0
 #endif

@@ -42,12 +42,12 @@ extern "C" {
 enum {
     INVCAL_GYRO_XX = INVCAL_PARAMETERS, /* scale */
     INVCAL_GYRO_XY,                     /* y in x */
-    INVCAL_GYRO_XZ,                     /* likewise */
-    INVCAL_GYRO_YX,                     /* likewise */
+    INVCAL_GYRO_XZ,                     /* z in x */
+    INVCAL_GYRO_YX,                     /* x in y */
     INVCAL_GYRO_YY,                     /* scale */
-    INVCAL_GYRO_YZ,                     /* likewise */
-    INVCAL_GYRO_ZX,                     /* likewise */
-    INVCAL_GYRO_ZY,                     /* likewise */
+    INVCAL_GYRO_YZ,                     /* z in y */
+    INVCAL_GYRO_ZX,                     /* x in z */
+    INVCAL_GYRO_ZY,                     /* y in z */
     INVCAL_GYRO_ZZ,                     /* scale */
     INVCAL_IMU_PARAMETERS               /* of both sensors: 18 */
 };
