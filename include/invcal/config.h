@@ -116,21 +116,15 @@
 #error "INVCAL_THERMAL_DEGREE must be 0, 1 or 2"
 #endif
 
-/* The number type, its limits, and its libc functions. */
+/* The number type. */
 #if INVCAL_DOUBLE
 typedef double invcal_real;
 #define INVCAL_REAL(literal) literal
 #define INVCAL_EPSILON DBL_EPSILON
-#define INVCAL_REAL_MAX DBL_MAX
-#define INVCAL_SQRT sqrt
-#define INVCAL_FABS fabs
 #else
 typedef float invcal_real; /* double with INVCAL_DOUBLE */
 #define INVCAL_REAL(literal) literal##f /* a constant of this type */
 #define INVCAL_EPSILON FLT_EPSILON      /* from 1 to the next number */
-#define INVCAL_REAL_MAX FLT_MAX         /* the largest number */
-#define INVCAL_SQRT sqrtf               /* one of two functions used from math.h */
-#define INVCAL_FABS fabsf               /* the other one */
 #endif
 
 /* A set of positions or moves: bit i for member i. The same in every build. */

@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Internal: what the host tool needs of allan.h besides.
+ * Internal: what the host tool needs of allan.h besides. Members of invcal_private_tau:
+ *
+ *     past       totals, a ring
+ *     low, high  of the squares of all differences; all bits 1: overflow
+ *     m          samples
+ *     count      differences in the sum
  */
 #ifndef INVCAL_NOISE_H
 #define INVCAL_NOISE_H

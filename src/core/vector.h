@@ -61,6 +61,17 @@
 #define INVCAL_HAS_FPU 1
 #endif
 
+/* The largest number, and the two functions that are used from math.h. */
+#if INVCAL_DOUBLE
+#define INVCAL_REAL_MAX DBL_MAX
+#define INVCAL_SQRT sqrt
+#define INVCAL_FABS fabs
+#else
+#define INVCAL_REAL_MAX FLT_MAX
+#define INVCAL_SQRT sqrtf
+#define INVCAL_FABS fabsf
+#endif
+
 /* There the library's own square root has the bits of libm's: newlib's takes 300 bytes more of
  * flash, and 100 of memory for errno. That of avr-libc is small. */
 float invcali_root(float x);

@@ -1,6 +1,45 @@
 /* SPDX-License-Identifier: MIT
  *
  * Internal: the equations of rests and moves.
+ *
+ * A segment is at most 20 degrees of a move. For an ideal gyroscope its rotation vector is
+ * v + kappa; for another matrix M it is M v + cof(M) kappa.
+ *
+ *     v          integral of the nominal rate, 2^-15 rad
+ *     kappa      coning, 2^-18 rad
+ *     time       twice the samples, plus 1 if a block of rests ends with it
+ *
+ * Of a rest, and the move that led to it:
+ *
+ *     bias       minus that of the moves, 2^-18 rad/s
+ *     when       time at which it was taken, in blocks
+ *     move       number of segments; or minus a status
+ *
+ * Of all moves. Lost in a reset, and of the same size in every build:
+ *
+ *     rho        rotation vector of the current segment
+ *     v          and its integral
+ *     still      integral since the rest began, over still_samples
+ *     samples    of the move so far
+ *     missing    samples of the current segment
+ *     cut        first segment of the rest
+ *     fixed      first that is not merged
+ *     used       number of segments
+ *     marks      blocks among those not merged
+ *     fault      status of the move; if not begun, why
+ *     spoilt     status of the current segment
+ *
+ * Kept over a reset:
+ *
+ *     layout     identifies this build
+ *     low        lower limit
+ *     between    readings between the limits
+ *     blocks     since the first READY, up to 2 h
+ *     first      segments of complete moves; then the next
+ *     rate       samples per second
+ *     bias       subtracted from v, rad/s: of the first rest
+ *     rest       with the moves that led to them
+ *     segment    of all moves, in their order
  */
 #ifndef INVCAL_IMU_H
 #define INVCAL_IMU_H

@@ -5,6 +5,24 @@
  * A row is (x y z x^2 y^2 z^2 xy xz yz), of a sample or the mean of many. The equation of an
  * ellipsoid is linear in it, so it also holds for the mean, however wide the cell is; a mean of
  * vectors would be too short. Changes of unit or centre are exact.
+ *
+ * Members of invcal_private_cells: the sums of the rows of the samples of each cell, and their
+ * number. Of invcal_private_magnetometer:
+ *
+ *     unit         length 1 of the cells, in the unit of nominal
+ *     p            the solution so far; before it, the box of the readings
+ *     squares      sum of squared residuals of samples, over field
+ *     products     sum over blocks of |sum eta r|^2, r being the residual
+ *     before       products over samples, at the last look
+ *     block        sum eta r of the current block
+ *     blocked      samples in squares, without those of the current block
+ *     samples      accepted since the first; above 16 million fewer
+ *     due          number of samples at the next look; 0: not begun
+ *     dropped      samples that contradicted the solution so far
+ *     in_block     samples in the current block
+ *     stage        of the solution
+ *     has_step     one was seen
+ *     early, late  of the samples up to the last look, and since then: a difference is a step
  */
 #ifndef INVCAL_CELLS_H
 #define INVCAL_CELLS_H

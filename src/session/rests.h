@@ -26,6 +26,45 @@
  * A rest needs 2 seconds (from 32 Hz on; 5 at 10 Hz). About 0.5 s are trimmed at its beginning,
  * 0.3 s at its end.
  *
+ * Members of invcal_private_rests. A level is a logarithm, see rests.c:
+ *
+ *     stage, flags, hold, drift   of the current rest, see rests.c
+ *     pended    its newest blocks, held back, up to 2; 0: none
+ *     skip      quiet blocks to skip before it begins
+ *     reason    of the last refusal
+ *     taken     1: `place` is that of a position
+ *     seen      of the block
+ *     run       blocks in a row of another noise level, or of none
+ *     least     min blocks of a position, however short the time to hold
+ *     bits      a block has 1 << bits samples
+ *     dwell     min blocks with the time to hold
+ *     blocks    summed in the rest, without those held back; at most 1.6 hours
+ *     pace      blocks in 1/125 s, 1/65536
+ *     noise, wander, reach   levels, learned from the stream; 0: not known yet
+ *     other     candidate for a new noise level
+ *     missing   samples until the block is full; 0: the next one begins a block
+ *     span      twice the largest difference for the fast sum; 0: none
+ *     quantum   smallest change seen inside a block, counts; 0: none yet
+ *     time      samples in full blocks so far, modulo 2^32
+ *     low       lower limit
+ *     between   readings between low and the upper limit
+ *     square    of the block: squares of the differences, the three axes together; then their
+ *               variance
+ *     begin     of the rest: first block's first sample
+ *     end       after the newest block
+ *     variance  of the rest: sum over its blocks and those held back, 1/64 counts^2
+ *
+ * and of an axis. Means are in 1/1024 counts:
+ *
+ *     first     first sample of the block
+ *     sum       of the differences to it, modulo 2^32; then the block's mean from origin
+ *     origin    what block means are relative to
+ *     place     of the last position; before the first one, of the first block
+ *     total     sum of the samples of the rest, relative to origin, modulo 2^64
+ *     pending   means of the blocks held back: lost if motion follows
+ *     once      exponential mean of the means
+ *     lag       its lead over its own exponential mean
+ *
  * Begin a stream at rest, if you can: its beginning counts as noise until something quieter
  * follows, and if the device moves at several g, the first second may look like a rest.
  */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "invcal/result.h"
 #include "../positions.h"
+#include "core/vector.h"
 #include "drive.h"
 #include "plan/guidance.h"
 #include "invcal/background.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "core/vector.h"
 #include "fuzz.h"
 #include "invcal/background.h"
 

@@ -19,6 +19,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/vector.h"
 #include "headers.h"
 
 typedef union {

@@ -24,7 +24,7 @@ static unsigned measure(invcal_vector mean[18])
         const int side[3] = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
         const int square = side[0] * side[0] + side[1] * side[1] + side[2] * side[2];
         if (square == 1 || square == 2) {
-            const invcal_real counts = 16384 / INVCAL_SQRT((invcal_real)square);
+            const invcal_real counts = 16384 / (invcal_real)sqrt((double)square);
             mean[n].v[0] = counts * (invcal_real)side[0] * INVCAL_REAL(1.01);
             mean[n].v[1] = counts * (invcal_real)side[1];
             mean[n].v[2] = counts * (invcal_real)side[2] + 300;
@@ -71,6 +71,6 @@ int main(void)
            (double)record.calibration.offset[2]);
     invcal_real *const v = mean[0].v;
     invcal_apply(&record.calibration, v[0], v[1], v[2], v);
-    printf("length %.3f\n", (double)INVCAL_SQRT(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+    printf("length %.3f\n", sqrt((double)(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])));
     return 0;
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "invcal/magnetometer.h"
+#include "core/vector.h"
 #include "support.h"
 #include "unity.h"
 

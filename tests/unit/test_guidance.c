@@ -6,6 +6,7 @@
 #include "plan/guidance.h"
 #include "invcal/expert.h"
 #include "invcal/plan.h"
+#include "core/vector.h"
 #include "support.h"
 #include "unity.h"
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "invcal/store.h"
+#include "core/vector.h"
 #include "support.h"
 #include "unity.h"
 
