@@ -93,6 +93,7 @@ gate "releases' files and values are what their scripts print" releases
 gate "the tool writes every key that its last release wrote" python3 tests/reference/releases/tool.py "$build/invcal" --check
 gate "nothing else is at the top level" top_level
 gate "no suite of tests/floors.txt is gone" suites
+gate "the headers are small, and each of their functions has a use" sh tests/headers.sh
 gate "double.h has the names that the headers declare" double
 gate "migration.md has a row for every function that has changed since 0.2.0" sh tests/migration.sh "$build"
 gate "every bug of check-gates can still be planted" plants

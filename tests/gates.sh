@@ -149,6 +149,13 @@ plant releases tests/reference/releases/values.h 's/0xca, 0x01/0xcb, 0x01/' \
     'what their scripts print: FAIL' make derived
 plant gone tests/floors.txt 's/^unit-allan /unit-alan /' 'there is no tests/unit/test_alan\.c' make derived
 plant names include/invcal/double.h '/invcal_apply invcald_apply/d' 'that the headers declare: FAIL' make derived
+plant unused include/invcal/plan.h 's/For a device that follows a program/Of a program/' \
+    'invcal_session_is_at: nobody calls it' make derived
+plant unasserted src/core/apply.c '/INVCAL_ASSERT(calibration && calibrated)/d' 'invcal_apply: stopped' make misuse
+plant touched src/store/record.c '/^invcal_status invcal_record_decode/,/^}/s/^    INVCAL_ASSERT(bytes && out);/&\n    out->date++;/' \
+    'invcal_record_decode: refuses, but changes out' make misuse
+plant exposed src/core/root.c '$a int invcal_exposed(void);\nint invcal_exposed(void)\n{\n    return 0;\n}' \
+    'begins with invcali_: FAIL' unit library
 plant moved port/manual/migration.md '/^| `invcal_apply`/d' 'has no row for invcal_apply' make derived
 plant stale tests/gates.sh 's/^plant nan src/&_/' 'it can be planted in src_/core/sums\.h: FAIL' make derived
 plant script tests/readme.sh 's/^root=/unused=1\n&/' 'shell scripts: FAIL' make derived

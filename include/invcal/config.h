@@ -38,8 +38,8 @@
 #define INVCAL_DOUBLE 0
 #endif
 
-/* 0: small at any level of optimisation. 1: fast, at two to three times the flash (targets.md), with
- * the same results and structures. An option of the library alone. */
+/* 0: small at any level of optimisation. 1: fast, at two to three times the flash (targets.md),
+ * with the same results and structures. An option of the library alone. */
 #ifndef INVCAL_FAST
 #define INVCAL_FAST 0
 #endif
@@ -47,7 +47,7 @@
 /* Max positions in a session, and in a search for outliers, 12 to 64, 12 bytes each (float). */
 #ifndef INVCAL_MAX_POSITIONS
 #ifdef __AVR__
-#define INVCAL_MAX_POSITIONS 16 /* for the 2 KB of RAM of an Arduino Uno */
+#define INVCAL_MAX_POSITIONS 16 /* 2 KB of RAM */
 #else
 #define INVCAL_MAX_POSITIONS 24 /* elsewhere */
 #endif
@@ -58,7 +58,7 @@
  * number of rests, 10 bytes each, follows. */
 #ifndef INVCAL_MAX_SEGMENTS
 #ifdef __AVR__
-#define INVCAL_MAX_SEGMENTS 120 /* so that the solution fits into 8 KB of RAM */
+#define INVCAL_MAX_SEGMENTS 120 /* 8 KB of RAM */
 #else
 #define INVCAL_MAX_SEGMENTS 192 /* elsewhere */
 #endif
@@ -85,8 +85,8 @@
 #define INVCAL_THERMAL_DEGREE 1
 #endif
 
-/* Called with a condition that only a programming error can make false: define it as assert or as a
- * breakpoint, for example. An option of the library alone. */
+/* Called with what only a programming error makes false: define it as assert, for example. An
+ * option of the library alone. */
 #ifndef INVCAL_ASSERT
 #define INVCAL_ASSERT(condition) ((void)sizeof((condition) ? 1 : 0))
 #endif
@@ -130,7 +130,8 @@ typedef float invcal_real; /* double with INVCAL_DOUBLE */
 /* A set of positions or moves: bit i for member i. The same in every build. */
 typedef uint64_t invcal_mask;
 
-/* A compiler warns if the answer is ignored: a program would hang, or use what was never written. */
+/* A compiler warns if the answer is ignored: a program would hang, or use what was never written.
+ * */
 #if defined(__cplusplus) && __cplusplus >= 201703L
 #define INVCAL_NODISCARD [[nodiscard]]
 #elif defined(__GNUC__)

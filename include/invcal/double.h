@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * invcal/double.h: in a double library every function has another name, so that it may be linked
- * with a float one, and neither with a program of the other kind. port/double.sh writes this list.
+ * invcal/double.h: in a double library every function has another name, so that neither links with
+ * a program of the other kind. port/double.sh writes this list.
  */
 #ifndef INVCAL_DOUBLE_H
 #define INVCAL_DOUBLE_H

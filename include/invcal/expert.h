@@ -52,8 +52,6 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
  *     delta = -Q^-1 v,  k = 1 + delta Q delta,  A'A = Q / k,  A symmetric
  *     calibrated = A (u - delta)
  *
- * No iteration that could fail to converge.
- *
  * sums     are overwritten: copy them if more positions will follow.
  * nominal  the one they were added with; may equal out.
  *
@@ -71,8 +69,8 @@ invcal_status invcal_sums_solve(invcal_sums *sums, const invcal_calibration *nom
 /* ---- known directions: a stand ------------------------------------------------------------------
  *
  * With the direction eta known, the paper's vertical composition J = u eta - 1 is exactly linear in
- * X = (delta, dk, gamma): J + h(eta) p = 0 with p = -X. An error d of the direction costs |d|^2 / 2,
- * and s |d| at most, s half the spread of the eigenvalues of S: 2e-5 for 1 mrad at s = 0.02
+ * X = (delta, dk, gamma): J + h(eta) p = 0 with p = -X. An error d of the direction costs |d|^2 /
+ * 2, and s |d| at most, s half the spread of the eigenvalues of S: 2e-5 for 1 mrad at s = 0.02
  * (mathematics.md, "Known directions"). */
 typedef struct {
     invcal_sums sums; /* private: of h(eta) and J. In exact rows p has another meaning */

@@ -86,15 +86,15 @@ INVCAL_NODISCARD invcal_status invcal_imu_init_nominal(invcal_imu *imu, size_t s
  * Returns INVCAL_OK; INVCAL_BAD_LIMITS unless low < high. */
 invcal_status invcal_imu_set_limits(invcal_imu *imu, int32_t low, int32_t high);
 
-/* Feeds one sample of the gyroscope, moving or not, raw counts. Cost: 290 instructions. Stack: about
- * 100 bytes. */
+/* Feeds one sample of the gyroscope, moving or not, raw counts. Cost: 290 instructions. Stack:
+ * about 100 bytes. */
 void invcal_imu_feed_gyro(invcal_imu *imu, int32_t x, int32_t y, int32_t z);
 
 /* Feeds one sample of the accelerometer. INVCAL_TAKEN ends a move, and its rest determines the
  * bias. A refused rest does not end the move. If the table of rests is full, the oldest is dropped.
  *
- * Returns as invcal_session_feed. Cost: as that, and 1,400 instructions once per 1/8 s. Stack: about
- * 200 bytes. */
+ * Returns as invcal_session_feed. Cost: as that, and 1,400 instructions once per 1/8 s. Stack:
+ * about 200 bytes. */
 invcal_event invcal_imu_feed(invcal_imu *imu, int32_t x, int32_t y, int32_t z);
 
 /* Call it where samples of either sensor were lost: the current move is refused, rests are kept. A
@@ -125,7 +125,8 @@ typedef struct {
  *
  * until each of its turns was made, in either direction, and not refused: that determines all 18.
  * Then the one of the shortest turns to 26 directions that adds the most information. A position
- * that is READY and still held counts as taken. If nothing is known yet, the angle is 0, with +z up.
+ * that is READY and still held counts as taken. If nothing is known yet, the angle is 0, with +z
+ * up.
  *
  * Cost: 500,000 instructions, in the tour 25,000. Stack: about 3,000 bytes. */
 void invcal_imu_next(const invcal_imu *imu, invcal_turn *turn);

@@ -12,14 +12,14 @@
  *     until invcal_session_is_good(&session)
  *     invcal_session_solve, then invcal_apply to every sample
  *
- * A triad at rest in a field eta, of length 1, reads u = (I + S) eta + delta + noise, where u is the
- * raw reading after the nominal calibration, and S is diag(dk) plus the symmetric cross terms
+ * A triad at rest in a field eta, of length 1, reads u = (I + S) eta + delta + noise, where u is
+ * the raw reading after the nominal calibration, and S is diag(dk) plus the symmetric cross terms
  * gamma / 2. So all readings lie on an ellipsoid, and a dozen of them determine its nine parameters
  * (mathematics.md, "The sensor").
  *
  * Units. A reading is in *raw* counts, as the sensor delivers it, or *over field*: in units of the
- * length of the field, which is g for an accelerometer; invcal_scale converts a calibration to
- * m/s^2. Times are in seconds, angles in radians; names that end in _deg are in degrees.
+ * length of the field, g for an accelerometer; invcal_scale converts a calibration to m/s^2. Times
+ * are in seconds, angles in radians; names that end in _deg are in degrees.
  *
  * Rules for the whole library, not repeated for each function:
  *
@@ -29,9 +29,8 @@
  * - A function that does not return INVCAL_OK leaves its outputs untouched, unless its description
  *   says otherwise.
  * - Every comparison fails closed: a NaN never passes for a good value.
- * - Structures are plain data owned by the caller: they hold no pointers into themselves, need no
- *   release, and can be copied with memcpy. Read their members, except those of private.h; set only
- *   those whose description says so.
+ * - Structures are plain data of the caller, without pointers into themselves: memcpy copies them.
+ *   Read their members, except those of private.h; set only those whose description says so.
  * - There are no globals: every function is reentrant, and safe in an interrupt or a thread as long
  *   as nothing else changes its arguments meanwhile.
  * - A null pointer is a programming error (INVCAL_ASSERT), not a status.
@@ -150,7 +149,7 @@ typedef struct {
  *
  * A *static interval*, or rest, is a stretch of samples in which the device does not turn. The
  * session finds rests in the stream, trims the motion at their ends, and sums the samples exactly,
- * in integers. There is nothing to tune: it learns the noise from the stream. About 2 s in each
+ * in integers. There is nothing to tune: it learns the noise. About 2 s in each
  * orientation are enough, 5 s at 10 samples per second. Begin a stream at rest, if you can. */
 
 /* What happened with a sample. */
@@ -159,11 +158,10 @@ typedef enum {
     INVCAL_MOVING,   /* motion, or a rest disturbed for a moment */
     INVCAL_SETTLING, /* at rest: hold still; see invcal_session_progress */
     INVCAL_READY,    /* enough for a position, once per rest: move on, or stay for a better mean */
-    INVCAL_TAKEN,    /* the device has left the position, and its mean is in the table. Usually
-                        preceded by READY; not if the rest was accepted only once motion ended it */
-    INVCAL_REFUSED   /* a rest, but not a position: invcal_session_reason. Once per rest, and again
-                        if the reason changes, or as it ends. For every sample, if the session was
-                        not begun */
+    INVCAL_TAKEN,    /* the device has left the position, and its mean is in the table. Not always
+                        preceded by READY */
+    INVCAL_REFUSED   /* a rest, but not a position: invcal_session_reason. Again if the reason
+                        changes, or as it ends; for every sample, if the session was not begun */
 } invcal_event;
 
 /* Three numbers as an element of an array. */
@@ -171,10 +169,9 @@ typedef struct {
     invcal_real v[3]; /* x, y, z */
 } invcal_vector;
 
-/* A session: 688 bytes (float, 24 positions; on AVR 138 less, as its memory is short and it keeps
- * no solution). Means are in counts, so nominal may be replaced by another one with which all of
- * them are readings (invcal_bad_reading, positions.h). A session that is good uses it from the next
- * position on. */
+/* A session: 688 bytes (float, 24 positions; on AVR 138 less, as it keeps no solution there). Means
+ * are in counts, so nominal may be replaced by another one with which all of them are readings
+ * (invcal_bad_reading, positions.h), from the next position on. */
 typedef struct {
     /* saved: store.h */
     uint8_t reason;             /* of INVCAL_REFUSED, an invcal_status. First, in every build */
@@ -219,7 +216,7 @@ INVCAL_NODISCARD invcal_status invcal_session_init_nominal(invcal_session *sessi
 invcal_status invcal_session_set_limits(invcal_session *session, int32_t low, int32_t high);
 
 /* States the noise: the standard deviation of a position mean on each axis, over field, above 0 and
- * below 1. Without it the noise is estimated from the residuals alone.
+ * below 1.
  *
  * Returns INVCAL_OK; INVCAL_NOT_BEGUN, INVCAL_BAD_NOISE. */
 invcal_status invcal_session_set_noise(invcal_session *session, invcal_real noise);
@@ -258,11 +255,10 @@ invcal_status invcal_session_reason(const invcal_session *session);
 const char *invcal_session_reason_text(const invcal_session *session);
 
 /* Which orientation to take next: of 26 directions - the faces, edges and corners of a cube - the
- * one that adds the most information (mathematics_programs.md, "Guidance"); of equals, the nearest
- * to the current orientation. A position that is READY and still held counts as taken. The
- * direction need not be hit exactly: the next one is computed from the orientations measured.
+ * one that adds the most information (mathematics_programs.md, "Guidance"); of equals, the nearest.
+ * A position that is READY and still held counts as taken. It need not be hit exactly.
  *
- * up  out: the direction to point upwards, in the frame of the case: a unit vector.
+ * up  out: the direction of the case to point upwards, a unit vector.
  *
  * Cost: 25,000 instructions. Stack: about 480 bytes. */
 void invcal_session_next(const invcal_session *session, invcal_real up[3]);
@@ -274,7 +270,7 @@ const char *invcal_session_next_text(const invcal_session *session, char text[IN
 
 /* Are there enough positions? Returns 1 if the result of invcal_session_solve is good, with
  * quality.dof of 3 or more or a stated noise. Solves only if a position was taken or the noise
- * stated since the last call. */
+ * stated since. */
 int invcal_session_is_good(invcal_session *session);
 
 /* Solves the positions so far, without those that contradict the others (quality.left_out; see

@@ -65,8 +65,8 @@ INVCAL_NODISCARD invcal_status invcal_plan_get(const invcal_plan *plan, unsigned
  * up  unit vector; anything else, a NaN too, gives words like any other. Returns text. */
 const char *invcal_direction_text(const invcal_real up[3], char text[INVCAL_TEXT_SIZE]);
 
-/* Is the position that is READY, or else the last one, within 20 degrees of a direction, such as
- * that of a program (plan.h)? Returns 1 or 0; 0 if there is neither.
+/* For a device that follows a program: is the position that is READY, or else the last one, within
+ * 20 degrees of a direction? Returns 1 or 0; 0 if there is neither.
  *
  * up  unit vector. */
 int invcal_session_is_at(const invcal_session *session, const invcal_real up[3]);

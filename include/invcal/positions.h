@@ -8,12 +8,12 @@
  *     positions.nominal = &nominal;
  *     status = invcal_calibrate(&positions, &calibration, &quality);
  *
- * Every solver of the library takes these positions. They differ in what they look for:
+ * Every solver takes these positions, and looks for:
  *
  *     invcal_calibrate          outliers and systematic errors: what a session does
  *     invcal_calibrate_robust   outliers only, in half the flash
  *     invcal_calibrate_plain    neither: the smallest
- *     invcal_calibrate_faces    six faces, angles held
+ *     invcal_calibrate_faces    nothing: six faces, angles held
  *     invcal_calibrate_prior    parameters known beforehand
  *     invcal_thermal_calibrate  over temperature: thermal.h
  *
@@ -67,7 +67,7 @@ invcal_status invcal_nominal(const invcal_real zero[3], const invcal_real counts
  *   INVCAL_TOO_FEW        fewer than nine;
  *   INVCAL_UNDETERMINED   the positions leave parameters open, to the precision of the number type:
  *                         invcal_undetermined names them;
- *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid (but on a hyperboloid, for example), on
+ *   INVCAL_NOT_ELLIPSOID  the readings lie on no ellipsoid, on
  *                         one that no triad has (a semi-axis below about 1/10 of nominal or of
  *                         another one, or a centre beyond ten times the field), or scatter by a
  *                         tenth of the field.

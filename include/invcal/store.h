@@ -82,8 +82,8 @@ INVCAL_NODISCARD invcal_status invcal_load(invcal_calibration *calibration,
  * Stack as that. */
 invcal_status invcal_session_save(const invcal_session *session, const invcal_store *store);
 
-/* Loads it into a session that was begun, to resume with a new stream. Noise is learned again, and a
- * device still in its last orientation may take it again, which does no harm.
+/* Loads it into a session that was begun, to resume with a new stream. Noise is learned again, and
+ * a device still in its last orientation may take it again.
  *
  * Returns as invcal_store_load, then as invcal_session_resume. INVCAL_OTHER_SETTINGS: also if it
  * holds something else. If it fails, the session is as it was begun: to ignore that is to begin
@@ -95,12 +95,6 @@ invcal_status invcal_session_load(invcal_session *session, const invcal_store *s
  * A save never touches the slot that a load would find: it erases the other one, programs the bytes
  * there, reads them back, and only then confirms them, with one granule of zeros after them.
  * Whenever power fails, a later load finds the old bytes or all of the new ones.
- *
- * If both slots have a correct CRC, a load takes the confirmed one; of two confirmed ones the
- * later; of two unconfirmed ones the earlier, since it was complete when writing of the later
- * began. It takes an unconfirmed slot if there is no other. So a cell left half programmed by a
- * power cut, which reads as 0 now and as 1 later, does no harm: if the CRC alone decided, the next
- * save might erase the good slot.
  *
  * Limits: it cannot guard against a driver that reports success before the memory is done, or
  * against two saves at once. The granularity is part of the format: with another one, the data
@@ -118,7 +112,7 @@ invcal_status invcal_session_load(invcal_session *session, const invcal_store *s
  *                     neither slot can be read: nothing was erased then; call invcal_store_erase to
  *                     start over.
  * If one slot cannot be read (error correction, after a power cut), it is erased and used.
- * Reads both slots, and the new bytes. Stack: about 180 bytes, without the callbacks. */
+ * Stack: about 180 bytes, without the callbacks. */
 invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes, uint32_t size);
 
 /* Loads them.
@@ -133,8 +127,7 @@ invcal_status invcal_store_save(const invcal_store *store, const uint8_t *bytes,
  *   INVCAL_IO         nothing was found, but one or both slots cannot be read: there may be
  *                     something. If the second reading, of what was found, fails or differs, bytes
  *                     is overwritten.
- * If one slot cannot be read, loads the other, even if it is the older: an old calibration is
- * better than none. Stack as above. */
+ * If one slot cannot be read, loads the other, even if it is the older. Stack as above. */
 invcal_status invcal_store_load(const invcal_store *store, uint8_t *bytes, uint32_t capacity,
                                 uint32_t *size);
 
