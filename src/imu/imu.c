@@ -612,7 +612,7 @@ static void deliver(invcali_imu_work *w)
     } /* cppcheck-suppress misra-c2012-15.7 ; good */
 }
 
-static invcal_status finish(invcali_imu_work *w)
+static invcal_status conclude(invcali_imu_work *w)
 {
     invcal_imu_result *out = w->out;
     const invcal_real of_moves = w->variance[INVCAL_OF_MOVES] * w->pass.variances /
@@ -641,7 +641,7 @@ invcal_status invcali_imu_solve_of(const invcal_imu *imu, const invcal_positions
         if (status == INVCAL_UNDETERMINED) {
             name_open(&w);
         } else if (status == INVCAL_OK) {
-            status = finish(&w);
+            status = conclude(&w);
         } /* cppcheck-suppress misra-c2012-15.7 ; there is nothing to add */
     }
     out->left_out = w.left_out;

@@ -116,9 +116,9 @@ static unsigned next_face(const path *p)
 static void turn_to_face(const path *p, invcal_turn *turn)
 {
     const unsigned face = next_face(p);
-    invcal_real up[3] = {0, 0, 0};
 
     if (face < NO_FACE) { /* a turn was not made */
+        invcal_real up[3] = {0, 0, 0};
         up[face / 2] = face % 2 == 0 ? 1 : -1;
         (void)invcali_turn_to(p->up, up, turn);
     }

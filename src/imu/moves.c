@@ -345,12 +345,6 @@ void invcali_moves_empty(invcal_imu *imu, const invcal_calibration *nominal, inv
 
 /* ---- settings -------------------------------------------------------------------------------- */
 
-/* For its alignment. */
-typedef struct {
-    uint8_t byte;
-    invcal_session session;
-} aligned_session;
-
 static void set_limits(invcal_private_moves *m, int32_t low, int32_t high)
 {
     m->low = low;
@@ -358,16 +352,17 @@ static void set_limits(invcal_private_moves *m, int32_t low, int32_t high)
 }
 
 /* In another build the session is elsewhere: at the end of the program's structure. Where its layout
- * and its reason are in it is the same in every build. */
+ * and its reason are in it is the same in every build. By bytes, as any size may be given. */
 static void refuse_session(invcal_imu *imu, size_t size)
 {
-    const size_t alignment = offsetof(aligned_session, session);
-
-    if (size > offsetof(invcal_imu, own.rate) + sizeof imu->session && size % alignment == 0) {
-        invcal_session *session = (invcal_session *)(void *)((uint8_t *)imu + size) - 1;
-        if (invcali_session_is_begun(session)) {
-            session->layout = 0;
-            session->reason = INVCAL_OTHER_BUILD;
+    if (size > offsetof(invcal_imu, own.rate) + sizeof imu->session) {
+        uint8_t *session = (uint8_t *)imu + (size - sizeof imu->session);
+        uint8_t *at = session + offsetof(invcal_session, layout);
+        uint32_t layout;
+        memcpy(&layout, at, sizeof layout);
+        if (layout == INVCAL_SESSION_LAYOUT) {
+            memset(at, 0, sizeof layout);
+            session[offsetof(invcal_session, reason)] = INVCAL_OTHER_BUILD;
         }
     }
 }

@@ -258,6 +258,18 @@ static void begin_turns(invcali_turns *turns, unsigned n, invcal_real noise, inv
     turns->square = turns->linear / 2 + wander * wander; /* the bias of rests of 1 s */
 }
 
+/* prior may be NULL. */
+static void add_known(invcali_turns *turns, const invcal_real *prior)
+{
+    for (unsigned i = 0; prior && i < turns->n; i++) {
+        const invcal_real sigma = prior[invcali_imu_parameter(i)];
+        if (sigma > 0) {
+            const invcal_real known = turns->noise / sigma;
+            turns->sum[INVCAL_PACKED(i, i)] += known * known;
+        }
+    }
+}
+
 invcal_status invcali_turns_begin(invcali_turns *turns, const invcal_real up[3],
                                   const invcal_imu_settings *settings, invcal_real noise)
 {
@@ -279,13 +291,7 @@ invcal_status invcali_turns_begin(invcali_turns *turns, const invcal_real up[3],
         make_rest_row(h, up);
         invcali_rank_one(turns->sum, h, TURNS_ALL, 1);
     }
-    for (unsigned i = 0; s->prior && i < turns->n; i++) {
-        const invcal_real sigma = s->prior[invcali_imu_parameter(i)];
-        if (sigma > 0) {
-            const invcal_real known = turns->noise / sigma;
-            turns->sum[INVCAL_PACKED(i, i)] += known * known;
-        }
-    }
+    add_known(turns, s->prior);
     return INVCAL_OK;
 }
 

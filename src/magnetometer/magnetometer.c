@@ -353,7 +353,7 @@ void invcal_magnetometer_next(const invcal_magnetometer *magnetometer, invcal_re
 /* ---- result ---------------------------------------------------------------------------------- */
 
 /* Faces and edges have only these angles; with samples in nine cells, none is larger. */
-static uint8_t degrees_of(invcal_real cosine)
+static uint8_t gap_of(invcal_real cosine)
 {
     return cosine > INVCAL_REAL(0.8)    ? 0u
            : cosine > WIDE_GAP          ? 45u
@@ -374,7 +374,7 @@ static void fill_found(const invcal_magnetometer *m, const invcali_cell_fit *fit
     found->samples = m->own.samples;
     found->dropped = m->own.dropped;
     found->covered = (uint8_t)fit->quality.positions;
-    found->gap_deg = degrees_of(invcali_cells_gap(&fit->tables, &worst));
+    found->gap_deg = gap_of(invcali_cells_gap(&fit->tables, &worst));
     found->disturbance = m->own.dropped > 0 ? INVCAL_PASSING : INVCAL_UNDISTURBED;
     if (found->rms > PLACES_RMS && found->alike > PLACES_ALIKE) {
         found->disturbance = INVCAL_PLACES;

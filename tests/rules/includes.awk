@@ -3,7 +3,8 @@
 # The includes of the library and of the tool: awk -f includes.awk folders.txt src/*/*.[ch] port/host/*/*.[ch]
 #
 # A file includes headers of its own folder or of those before it in folders.txt, and includes within
-# a folder form no cycle. A file is its .c and its .h together.
+# a folder form no cycle. A file is its .c and its .h together. The tool includes what port/host does not
+# have from src, all of which comes before it.
 FNR == 1 && FILENAME ~ /folders[.]txt$/ { reading = 1 }
 FNR == 1 && FILENAME !~ /folders[.]txt$/ {
     reading = 0
@@ -26,12 +27,20 @@ FNR == 1 && FILENAME !~ /folders[.]txt$/ {
 reading && !/^#/ && NF > 0 {
     place[$1] = ++places
 }
+function exists(path,    line, is_there) {
+    is_there = (getline line < path) >= 0
+    close(path)
+    return is_there
+}
 # "../core/vector.h" in src, "text/figure.h" in port/host, "fit.h" of the same folder.
 !reading && /^#include "/ && !/^#include "invcal\// {
     split($2, quoted, "\"")
     to = quoted[2]
     sub(/^[.][.]\//, "", to)
     sub(/[.]h$/, "", to)
+    if (tree == "port/host" && to ~ /\// && !exists(tree "/" to ".h") && exists("src/" to ".h")) {
+        next
+    }
     to = (to ~ /\// ? tree : folder) "/" to
     to_folder = to
     sub(/\/[^\/]*$/, "", to_folder)

@@ -11,7 +11,7 @@
     }
     next
 }
-header != "" && /^([a-z_].*[ *])?invcal_[a-z0-9_]+\(/ && !/^(static|typedef) / {
-    match($0, /invcal_[a-z0-9_]+\(/)
+header != "" && /^([a-z_].*[ *])?invcali?_[a-z0-9_]+\(/ && !/^(static|typedef) / {
+    match($0, /invcali?_[a-z0-9_]+\(/)
     print header, substr($0, RSTART, RLENGTH - 1)
 }
