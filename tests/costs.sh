@@ -174,7 +174,7 @@ page=port/cortex-m/firmware_imu/README.md
 says $page "| the library | {$(figure m4f firmware_imu.invcal)} | 0 |"
 says $page "| \`main.c\` and its part of \`../firmware\`, without \`sim/\` | {$(figure m4f firmware_imu.own)} |"
 says $page "| libc: memory functions, and string functions for \`sim/\` | {$(figure m4f firmware_imu.libc)} | 0 |"
-says $page "a call of the library takes {$(figure m4f stack.turns)} bytes of stack at most"
+says $page "a call of the library takes {$(figure m4f stack.imu_next)} bytes of stack at most"
 says $page "solution alone {$(figure m4f invcal_imu_solve)}"
 
 # ---- the headers --------------------------------------------------------------------------------------------
@@ -200,6 +200,7 @@ invcal_save save
 invcal_load load
 invcal_frame_add frame_add
 invcal_frame_solve frame_solve
+invcal_imu_feed gyro_follow
 invcal_imu_feed_gyro gyro_feed
 invcal_imu_solve imu_pass
 invcal_imu_next imu_next

@@ -33,7 +33,7 @@ invcal_status invcal_imu_save(const invcal_imu *imu, const invcal_store *store);
  * stays.
  *
  * Returns INVCAL_OK; else both are as they were begun: as invcal_session_load; INVCAL_DAMAGED also
- * if the moves are inconsistent; INVCAL_OTHER_SETTINGS also for the gyroscope's. Stack: about 450
+ * if the moves are inconsistent; INVCAL_OTHER_SETTINGS also for the gyroscope's. Stack: about 320
  * bytes, without the callbacks. */
 invcal_status invcal_imu_load(invcal_imu *imu, const invcal_store *store);
 
@@ -51,7 +51,7 @@ invcal_status invcal_imu_load(invcal_imu *imu, const invcal_store *store);
  *
  * Returns INVCAL_OK: invcal_imu_decode accepts the bytes. On failure they are overwritten: as
  * invcal_record_encode, of either sensor; INVCAL_DAMAGED also for a verdict that contradicts weak.
- * Stack: about 900 bytes. */
+ * Stack: about 730 bytes. */
 INVCAL_NODISCARD invcal_status invcal_imu_encode(const invcal_imu_result *result,
                                                  const invcal_record *about,
                                                  uint8_t bytes[INVCAL_IMU_RECORD_SIZE]);
@@ -69,14 +69,14 @@ INVCAL_NODISCARD invcal_status invcal_imu_decode(const uint8_t *bytes, uint32_t 
 
 /* Saves a result as these bytes; so before invcal_scale.
  *
- * Returns INVCAL_OK; as invcal_store_save; as invcal_imu_encode. Stack: about 1,300 bytes, without
+ * Returns INVCAL_OK; as invcal_store_save; as invcal_imu_encode. Stack: about 1,100 bytes, without
  * the callbacks. */
 invcal_status invcal_imu_save_result(const invcal_imu_result *result, const invcal_store *store);
 
 /* Loads it.
  *
  * Returns INVCAL_OK; as invcal_store_load; as invcal_imu_decode: for most other contents,
- * INVCAL_NO_SPACE or INVCAL_DAMAGED. Stack: about 1,400 bytes, without the callbacks. */
+ * INVCAL_NO_SPACE or INVCAL_DAMAGED. Stack: about 1,100 bytes, without the callbacks. */
 INVCAL_NODISCARD invcal_status invcal_imu_load_result(invcal_imu_result *out,
                                                       const invcal_store *store);
 

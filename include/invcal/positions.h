@@ -138,7 +138,7 @@ invcal_status invcal_calibrate_prior(const invcal_positions *positions,
  * never a verdict: noise can make an open parameter look determined. Skips what is not a reading.
  *
  * Returns bit r for parameter r; 0: none. Cost: 12,000 instructions for 18 positions. Stack: about
- * 400 bytes. */
+ * 360 bytes. */
 uint16_t invcal_undetermined(const invcal_positions *positions);
 
 /* Which position is not a reading of this field, after INVCAL_NOT_FINITE or INVCAL_OUT_OF_RANGE.
