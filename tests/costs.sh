@@ -153,7 +153,7 @@ done
 page=port/manual/gyroscope_firmware.md
 says $page "| session and moves in RAM | {$(figure m4f sizeof.invcal_imu)} |"
 says $page "| the result in RAM, in a slot | {$(figure m4f sizeof.invcal_imu_result)}, "
-says $page "of `invcal_imu_save_result` (Cortex-M4F, `-Os`) | {$(figure m4f invcal_imu_solve)}, {$(figure m4f invcal_imu_save_result)} |"
+says $page "of \`invcal_imu_save_result\` (Cortex-M4F, \`-Os\`) | {$(figure m4f invcal_imu_solve)}, {$(figure m4f invcal_imu_save_result)} |"
 says $page "gyroscope costs {$(about m4f gyro_feed)} instructions on a Cortex-M4F"
 says $page "a solution of 23 moves {$(over m4f imu_solve 1000000)} million"
 says $page "it takes {$(over atmega1284p imu_solve 16000000)} s"
