@@ -8,7 +8,7 @@
 # What the library computes as WebAssembly has the native build's bits (tests/digest).
 digest() {
     clang-19 --target=wasm32-wasi -O2 -std=c99 -ffp-contract=off -fno-math-errno -DINVCAL_DOUBLE=0 -Iinclude \
-        -Iport -Isrc -Itests/reference -I"$build" src/*.c tests/digest/*.c port/hosted/board.c -o "$build/web/digest.wasm" &&
+        -Iport -Isrc -Itests/reference -I"$build" src/*/*.c tests/digest/*.c port/hosted/board.c -o "$build/web/digest.wasm" &&
         node --no-warnings tests/web/wasi.mjs "$build/web/digest.wasm" > "$build/web/digest.txt" &&
         "$build/float/digest" | cmp - "$build/web/digest.txt" && tail -n 1 "$build/web/digest.txt"
 }

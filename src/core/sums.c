@@ -103,7 +103,7 @@ invcal_status invcali_observe(const invcal_calibration *nominal, const invcal_re
     return invcali_read(nominal, raw, row->h);
 }
 
-static INVCAL_ONCE void add_row(invcal_sums *sums, const invcali_row *row, invcal_real weight)
+static INVCAL_ONCE void add_weighted(invcal_sums *sums, const invcali_row *row, invcal_real weight)
 {
     invcali_rank_one(sums->sum, row->h, INVCAL_PARAMETERS + 1, weight);
     sums->count += sums->count < UINT_MAX; /* 0 would mean empty */
@@ -112,7 +112,7 @@ static INVCAL_ONCE void add_row(invcal_sums *sums, const invcali_row *row, invca
 void invcali_sums_add_row(invcal_sums *sums, const invcali_row *row, invcal_real weight)
 {
     INVCAL_ASSERT(sums && row);
-    add_row(sums, row, weight);
+    add_weighted(sums, row, weight);
 }
 
 invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nominal,
@@ -126,7 +126,7 @@ invcal_status invcal_sums_add(invcal_sums *sums, const invcal_calibration *nomin
     }
     const invcal_status status = invcali_read(nominal, mean, row.h);
     if (status == INVCAL_OK) {
-        add_row(sums, &row, weight);
+        add_weighted(sums, &row, weight);
     }
     return status;
 }
