@@ -16,7 +16,6 @@
 #define ON_FACE INVCAL_REAL(0.9) /* cosine of 26 degrees */
 
 enum { NO_FACE = 6 };
-enum { TOUR_MADE = (1 << INVCAL_TOUR) - 1 }; /* every turn of the tour */
 
 /* Where the device has been: the faces of its last two rests, and the turns of the tour made. */
 typedef struct {
@@ -92,7 +91,8 @@ static int follow_path(path *p)
 }
 
 /* The face to turn to: that of the first turn of the tour that was not made and begins or ends here;
- * else where the first one begins that was not made, or ends, if it begins on the other side. */
+ * else where the first one begins that was not made, or ends, if it begins on the other side. NO_FACE
+ * if every turn was made. */
 static unsigned next_face(const path *p)
 {
     unsigned next = NO_FACE;
@@ -112,16 +112,12 @@ static unsigned next_face(const path *p)
     return next;
 }
 
-/* Leaves the turn as it is if there is none. */
-static void turn_to_face(const path *p, invcal_turn *turn)
+static void turn_to_face(const path *p, unsigned face, invcal_turn *turn)
 {
-    const unsigned face = next_face(p);
+    invcal_real up[3] = {0, 0, 0};
 
-    if (face < NO_FACE) { /* a turn was not made */
-        invcal_real up[3] = {0, 0, 0};
-        up[face / 2] = face % 2 == 0 ? 1 : -1;
-        (void)invcali_turn_to(p->up, up, turn);
-    }
+    up[face / 2] = face % 2 == 0 ? 1 : -1;
+    (void)invcali_turn_to(p->up, up, turn);
 }
 
 /* The most informative turn, unless the rests are not readings. A turn to the rest that is READY
@@ -153,10 +149,11 @@ void invcal_imu_next(const invcal_imu *imu, invcal_turn *turn)
     if (!invcali_imu_is_begun(imu) || !follow_path(&p)) {
         return;
     }
-    if (p.made == TOUR_MADE) {
-        find_informative(&p, turn);
+    const unsigned face = next_face(&p);
+    if (face < NO_FACE) {
+        turn_to_face(&p, face, turn);
     } else {
-        turn_to_face(&p, turn);
+        find_informative(&p, turn);
     }
 }
 

@@ -304,6 +304,33 @@ static void no_reading_does_harm(void)
     }
 }
 
+/* The moves before the first mean are of no use, and a refused rest is none. */
+static void only_rests_with_a_mean_count(void)
+{
+    begin();
+    add_face('z', INVCAL_OK);
+    add_face('x', INVCAL_OK);
+    add_face('y', INVCAL_OK);
+    imu.session.last = INVCAL_REFUSED;
+    TEST_ASSERT_EQUAL_INT('z', next());
+    imu.session.mean[0] = imu.session.mean[1];
+    imu.session.mean[1] = imu.session.mean[2];
+    imu.session.count = 2;
+    TEST_ASSERT_EQUAL_INT('z', next()); /* from z to x is not known any more, from y to z is next */
+}
+
+static void after_the_tour_a_bad_reading_leaves_z(void)
+{
+    static const double bad[3] = {NOT_A_NUMBER, 0, 0};
+
+    begin();
+    for (int i = 0; i <= TOUR; i++) {
+        add_face(tour[i], INVCAL_OK);
+    }
+    add_rest(bad, INVCAL_OK);
+    assert_unknown();
+}
+
 /* ---- a whole session, sample by sample ---------------------------------------------------------- */
 
 static struct {
@@ -378,7 +405,11 @@ static void a_session_follows_what_it_is_asked_for(void)
 {
     enum { LOST = 4, MORE = 3 };
     const invcal_turn none = {{0, 0, 1}, 0, {0, 0, 1}};
+    const invcal_real third = INVCAL_REAL(0.57735027);
+    const invcal_turn full = {{third, third, third}, (invcal_real)(360 * DEGREE), {0, 0, 1}};
     static invcal_imu_result result;
+    int8_t axes[3];
+    invcal_real unit;
     char path[40] = "";
     double found = 0;
     int turns = 0;
@@ -405,6 +436,8 @@ static void a_session_follows_what_it_is_asked_for(void)
     for (int i = 0; i < MORE; i++) {
         make(&hand.asked);
     }
+    make(&full); /* up is where it was: no turn is the shortest, but another is asked for */
+    TEST_ASSERT_TRUE(hand.asked.angle > 0);
     for (int i = 0; i < 200; i++) { /* it moves again, so the last rest is taken */
         const double rate[3] = {sin(i * 0.3), cos(i * 0.3), 0};
         const double up[3] = {sin(i * 0.3), cos(i * 0.3), 0};
@@ -415,7 +448,9 @@ static void a_session_follows_what_it_is_asked_for(void)
     TEST_ASSERT_EQUAL_INT(imu.session.count, imu.rests);
     TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_solve(&imu, NULL, &result));
     TEST_ASSERT_EQUAL_INT(INVCAL_GOOD, result.verdict);
-    TEST_ASSERT_EQUAL_INT(imu.rests - 2, result.moves);
+    TEST_ASSERT_EQUAL_INT(imu.rests - 3, result.moves); /* not the first, LOST, nor the full turn */
+    TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_imu_mounting(&imu, axes, &unit));
+    TEST_ASSERT_TRUE(axes[0] == 1 && axes[1] == 2 && axes[2] == 3 && unit == 1);
     for (int i = 0; i < 9; i++) {
         const double sigma = (double)result.sigma[INVCAL_GYRO_XX + i];
         const double m = (double)result.gyro.matrix[i / 3][i % 3] * COUNTS;
@@ -471,6 +506,8 @@ int main(void)
     RUN_TEST(any_path_leads_back_to_the_tour);
     RUN_TEST(without_a_rest_z_is_first);
     RUN_TEST(no_reading_does_harm);
+    RUN_TEST(only_rests_with_a_mean_count);
+    RUN_TEST(after_the_tour_a_bad_reading_leaves_z);
     RUN_TEST(a_session_follows_what_it_is_asked_for);
     RUN_TEST(g_sensitivity_is_subtracted_if_it_was_found);
     return UNITY_END() != 0;

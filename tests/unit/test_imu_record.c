@@ -467,6 +467,16 @@ static void a_record_that_contradicts_itself_is_neither_encoded_nor_decoded(void
     }
 }
 
+/* Verdicts are multiples of 16. */
+static void a_verdict_between_two_is_damaged(void)
+{
+    for (unsigned between = 1; between < 16; between++) {
+        contents r = golden_record();
+        r.r.verdict = (uint8_t)(INVCAL_ROUGH + between);
+        assert_not_encoded(INVCAL_DAMAGED, &r);
+    }
+}
+
 static void any_wrong_bit_is_noticed(void)
 {
     uint8_t bytes[SIZE];
@@ -660,6 +670,7 @@ int main(void)
     RUN_TEST(a_number_that_is_not_finite_is_neither_encoded_nor_decoded);
     RUN_TEST(a_singular_matrix_is_neither_encoded_nor_decoded);
     RUN_TEST(a_record_that_contradicts_itself_is_neither_encoded_nor_decoded);
+    RUN_TEST(a_verdict_between_two_is_damaged);
     RUN_TEST(any_wrong_bit_is_noticed);
     RUN_TEST(a_wrong_bit_within_is_noticed);
     RUN_TEST(too_few_bytes_are_refused);

@@ -207,8 +207,8 @@ static void what_was_not_begun_refuses_every_sample_and_says_why(void)
 static void a_session_alone_is_not_enough(void)
 {
     world_solution none_yet;
-    int8_t axes[3];
-    invcal_real unit;
+    int8_t axes[3] = {7, 8, 9};
+    invcal_real unit = 5;
 
     begin();
     memset(&w.imu.own, 0, sizeof w.imu.own);
@@ -217,6 +217,7 @@ static void a_session_alone_is_not_enough(void)
     TEST_ASSERT_EQUAL_INT(0, w.imu.session.count);
     TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_imu_solve(&w.imu, NULL, &none_yet.result));
     TEST_ASSERT_EQUAL_INT(INVCAL_NOT_BEGUN, invcal_imu_mounting(&w.imu, axes, &unit));
+    TEST_ASSERT_TRUE(axes[0] == 7 && axes[1] == 8 && axes[2] == 9 && unit == 5);
 }
 
 /* The reason of the session stays: it is the earlier one. */

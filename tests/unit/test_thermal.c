@@ -1311,6 +1311,10 @@ static void positions_without_temperatures_are_refused(void)
                           invcal_thermal_fit(&p, NULL, &base, DEGREE, &found, &quality));
     TEST_ASSERT_EQUAL_INT(INVCAL_BAD_TEMPERATURE,
                           invcal_thermal_judge(&p, NULL, &base, 25, &quality));
+    p.count = 0; /* nor are they needed of none */
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW, invcal_thermal_calibrate(&p, DEGREE, &found, &quality));
+    TEST_ASSERT_EQUAL_INT(INVCAL_TOO_FEW,
+                          invcal_thermal_fit(&p, NULL, &base, DEGREE, &found, &quality));
     TEST_ASSERT_EQUAL_MEMORY(&before, &found, sizeof found);
     TEST_ASSERT_EQUAL_MEMORY(&q_before, &quality, sizeof quality);
 }
