@@ -86,12 +86,15 @@ wanted_builds() { # TARGET...
 
 # ---- one build --------------------------------------------------------------------------------
 
-# A tree in which the two files of the amalgamation replace src and include.
+# A tree in which the two files of the amalgamation replace the sources and include; the digest needs internal headers.
 lay_amalgamation() {
     rm -rf "$tree" && mkdir -p "$tree/src" "$tree/include/invcal" &&
         sh port/stage.sh amalgamation "$tree/staged" && mv "$tree/staged/invcal" "$tree/src" || return
     for header in include/invcal/*.h; do
         cp "$tree/src/invcal/invcal.h" "$tree/$header" || return
+    done
+    for header in src/*/*.h; do
+        mkdir -p "$tree/${header%/*}" && cp "$header" "$tree/${header%/*}" || return
     done
     ln -s "$PWD/port" "$PWD/tests" "$tree"
 }

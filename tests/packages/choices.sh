@@ -70,7 +70,7 @@ check "all of them at once" refused SESSION+MOVES+ALLAN -DINVCAL_MAX_POSITIONS=6
 # All structures are those of the library: no _init refuses.
 same() { # FLAG
     ! refused SESSION+MOVES+ALLAN "$1" > "$out/said" &&
-        for function in session_init background_init moves_init allan_init; do
+        for function in session_init background_init imu_init allan_init; do
             grep -qx $function "$out/said" || return 1
         done
 }

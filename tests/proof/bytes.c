@@ -30,6 +30,7 @@ void main(void)
         unseal(size);
     }
     unseal(300);
+    (void)invcali_swap(BETWEEN(0, 255));
     ANY(bytes);
     ANY(reals);
     (void)invcali_get_reals(bytes, reals, 9);

@@ -22,7 +22,7 @@ enum {
 
 static invcal_imu both;
 static invcal_imu back;
-static uint8_t kept[SIZE];
+static uint8_t kept[SIZE + 32]; /* longer ones are tried, too */
 static invcal_imu_result imu[2];
 
 /* ---- a memory that loses power ------------------------------------------------------------------ */
