@@ -547,7 +547,7 @@ static void refused_bytes_leave_nothing_behind(void)
     begin(17);
     take(4);
     const uint32_t size = keep(&both);
-    memcpy(bytes, kept, sizeof kept);
+    memcpy(bytes, kept, sizeof bytes);
     for (unsigned i = 0; i < 4; i++) {
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, put_back(size));
         TEST_ASSERT_EQUAL_INT(INVCAL_OK, invcal_store_save(&large_store, bytes, wrong[i].size));
