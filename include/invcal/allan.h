@@ -49,10 +49,10 @@ extern "C" {
 /* One axis; 1424 bytes. */
 typedef struct {
     uint8_t taus;                              /* averaging times in use; 0: not begun */
-    uint8_t own_apart;                         /* internal */
+    uint8_t own_apart;                         /* private */
     uint32_t samples;                          /* since the last gap, modulo 2^32 */
-    uint64_t own_total;                        /* internal: of all samples, modulo 2^64 */
-    invcal_private_tau own[INVCAL_ALLAN_TAUS]; /* internal: in ascending order */
+    uint64_t own_total;                        /* private: of all samples, modulo 2^64 */
+    invcal_private_tau own[INVCAL_ALLAN_TAUS]; /* private: in ascending order */
 } invcal_allan;
 
 /* Begins a stream with octaves as averaging times: 1, 2, 4 ... samples.

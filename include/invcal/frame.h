@@ -40,7 +40,7 @@ void invcal_rotate(invcal_calibration *calibration, const invcal_rotation *rotat
 
 /* Sums over rests of known orientation. */
 typedef struct {
-    invcal_real own_sum[3][3]; /* internal: of c a' */
+    invcal_real own_sum[3][3]; /* private: of c a' */
     unsigned count;            /* of directions; at most UINT_MAX */
 } invcal_frame;
 

@@ -51,8 +51,8 @@ const char *invcal_disturbance_text(invcal_disturbance disturbance);
 
 /* A magnetometer in motion: 1,500 bytes (float). */
 typedef struct {
-    invcal_calibration own_work;     /* internal: to readings of about length 1 around 0 */
-    invcal_private_magnetometer own; /* internal */
+    invcal_calibration own_work;     /* private: to readings of about length 1 around 0 */
+    invcal_private_magnetometer own; /* private */
 } invcal_magnetometer;
 
 /* Further results, besides invcal_quality. */
@@ -138,7 +138,7 @@ INVCAL_NODISCARD invcal_status invcal_magnetometer_solve(const invcal_magnetomet
 
 /* The sums over all instants: 224 bytes. */
 typedef struct {
-    invcal_real own_sum[INVCAL_PRIVATE_DIP * (INVCAL_PRIVATE_DIP + 1u) / 2u]; /* internal */
+    invcal_real own_sum[INVCAL_PRIVATE_DIP * (INVCAL_PRIVATE_DIP + 1u) / 2u]; /* private */
     unsigned count; /* instants; at most UINT_MAX */
 } invcal_dip;
 
