@@ -169,7 +169,7 @@ typedef struct {
     invcal_real v[3]; /* x, y, z */
 } invcal_vector;
 
-/* A session: 688 bytes (float, 24 positions; on AVR 138 less, as it keeps no solution there). Means
+/* A session: 680 bytes (float, 24 positions; on AVR 136 less, as it keeps no solution there). Means
  * are in counts, so nominal may be replaced by another one with which all of them are readings
  * (invcal_bad_reading, positions.h), from the next position on. */
 typedef struct {
